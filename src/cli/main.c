@@ -25,21 +25,20 @@ find_subcommand (const char *name)
 }
 
 /* What data/commands.py reads. */
-static QnExit
+static void
 describe (void)
 {
   for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++) {
     char *argv[] = { (char *) subcommands[i]->name, (char *) QN_DESCRIBE, NULL };
     subcommands[i]->run (subcommands[i], 2, argv);
   }
-  return QN_EXIT_DONE;
 }
 
-static QnExit
+static void
 dispatch (int argc, char **argv)
 {
   if (argc < 2)
-    return qn_cli_usage_error (NULL, _ ("a subcommand is missing"));
+    qn_cli_usage_error (_ ("a subcommand is missing"));
   if (strcmp (argv[1], "--help") == 0 || strcmp (argv[1], "-h") == 0) {
     qn_print (
       _ ("Usage: quoin-cli SUBCOMMAND [OPTION…] ARGUMENT…\n\n"
@@ -52,22 +51,18 @@ dispatch (int argc, char **argv)
          "version.\n\n"
          "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 invalid input, 4 no "
          "answer,\n5 file cannot be read or written, 130 cancelled.\n"));
-    return QN_EXIT_DONE;
-  }
-  if (strcmp (argv[1], "--version") == 0) {
+  } else if (strcmp (argv[1], "--version") == 0) {
     qn_print ("quoin %s\n", QN_VERSION);
-    return QN_EXIT_DONE;
+  } else if (strcmp (argv[1], QN_DESCRIBE) == 0) {
+    describe ();
+  } else {
+    const QnSubcommand *subcommand = find_subcommand (argv[1]);
+    if (subcommand == NULL)
+      qn_cli_usage_error (argv[1][0] == '-' ? _ ("unknown option %s")
+                                            : _ ("unknown subcommand %s"),
+                          argv[1]);
+    subcommand->run (subcommand, argc - 1, argv + 1);
   }
-
-  if (strcmp (argv[1], QN_DESCRIBE) == 0)
-    return describe ();
-
-  const QnSubcommand *subcommand = find_subcommand (argv[1]);
-  if (subcommand == NULL)
-    return qn_cli_usage_error (
-      NULL, argv[1][0] == '-' ? _ ("unknown option %s") : _ ("unknown subcommand %s"),
-      argv[1]);
-  return subcommand->run (subcommand, argc - 1, argv + 1);
 }
 
 int
@@ -86,5 +81,6 @@ main (int argc, char **argv)
    * the program. */
   signal (SIGXFSZ, SIG_IGN);
 
-  return (int) qn_shown_text_end (dispatch (argc, argv));
+  dispatch (argc, argv);
+  return (int) qn_shown_text_end (QN_EXIT_DONE);
 }

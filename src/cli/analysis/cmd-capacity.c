@@ -26,69 +26,65 @@ typedef struct CapacityOptions {
 } CapacityOptions;
 
 typedef struct Answer {
-  const QnInput *input;
-  QnResultFile file; /* of --result */
-  QnRecord points;   /* of a spectrum from a file */
+  QnInput *input;
+  QnRecord points; /* of a spectrum from a file */
   QnCapacityAnswer answer;
   char *reason; /* why the path ended before multiplier 0, or NULL */
 } Answer;
 
 /* What the project keeps, and what options say instead. */
-static QnExit
-take_settings (const QnSubcommand *self, const CapacityOptions *options,
-               const GOptionEntry *entries, QnCapacitySettings *s, Answer *answer)
+static void
+take_settings (const CapacityOptions *options, const GOptionEntry *entries,
+               Answer *answer)
 {
-  g_autoptr (GError) error = NULL;
   const QnProject *project = &answer->input->project;
+  QnCapacitySettings *s = qn_cli_keep (g_new0 (QnCapacitySettings, 1));
   gboolean done = TRUE;
-  if (!qn_capacity_settings_read (project, s, &error))
-    return qn_cli_fail (error);
+  qn_cli_must (qn_capacity_settings_read (project, s, QN_TROUBLE));
   s->mechanism |= options->mechanism;
   for (int i = 0; done && i < SETTINGS; i++)
-    done =
-      options->given[i] == NULL
-      || qn_capacity_settings_set (s, entries[i].long_name, options->given[i], &error);
+    done = options->given[i] == NULL
+           || qn_capacity_settings_set (s, entries[i].long_name, options->given[i],
+                                        QN_TROUBLE);
   if (done && !s->mechanism
       && (options->given[TIE_STRAIN] != NULL || options->given[PART_PERIOD] != NULL))
-    return qn_cli_usage_error (
-      self->name, _ ("--tie-strain and --part-period belong to --mechanism"));
+    qn_cli_usage_error (_ ("--tie-strain and --part-period belong to --mechanism"));
   done = done
          && qn_capacity_settings_apply (s, project, options->input.allow_outside,
-                                        &answer->answer, &answer->points, &error);
-  if (done)
-    return QN_EXIT_DONE;
-  if (g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE))
-    return qn_cli_usage_error (self->name, "--%s", error->message);
-  return qn_cli_fail (g_steal_pointer (&error));
+                                        &answer->answer, &answer->points, QN_TROUBLE);
+  if (g_error_matches (qn_cli_trouble, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE))
+    qn_cli_usage_error ("--%s", qn_cli_trouble->message);
+  qn_cli_must (done);
 }
 
 /* --- The path ---------------------------------------------------------------------------- */
 
-static QnExit
-find (QnInput *input, const CapacityOptions *options, Answer *answer)
+static void
+find (const CapacityOptions *options, Answer *answer)
 {
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
-  QnModel *model = &input->project.model;
-  qn_interrupt_install ();
-  qn_terminal_progress_init (&progress, options->quiet);
-  QnCapacityEnd end = qn_capacity_answer_find (&answer->answer, model, &input->contacts,
-                                               qn_terminal_progress_update, &progress,
-                                               &answer->reason, &diag);
+  QnInput *input = answer->input;
+  qn_terminal_progress_begin (&progress, options->quiet);
+  QnCapacityEnd end = qn_capacity_answer_find (
+    &answer->answer, &input->project.model, &input->contacts, qn_terminal_progress_update,
+    &progress, &answer->reason, &diag);
   qn_terminal_progress_done (&progress);
   switch (end) {
   case QN_CAPACITY_FOUND:
-    return QN_EXIT_DONE;
+    return;
   case QN_CAPACITY_CANCELLED:
-    return qn_cli_cancelled (input->project.name);
+    qn_cli_cancelled (input->project.name);
+    break;
   case QN_CAPACITY_REFUSED:
-    return qn_input_refuse (&input->project, &diag);
+    qn_input_refuse (&input->project, &diag);
+    break;
   case QN_CAPACITY_STAGES:
   case QN_CAPACITY_NO_ANSWER:
     break;
   }
   qn_cli_error ("%s: %s", input->project.name, answer->reason);
-  return end == QN_CAPACITY_STAGES ? QN_EXIT_INVALID : QN_EXIT_NO_ANSWER;
+  qn_cli_stop (end == QN_CAPACITY_STAGES ? QN_EXIT_INVALID : QN_EXIT_NO_ANSWER);
 }
 
 /* --- Output ---------------------------------------------------------------------- */
@@ -123,71 +119,32 @@ print (const Answer *answer)
   }
 }
 
-static QnExit
-write_json (const Answer *answer, const char *path)
-{
-  GError *error = NULL;
-  gsize length;
-  g_autofree char *text =
-    qn_capacity_answer_dup_json (&answer->answer, &answer->input->project, &length);
-  qn_file_write (path, text, length, &error);
-  return qn_cli_end (error);
-}
-
-static QnExit
-draw_capacity (const Answer *answer, const CapacityOptions *options,
-               const QnOutput *output)
-{
-  const QnProject *project = &answer->input->project;
-  QnMetadata metadata;
-  GError *error = NULL;
-  qn_project_get_metadata (project, &metadata);
-  g_autoptr (QnPlot) plot = qn_capacity_answer_plot (&answer->answer);
-  plot->title = project->model.title;
-  plot->monochrome = options->picture.monochrome;
-  qn_plot_export (plot, options->picture.path, output, &metadata, &error);
-  return qn_cli_end (error);
-}
-
-static QnExit
-report (const CapacityOptions *options, const QnOutput *output, const Answer *answer)
-{
-  QnExit code = QN_EXIT_DONE;
-  GError *error = NULL;
-  gboolean to_stdout = g_strcmp0 (options->json, "-") == 0
-                       || g_strcmp0 (options->csv, "-") == 0
-                       || g_strcmp0 (options->picture.path, "-") == 0;
-  if (options->json != NULL)
-    code = write_json (answer, options->json);
-  if (code == QN_EXIT_DONE && options->csv != NULL) {
-    qn_capacity_answer_write_csv (&answer->answer, options->csv, &error);
-    code = qn_cli_end (error);
-  }
-  if (code == QN_EXIT_DONE && options->picture.path != NULL)
-    code = draw_capacity (answer, options, output);
-  if (code == QN_EXIT_DONE && !options->quiet && !to_stdout)
-    print (answer);
-  return code;
-}
-
-/* --mechanism is as if the project said it: its numbers of mechanisms count then. */
 static void
-ask_for_mechanism (CapacityOptions *options)
+report (const CapacityOptions *options, const Answer *answer)
 {
-  g_autoptr (GStrvBuilder) builder = g_strv_builder_new ();
-  char **given = options->input.overrides;
-  if (given != NULL)
-    g_strv_builder_addv (builder, (const char **) given);
-  g_strv_builder_add (builder, "capacity.mechanism=true");
-  options->input.overrides = g_strv_builder_end (builder);
-  g_strfreev (given);
+  const QnCapacityAnswer *capacity = &answer->answer;
+  const QnProject *project = &answer->input->project;
+  if (options->json != NULL) {
+    gsize length;
+    g_autofree char *text = qn_capacity_answer_dup_json (capacity, project, &length);
+    qn_cli_must (qn_file_write (options->json, text, length, QN_TROUBLE));
+  }
+  qn_cli_must (options->csv == NULL
+               || qn_capacity_answer_write_csv (capacity, options->csv, QN_TROUBLE));
+  if (options->picture.path != NULL) {
+    g_autoptr (QnPlot) plot = qn_capacity_answer_plot (capacity);
+    qn_picture_plot (&options->picture, plot, project->model.title, project);
+  }
+  if (!options->quiet && g_strcmp0 (options->json, "-") != 0
+      && g_strcmp0 (options->csv, "-") != 0
+      && g_strcmp0 (options->picture.path, "-") != 0)
+    print (answer);
 }
 
-static QnExit
+static void
 run_capacity (const QnSubcommand *self, int argc, char **argv)
 {
   CapacityOptions options = { 0 };
-  QnCapacitySettings settings = { 0 };
   const GOptionEntry entries[] = {
     { "spectrum", 0, 0, G_OPTION_ARG_FILENAME, &options.given[0],
       N_ ("Elastic spectrum of EN 1998-1, or a table of period and acceleration; without "
@@ -240,45 +197,25 @@ run_capacity (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };
-  QnInput input = { 0 };
-  QnOutput output;
-  Answer answer = { .input = &input };
-  QnExit code = QN_EXIT_USAGE;
-
-  qn_output_init (&output);
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = options.picture.path != NULL
-             ? qn_picture_output (self, &options.picture, &output)
-             : QN_EXIT_DONE;
-  if (code == QN_EXIT_DONE && options.result != NULL && !options.mechanism)
-    code = qn_cli_usage_error (self->name, _ ("--result belongs to --mechanism"));
-  if (code == QN_EXIT_DONE && options.mechanism)
-    ask_for_mechanism (&options);
-  if (code == QN_EXIT_DONE)
-    code = options.result != NULL ? qn_input_load_with_result (
-             &input, &answer.file, argv[1], options.result, &options.input)
-                                  : qn_input_load (&input, argv[1], &options.input);
-  if (code == QN_EXIT_DONE && options.result != NULL)
-    answer.answer.collapse = &answer.file.result;
-  if (code == QN_EXIT_DONE)
-    code = take_settings (self, &options, entries, &settings, &answer);
-  if (code == QN_EXIT_DONE)
-    code = qn_input_require_sound (&input);
-  if (code == QN_EXIT_DONE)
-    code = find (&input, &options, &answer);
-  if (code == QN_EXIT_DONE) {
-    qn_capacity_answer_check (&answer.answer);
-    code = report (&options, &output, &answer);
-  }
-
-  qn_capacity_settings_clear (&settings);
-  qn_capacity_clear (&answer.answer.capacity);
-  g_free (answer.reason);
-  qn_result_file_clear (&answer.file);
-  qn_record_clear (&answer.points);
-  qn_input_clear (&input);
-  qn_subcommand_free_values (entries);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return;
+  qn_picture_if_any (&options.picture);
+  if (options.result != NULL && !options.mechanism)
+    qn_cli_usage_error (_ ("--result belongs to --mechanism"));
+  if (options
+        .mechanism) /* as if the project said it: its numbers of mechanisms count then */
+    qn_input_override (&options.input, "capacity.mechanism=true", FALSE);
+  Answer *answer = qn_cli_keep (g_new0 (Answer, 1));
+  answer->input = options.result != NULL
+                    ? qn_input_load_with_result (argv[1], options.result, &options.input)
+                    : qn_input_load (argv[1], &options.input);
+  if (options.result != NULL)
+    answer->answer.collapse = &answer->input->file.result;
+  take_settings (&options, entries, answer);
+  qn_input_require_sound (answer->input);
+  find (&options, answer);
+  qn_capacity_answer_check (&answer->answer);
+  report (&options, answer);
 }
 
 const QnSubcommand qn_cmd_capacity = {

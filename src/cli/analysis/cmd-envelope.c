@@ -19,16 +19,15 @@ typedef struct EnvelopeOptions {
 } EnvelopeOptions;
 
 /* Options that are not wrong in themselves are those of the project. */
-static QnExit
+static void
 choose_settings (const EnvelopeOptions *options, QnInput *input,
                  QnEnvelopeSettings *settings)
 {
   const QnEnvelopeSettings *given = &options->settings;
-  GError *error = NULL;
-  if (!qn_envelope_settings_read (&input->project, settings, &error)
-      || (options->vehicles != NULL
-          && !qn_read_vehicle_file (options->vehicles, &input->project.model, &error)))
-    return qn_cli_fail (error);
+  qn_cli_must (qn_envelope_settings_read (&input->project, settings, QN_TROUBLE));
+  qn_cli_must (
+    options->vehicles == NULL
+    || qn_read_vehicle_file (options->vehicles, &input->project.model, QN_TROUBLE));
   if (given->vehicles != NULL) {
     g_strfreev (settings->vehicles);
     settings->vehicles = g_strdupv (given->vehicles);
@@ -43,31 +42,29 @@ choose_settings (const EnvelopeOptions *options, QnInput *input,
     settings->ways = QN_WAYS_RIGHT;
   if (options->path)
     settings->method = QN_ENVELOPE_PATH;
-  return QN_EXIT_DONE;
 }
 
-static QnExit
+static void
 find_envelope (const QnInput *input, const EnvelopeOptions *options, QnEnvelope *e,
                QnEnvelopePlace *least)
 {
   QnTerminalProgress progress;
   QnDiag diag = { 0 };
-  qn_interrupt_install ();
-  qn_terminal_progress_init (&progress, options->quiet);
+  qn_terminal_progress_begin (&progress, options->quiet);
   QnStatus status = qn_envelope_run (e, qn_terminal_progress_update, &progress, &diag);
   qn_terminal_progress_done (&progress);
   if (qn_interrupt_seen ())
-    return qn_cli_cancelled (input->project.name);
+    qn_cli_cancelled (input->project.name);
   if (status != QN_OK)
-    return qn_input_fail (input, QN_INPUT_PATH, &diag);
+    qn_input_fail (input, QN_INPUT_PATH, &diag);
   if (e->unstable)
     qn_cli_error (_ ("%s: no stable equilibrium under the dead load"),
                   input->project.name);
   else if (!qn_envelope_find_least (e, least))
     qn_cli_error (_ ("%s: no position gives a collapse"), input->project.name);
   else
-    return QN_EXIT_DONE;
-  return QN_EXIT_NO_ANSWER;
+    return;
+  qn_cli_stop (QN_EXIT_NO_ANSWER);
 }
 
 static void
@@ -84,42 +81,31 @@ print_worst (const QnEnvelope *e, QnEnvelopePlace worst)
             line->reversed ? "true" : "false");
 }
 
-static QnExit
-make_envelope (const EnvelopeOptions *options, const QnOutput *output, QnInput *input)
+static void
+make_envelope (const EnvelopeOptions *options, QnInput *input)
 {
-  QnEnvelope e = { 0 };
+  QnEnvelope *e = qn_cli_keep (g_new0 (QnEnvelope, 1));
   QnEnvelopeSettings settings = { 0 };
   QnEnvelopePlace worst;
   QnMetadata metadata;
-  GError *error = NULL;
-  QnExit code = choose_settings (options, input, &settings);
-  if (code == QN_EXIT_DONE
-      && !qn_envelope_init (&e, &input->project.model, &settings, &error)) {
-    code = qn_cli_usage_error ("envelope", "%s", error->message);
-    g_error_free (error);
-  }
-  if (code == QN_EXIT_DONE)
-    code = find_envelope (input, options, &e, &worst);
-  if (code == QN_EXIT_DONE && !options->quiet && g_strcmp0 (options->table, "-") != 0
-      && g_strcmp0 (options->picture.path, "-") != 0)
-    print_worst (&e, worst);
-  if (code == QN_EXIT_DONE && options->table != NULL) {
-    qn_envelope_write_table (&e, options->table, &error);
-    code = qn_cli_end (error);
-  }
-  if (code == QN_EXIT_DONE && options->picture.path != NULL) {
-    error = NULL;
-    qn_project_get_metadata (&input->project, &metadata);
-    metadata.title = e.model.title;
-    qn_envelope_export (&e, worst, options->picture.path, output, &metadata, &error);
-    code = qn_cli_end (error);
-  }
-  qn_envelope_clear (&e);
+  choose_settings (options, input, &settings);
+  if (!qn_envelope_init (e, &input->project.model, &settings, QN_TROUBLE))
+    qn_cli_usage_error ("%s", qn_cli_trouble->message);
   qn_envelope_settings_clear (&settings);
-  return code;
+  find_envelope (input, options, e, &worst);
+  if (!options->quiet && g_strcmp0 (options->table, "-") != 0
+      && g_strcmp0 (options->picture.path, "-") != 0)
+    print_worst (e, worst);
+  qn_cli_must (options->table == NULL
+               || qn_envelope_write_table (e, options->table, QN_TROUBLE));
+  qn_project_get_metadata (&input->project, &metadata);
+  metadata.title = e->model.title;
+  qn_cli_must (options->picture.path == NULL
+               || qn_envelope_export (e, worst, options->picture.path,
+                                      &options->picture.output, &metadata, QN_TROUBLE));
 }
 
-static QnExit
+static void
 run_envelope (const QnSubcommand *self, int argc, char **argv)
 {
   EnvelopeOptions options = {
@@ -149,24 +135,12 @@ run_envelope (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };
-  QnInput input = { 0 };
-  QnOutput output;
-  QnExit code = QN_EXIT_USAGE;
-
-  qn_output_init (&output);
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = options.picture.path != NULL
-             ? qn_picture_output (self, &options.picture, &output)
-             : QN_EXIT_DONE;
-  if (code == QN_EXIT_DONE)
-    code = qn_input_load (&input, argv[1], &options.input);
-  if (code == QN_EXIT_DONE)
-    code = qn_input_require_sound (&input);
-  if (code == QN_EXIT_DONE)
-    code = make_envelope (&options, &output, &input);
-  qn_input_clear (&input);
-  qn_subcommand_free_values (entries);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return;
+  qn_picture_if_any (&options.picture);
+  QnInput *input = qn_input_load (argv[1], &options.input);
+  qn_input_require_sound (input);
+  make_envelope (&options, input);
 }
 
 const QnSubcommand qn_cmd_envelope = {

@@ -17,13 +17,11 @@ typedef struct ModalOptions {
   gboolean loaded, slip, quiet, no_timings;
 } ModalOptions;
 
-static QnExit
+static void
 write_modes (const ModalOptions *options, const QnModel *model, const QnModes *modes)
 {
-  GError *error = NULL;
-  QnFileWriter *writer = qn_file_writer_open (options->csv, &error);
-  if (writer == NULL)
-    return qn_cli_fail (error);
+  QnFileWriter *writer = qn_file_writer_open (options->csv, QN_TROUBLE);
+  qn_cli_must (writer != NULL);
   qn_file_writer_puts (writer,
                        "mode,omega [rad/s],frequency [Hz],block number,x [m],y [m],"
                        "ux [m],uy [m],rz [rad]\n");
@@ -43,31 +41,28 @@ write_modes (const ModalOptions *options, const QnModel *model, const QnModes *m
       qn_file_writer_numbers (writer, row, G_N_ELEMENTS (row), ",");
       qn_file_writer_puts (writer, "\n");
     }
-  qn_file_writer_commit (writer, &error);
-  return qn_cli_end (error);
+  qn_cli_must (qn_file_writer_commit (writer, QN_TROUBLE));
 }
 
 /* A result whose mechanism is one of the modes, for pictures and animations. */
-static QnExit
+static void
 write_result (const ModalOptions *options, const QnInput *input, const QnModes *modes,
               QnResult *result)
 {
   QnDiag diag = { 0 };
-  GError *error = NULL;
   if ((size_t) options->mode > modes->count) {
     qn_cli_error (_ ("there is no mode %d: only %zu were found"), options->mode,
                   modes->count);
-    return QN_EXIT_INVALID;
+    qn_cli_stop (QN_EXIT_INVALID);
   }
   if (qn_modes_show (modes, (size_t) options->mode - 1, &input->project.model, result,
                      &diag)
       != QN_OK) {
     qn_cli_error (_ ("not enough memory"));
-    return QN_EXIT_INTERNAL;
+    qn_cli_stop (QN_EXIT_INTERNAL);
   }
-  qn_result_file_write (options->output, &input->project, &input->contacts, result,
-                        &error);
-  return qn_cli_end (error);
+  qn_cli_must (qn_result_file_write (options->output, &input->project, &input->contacts,
+                                     result, QN_TROUBLE));
 }
 
 static void
@@ -80,17 +75,39 @@ print_damping (double ratio, const QnModes *modes)
     damping.mass, damping.stiffness, ratio, damping.first + 1, damping.last + 1);
 }
 
-static QnExit
+static void
+print_modes (const ModalOptions *options, const QnInput *input, const QnModes *modes)
+{
+  qn_print ("%6s  %14s  %14s  %14s  %14s  %14s\n", _ ("mode"), _ ("omega [rad/s]"),
+            _ ("frequency [Hz]"), _ ("period [s]"), _ ("mass in x [kg]"),
+            _ ("mass in y [kg]"));
+  for (size_t i = 0; i < modes->count; i++) {
+    double hertz = modes->omega[i] / (2 * G_PI);
+    qn_print ("%6zu  %14.6f  %14.6f  ", i + 1, modes->omega[i], hertz);
+    if (hertz > 0)
+      qn_print ("%14.6g", 1 / hertz);
+    else
+      qn_print ("%14s", _ ("rigid motion"));
+    qn_print ("  %14.6g  %14.6g\n", modes->masses[3 * i + 1], modes->masses[3 * i + 2]);
+  }
+  if (options->damping > 0)
+    print_damping (options->damping, modes);
+  if (modes->open + modes->slides > 0)
+    qn_print (_ ("closed joints are elastic, also %zu contact pairs that slide under the "
+                 "load; %zu of %zu, which are open or carry no compression, are left "
+                 "out\n"),
+              modes->slides, modes->open, input->contacts.pair_count);
+}
+
+static void
 solve_modal (const ModalOptions *options, const QnInput *input)
 {
   QnTerminalProgress progress;
   QnModes modes;
   QnResult result;
   QnDiag diag = { 0 };
-  QnExit code = QN_EXIT_DONE;
 
-  qn_interrupt_install ();
-  qn_terminal_progress_init (&progress, options->quiet);
+  qn_terminal_progress_begin (&progress, options->quiet);
   QnStatus status = qn_modal_run (&input->project.model, &input->contacts,
                                   (options->loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD)
                                     | (options->slip ? QN_MODAL_SLIDING : 0),
@@ -98,54 +115,34 @@ solve_modal (const ModalOptions *options, const QnInput *input)
                                   &progress, &modes, &result, &diag);
   qn_terminal_progress_done (&progress);
   if (status != QN_OK)
-    return qn_input_fail (input, options->loaded ? QN_INPUT_PATH : QN_INPUT_DEAD_LOAD,
-                          &diag);
+    qn_input_fail (input, options->loaded ? QN_INPUT_PATH : QN_INPUT_DEAD_LOAD, &diag);
   if (options->no_timings)
     qn_statistics_clear_timings (&result.statistics);
-  if (result.outcome == QN_OUTCOME_CANCELLED) {
-    code = qn_cli_cancelled (input->project.name);
-  } else if (result.stop == QN_STOP_FACTORIZATIONS || result.stop == QN_STOP_TIME
-             || result.stop == QN_STOP_CHECK) {
+  if (result.outcome == QN_OUTCOME_CANCELLED)
+    qn_cli_cancelled (input->project.name);
+  if (result.stop == QN_STOP_FACTORIZATIONS || result.stop == QN_STOP_TIME
+      || result.stop == QN_STOP_CHECK) {
     g_autofree char *reason = qn_outcome_dup_reason (&input->project.model, &result);
     qn_cli_error ("%s: %s", input->project.name, reason);
-    code = QN_EXIT_NO_ANSWER;
-  } else if (modes.count == 0) {
+    qn_cli_stop (QN_EXIT_NO_ANSWER);
+  }
+  if (modes.count == 0) {
     qn_cli_error (_ ("%s: no equilibrium was found, so there are no vibrations about it"),
                   input->project.name);
-    code = QN_EXIT_NO_ANSWER;
-  } else if (!options->quiet && g_strcmp0 (options->output, "-") != 0
-             && g_strcmp0 (options->csv, "-") != 0) {
-    qn_print ("%6s  %14s  %14s  %14s  %14s  %14s\n", _ ("mode"), _ ("omega [rad/s]"),
-              _ ("frequency [Hz]"), _ ("period [s]"), _ ("mass in x [kg]"),
-              _ ("mass in y [kg]"));
-    for (size_t i = 0; i < modes.count; i++) {
-      double hertz = modes.omega[i] / (2 * G_PI);
-      qn_print ("%6zu  %14.6f  %14.6f  ", i + 1, modes.omega[i], hertz);
-      if (hertz > 0)
-        qn_print ("%14.6g", 1 / hertz);
-      else
-        qn_print ("%14s", _ ("rigid motion"));
-      qn_print ("  %14.6g  %14.6g\n", modes.masses[3 * i + 1], modes.masses[3 * i + 2]);
-    }
-    if (options->damping > 0)
-      print_damping (options->damping, &modes);
-    if (modes.open + modes.slides > 0)
-      qn_print (
-        _ ("closed joints are elastic, also %zu contact pairs that slide under the "
-           "load; %zu of %zu, which are open or carry no compression, are left "
-           "out\n"),
-        modes.slides, modes.open, input->contacts.pair_count);
+    qn_cli_stop (QN_EXIT_NO_ANSWER);
   }
-  if (code == QN_EXIT_DONE && options->csv != NULL)
-    code = write_modes (options, &input->project.model, &modes);
-  if (code == QN_EXIT_DONE && options->output != NULL)
-    code = write_result (options, input, &modes, &result);
+  if (!options->quiet && g_strcmp0 (options->output, "-") != 0
+      && g_strcmp0 (options->csv, "-") != 0)
+    print_modes (options, input, &modes);
+  if (options->csv != NULL)
+    write_modes (options, &input->project.model, &modes);
+  if (options->output != NULL)
+    write_result (options, input, &modes, &result);
   qn_modes_clear (&modes);
   qn_result_clear (&result);
-  return code;
 }
 
-static QnExit
+static void
 run_modal (const QnSubcommand *self, int argc, char **argv)
 {
   ModalOptions options = { .count = 10, .mode = 1 };
@@ -174,22 +171,13 @@ run_modal (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };
-  QnInput input = { 0 };
-  QnExit code = QN_EXIT_USAGE;
-
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)) {
-    if (options.count < 1 || options.mode < 1)
-      qn_cli_usage_error (self->name, _ ("--count and --mode count from 1"));
-    else if (!(options.damping >= 0 && options.damping < 1))
-      qn_cli_usage_error (self->name, _ ("--damping is from 0 to less than 1"));
-    else
-      code = qn_input_load (&input, argv[1], &options.input);
-  }
-  if (code == QN_EXIT_DONE)
-    code = solve_modal (&options, &input);
-  qn_input_clear (&input);
-  qn_subcommand_free_values (entries);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return;
+  if (options.count < 1 || options.mode < 1)
+    qn_cli_usage_error (_ ("--count and --mode count from 1"));
+  if (!(options.damping >= 0 && options.damping < 1))
+    qn_cli_usage_error (_ ("--damping is from 0 to less than 1"));
+  solve_modal (&options, qn_input_load (argv[1], &options.input));
 }
 
 const QnSubcommand qn_cmd_modal = {

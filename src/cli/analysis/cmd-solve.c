@@ -1,5 +1,4 @@
 #include "cli/analysis/cmd-solve.h"
-#include "cli/analysis/sensitivity.h"
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
@@ -27,7 +26,7 @@ typedef struct SolveOptions {
 } SolveOptions;
 
 /* Names the blocks that the dead load moves, the first few of them. */
-static QnExit
+static void
 tell_unstable (const QnInput *input, const QnResult *result)
 {
   enum { SHOWN = 5 };
@@ -40,7 +39,7 @@ tell_unstable (const QnInput *input, const QnResult *result)
     g_string_append_printf (names, _ (" and %zu more"), result->unstable_count - SHOWN);
   qn_cli_error (_ ("%s: no stable equilibrium under the dead load: %s"),
                 input->project.name, names->str);
-  return QN_EXIT_NO_ANSWER;
+  qn_cli_stop (QN_EXIT_NO_ANSWER);
 }
 
 /* How far an analysis in time went, and what its numbers are worth. */
@@ -121,100 +120,69 @@ is_stdout (const char *path)
   return g_strcmp0 (path, "-") == 0;
 }
 
-static QnExit
-write_outputs (const SolveOptions *options, const QnInput *input, const QnResult *result)
-{
-  GError *error = NULL;
-  if (options->output != NULL
-      && !qn_result_file_write_detailed (options->output, &input->project,
-                                         &input->contacts, result, options->level,
-                                         &error))
-    return qn_cli_fail (error);
-  if (options->csv != NULL
-      && !qn_curve_csv_write (options->csv, &input->project, result, &error))
-    return qn_cli_fail (error);
-  return QN_EXIT_DONE;
-}
-
 /* Finds out before a long analysis whether a file can be written where it shall be. Devices
  * and pipes are not touched. */
-static QnExit
+static void
 probe_output (const char *path)
 {
-  GError *error = NULL;
   if (path == NULL || is_stdout (path)
       || (g_file_test (path, G_FILE_TEST_EXISTS)
           && !g_file_test (path, G_FILE_TEST_IS_REGULAR | G_FILE_TEST_IS_DIR)))
-    return QN_EXIT_DONE;
-  QnFileWriter *writer = qn_file_writer_open (path, &error);
-  if (writer == NULL)
-    return qn_cli_fail (error);
+    return;
+  QnFileWriter *writer = qn_file_writer_open (path, QN_TROUBLE);
+  qn_cli_must (writer != NULL);
   qn_file_writer_discard (writer);
-  return QN_EXIT_DONE;
 }
 
-static QnExit
+static void
 report (const SolveOptions *options, const QnInput *input, const QnResult *result)
 {
-  QnExit code = write_outputs (options, input, result);
-  if (code != QN_EXIT_DONE)
-    return code;
+  const QnProject *project = &input->project;
+  qn_cli_must (options->output == NULL
+               || qn_result_file_write_detailed (options->output, project,
+                                                 &input->contacts, result, options->level,
+                                                 QN_TROUBLE));
+  qn_cli_must (options->csv == NULL
+               || qn_curve_csv_write (options->csv, project, result, QN_TROUBLE));
   if (!options->quiet && !is_stdout (options->output) && !is_stdout (options->csv)) {
-    print_summary (&input->project, result);
+    print_summary (project, result);
     g_autofree char *text =
-      qn_collapse_dup_text (&input->project.model, &input->contacts, result);
+      qn_collapse_dup_text (&project->model, &input->contacts, result);
     if (text != NULL)
       qn_print ("%s\n", text);
   }
-  if (options->sensitivity) {
-    code = qn_sensitivity_print (&input->project, &input->contacts, result);
-    if (code != QN_EXIT_DONE)
-      return code;
+  if (options->sensitivity)
+    qn_cmd_limit_print_sensitivity (project, &input->contacts, result);
+  /* An end that is no success. */
+  if (result->outcome == QN_OUTCOME_CANCELLED)
+    qn_cli_cancelled (project->name);
+  if (result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
+    tell_unstable (input, result);
+  if (result->outcome == QN_OUTCOME_NOT_CONVERGED) {
+    g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
+    qn_cli_error (_ ("%s: the analysis did not converge: %s"), project->name, reason);
+    qn_cli_stop (QN_EXIT_NO_ANSWER);
   }
-  /* Reports an end that is no success; the exit code. */
-  switch (result->outcome) {
-  case QN_OUTCOME_COLLAPSE:
-  case QN_OUTCOME_TARGET_REACHED:
-  case QN_OUTCOME_SNAP:
-  case QN_OUTCOME_UNBOUNDED:
-  case QN_OUTCOME_REST:
-    return QN_EXIT_DONE;
-  case QN_OUTCOME_CANCELLED:
-    return qn_cli_cancelled (input->project.name);
-  case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
-    return tell_unstable (input, result);
-  case QN_OUTCOME_NOT_CONVERGED: {
-    g_autofree char *reason = qn_outcome_dup_reason (&input->project.model, result);
-    qn_cli_error (_ ("%s: the analysis did not converge: %s"), input->project.name,
-                  reason);
-    return QN_EXIT_NO_ANSWER;
-  }
-  case QN_OUTCOME_COUNT:
-    break;
-  }
-  g_assert_not_reached ();
 }
 
 /* A limit multiplier is about a structure that stands. By the associative theorem friction may wedge
  * blocks between others, without a reason to be pressed together: whether the dead load stands is asked
  * of a path. */
-static QnExit
+static void
 require_dead_load (const QnInput *input)
 {
   QnModel model = input->project.model; /* shares all arrays */
   QnResult result = { 0 };
-  QnExit code = QN_EXIT_DONE;
   model.analysis.procedure = QN_PROCEDURE_LOAD;
   model.analysis.geometry = QN_GEOMETRY_LINEAR;
   model.analysis.max_multiplier = 0;
   if (qn_analysis_run (&model, &input->contacts, NULL, NULL, &result, NULL) == QN_OK
       && result.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
-    code = tell_unstable (input, &result);
+    tell_unstable (input, &result);
   qn_result_clear (&result);
-  return code;
 }
 
-static QnExit
+static void
 solve_project (const SolveOptions *options, QnInput *input)
 {
   QnTerminalProgress progress;
@@ -222,59 +190,37 @@ solve_project (const SolveOptions *options, QnInput *input)
   QnResult result = { 0 };
 
   input->project.model.analysis.all_forces = options->level == QN_DETAIL_STEPS;
-  qn_interrupt_install ();
-  qn_terminal_progress_init (&progress, options->quiet);
+  qn_terminal_progress_begin (&progress, options->quiet);
   QnStatus status =
     qn_analysis_run (&input->project.model, &input->contacts, qn_terminal_progress_update,
                      &progress, &result, &diag);
   qn_terminal_progress_done (&progress);
   if (status == QN_ERROR_CANCELLED)
-    return qn_cli_cancelled (input->project.name);
+    qn_cli_cancelled (input->project.name);
   if (status != QN_OK)
-    return qn_input_refuse (&input->project, &diag);
+    qn_input_refuse (&input->project, &diag);
   result.statistics.peak_memory_bytes = (int64_t) progress.peak_memory;
   if (options->no_timings)
     qn_statistics_clear_timings (&result.statistics);
-  QnExit code = report (options, input, &result);
-  if (code == QN_EXIT_DONE
-      && input->project.model.analysis.procedure == QN_PROCEDURE_LIMIT)
-    code = require_dead_load (input);
+  report (options, input, &result);
+  if (input->project.model.analysis.procedure == QN_PROCEDURE_LIMIT)
+    require_dead_load (input);
   qn_result_clear (&result);
-  return code;
 }
 
-static gboolean
-parse_detail (const QnSubcommand *self, SolveOptions *options)
+static QnResultDetail
+parse_detail (const char *detail)
 {
-  options->level = QN_DETAIL_FORCES;
-  if (options->detail == NULL || strcmp (options->detail, "forces") == 0)
-    return TRUE;
-  options->level = QN_DETAIL_PAIRS;
-  if (strcmp (options->detail, "pairs") == 0)
-    return TRUE;
-  options->level = QN_DETAIL_STEPS;
-  if (strcmp (options->detail, "steps") == 0)
-    return TRUE;
-  qn_cli_usage_error (self->name, _ ("--detail is forces, pairs or steps"));
-  return FALSE;
+  if (detail != NULL && strcmp (detail, "pairs") == 0)
+    return QN_DETAIL_PAIRS;
+  if (detail != NULL && strcmp (detail, "steps") == 0)
+    return QN_DETAIL_STEPS;
+  if (detail != NULL && strcmp (detail, "forces") != 0)
+    qn_cli_usage_error (_ ("--detail is forces, pairs or steps"));
+  return QN_DETAIL_FORCES;
 }
 
-/* Puts an override before those of the user. */
-static void
-add_override (char ***overrides, const char *override)
-{
-  g_autoptr (GPtrArray) all = g_ptr_array_new ();
-  if (override == NULL)
-    return;
-  g_ptr_array_add (all, g_strdup (override));
-  for (gsize i = 0; *overrides != NULL && (*overrides)[i] != NULL; i++)
-    g_ptr_array_add (all, g_strdup ((*overrides)[i]));
-  g_ptr_array_add (all, NULL);
-  g_strfreev (*overrides);
-  *overrides = (char **) g_ptr_array_steal (all, NULL);
-}
-
-QnExit
+void
 qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char **argv)
 {
   SolveOptions options = { 0 };
@@ -298,34 +244,23 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
       NULL },
     G_OPTION_ENTRY_NULL,
   };
-  QnInput input;
-  QnExit code = QN_EXIT_USAGE;
-
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)
-      && parse_detail (self, &options)) {
-    add_override (&options.input.overrides, override);
-    qn_cli_set_own_override (override, self->name);
-    code = qn_input_load (&input, argv[1], &options.input);
-  } else
-    memset (&input, 0, sizeof input);
-  if (code == QN_EXIT_DONE)
-    code = qn_input_prepare (&input, &options.input);
-  if (code == QN_EXIT_DONE)
-    code = probe_output (options.output);
-  if (code == QN_EXIT_DONE)
-    code = probe_output (options.csv);
-  if (code == QN_EXIT_DONE)
-    code = solve_project (&options, &input);
-
-  qn_input_clear (&input);
-  qn_subcommand_free_values (entries);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return;
+  options.level = parse_detail (options.detail);
+  if (override != NULL)
+    qn_input_override (&options.input, override, TRUE);
+  qn_cli_set_own_override (override);
+  QnInput *input = qn_input_load (argv[1], &options.input);
+  qn_input_prepare (input, &options.input);
+  probe_output (options.output);
+  probe_output (options.csv);
+  solve_project (&options, input);
 }
 
-static QnExit
+static void
 run_solve (const QnSubcommand *self, int argc, char **argv)
 {
-  return qn_cmd_solve_run (self, NULL, argc, argv);
+  qn_cmd_solve_run (self, NULL, argc, argv);
 }
 
 const QnSubcommand qn_cmd_solve = {

@@ -30,63 +30,55 @@ print_stability (const QnProject *project, const QnResult *result)
   qn_print ("%s\n", reason);
 }
 
-static QnExit
-exit_code (const QnProject *project, const QnResult *result)
-{
-  g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
-  if (result->outcome == QN_OUTCOME_CANCELLED)
-    return qn_cli_cancelled (project->name);
-  if (result->outcome != QN_OUTCOME_DEAD_LOAD_UNSTABLE
-      && result->outcome != QN_OUTCOME_NOT_CONVERGED)
-    return QN_EXIT_DONE;
-  qn_cli_error ("%s: %s", project->name, reason);
-  return QN_EXIT_NO_ANSWER;
-}
-
-static QnExit
+static void
 solve_stability (const StabilityOptions *options, const QnInput *input)
 {
   QnTerminalProgress progress;
   QnResult result;
   QnDiag diag = { 0 };
-  GError *error = NULL;
+  const QnProject *project = &input->project;
 
-  qn_interrupt_install ();
-  qn_terminal_progress_init (&progress, options->quiet);
+  qn_terminal_progress_begin (&progress, options->quiet);
   QnStatus status =
-    qn_stability_run (&input->project.model, &input->contacts,
-                      qn_terminal_progress_update, &progress, &result, &diag);
+    qn_stability_run (&project->model, &input->contacts, qn_terminal_progress_update,
+                      &progress, &result, &diag);
   qn_terminal_progress_done (&progress);
   if (status != QN_OK)
-    return qn_input_fail (input, QN_INPUT_PATH, &diag);
+    qn_input_fail (input, QN_INPUT_PATH, &diag);
   if (options->no_timings)
     qn_statistics_clear_timings (&result.statistics);
   if (!options->quiet && g_strcmp0 (options->output, "-") != 0)
-    print_stability (&input->project, &result);
-  QnExit code = exit_code (&input->project, &result);
-  if (options->output != NULL
-      && !qn_result_file_write (options->output, &input->project, &input->contacts,
-                                &result, &error))
-    code = qn_cli_fail (error);
+    print_stability (project, &result);
+  gboolean none = result.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE
+                  || result.outcome == QN_OUTCOME_NOT_CONVERGED;
+  if (none) {
+    g_autofree char *reason = qn_outcome_dup_reason (&project->model, &result);
+    qn_cli_error ("%s: %s", project->name, reason);
+  }
+  qn_cli_must (options->output == NULL
+               || qn_result_file_write (options->output, project, &input->contacts,
+                                        &result, QN_TROUBLE));
+  if (result.outcome == QN_OUTCOME_CANCELLED)
+    qn_cli_cancelled (project->name);
+  if (none)
+    qn_cli_stop (QN_EXIT_NO_ANSWER);
   qn_result_clear (&result);
-  return code;
 }
 
 /* On the undeformed structure the tangent of elastic joints never changes: every answer would be
  * "stable". */
-static QnExit
+static void
 require_nonlinear (const QnInput *input)
 {
-  GError *error = NULL;
   if (input->project.model.analysis.geometry == QN_GEOMETRY_NONLINEAR)
-    return QN_EXIT_DONE;
+    return;
   qn_project_set_key_error (&input->project, "analysis.geometry",
                             _ ("linear geometry has no buckling: set it to nonlinear"),
-                            &error);
-  return qn_cli_fail (error);
+                            QN_TROUBLE);
+  qn_cli_must (FALSE);
 }
 
-static QnExit
+static void
 run_stability (const QnSubcommand *self, int argc, char **argv)
 {
   StabilityOptions options = { 0 };
@@ -99,20 +91,12 @@ run_stability (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };
-  QnInput input = { 0 };
-  QnExit code = QN_EXIT_USAGE;
-
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = qn_input_load (&input, argv[1], &options.input);
-  if (code == QN_EXIT_DONE)
-    code = require_nonlinear (&input);
-  if (code == QN_EXIT_DONE)
-    code = qn_input_require_sound (&input);
-  if (code == QN_EXIT_DONE)
-    code = solve_stability (&options, &input);
-  qn_input_clear (&input);
-  qn_subcommand_free_values (entries);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return;
+  const QnInput *input = qn_input_load (argv[1], &options.input);
+  require_nonlinear (input);
+  qn_input_require_sound (input);
+  solve_stability (&options, input);
 }
 
 const QnSubcommand qn_cmd_stability = {

@@ -1,32 +1,41 @@
 #include "cli/base/input.h"
 
 #include "cli/base/message.h"
+#include "cli/base/progress.h"
+#include "core/path/analysis.h"
 #include "doc/document/job.h"
 #include "io/exchange/record.h"
 #include "io/text/outcome-text.h"
 
 #include <glib/gi18n.h>
-#include <string.h>
 
-QnExit
-qn_input_refuse (const QnProject *project, const QnDiag *diag)
+/* Both lists, one after the other, for the rest of the program; NULL where both are. */
+static char **
+join (char **first, char **second)
 {
-  GError *error = NULL;
-  qn_project_set_error (project, diag, &error);
-  return qn_cli_fail (error);
+  g_autoptr (GStrvBuilder) builder = g_strv_builder_new ();
+  if (first == NULL && second == NULL)
+    return NULL;
+  if (first != NULL)
+    g_strv_builder_addv (builder, (const char **) first);
+  if (second != NULL)
+    g_strv_builder_addv (builder, (const char **) second);
+  return qn_cli_keep (g_strv_builder_end (builder));
 }
 
-static QnExit
-detect_contacts (QnInput *input)
+void
+qn_input_override (QnInputOptions *options, const char *override, gboolean before)
 {
-  const QnModel *model = &input->project.model;
-  QnDiag diag = { 0 };
-  if (model->block_count == 0 && model->beam_count == 0)
-    qn_diag_set_field (&diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE, "blocks",
-                       0);
-  else if (qn_contacts_detect (model, &input->contacts, &diag) == QN_OK)
-    return QN_EXIT_DONE;
-  return qn_input_refuse (&input->project, &diag);
+  char *one[] = { (char *) override, NULL };
+  options->overrides =
+    before ? join (one, options->overrides) : join (options->overrides, one);
+}
+
+void
+qn_input_refuse (const QnProject *project, const QnDiag *diag)
+{
+  qn_project_set_error (project, diag, QN_TROUBLE);
+  qn_cli_must (FALSE);
 }
 
 /* A command that reads a project several times tells each warning once. */
@@ -41,61 +50,47 @@ tell_warnings (const GPtrArray *warnings)
       qn_cli_warning ("%s", (char *) g_ptr_array_index (warnings, i));
 }
 
-QnExit
-qn_input_read (QnInput *input, const char *path, const QnInputOptions *options)
+QnInput *
+qn_input_read (const char *path, const QnInputOptions *options)
 {
-  GError *error = NULL;
-  memset (input, 0, sizeof *input);
-  if (!qn_project_load (path, (const char *const *) options->overrides, &input->project,
-                        &error))
-    return qn_cli_fail (error);
-  input->project.model.analysis.workers = qn_threads_get ();
+  QnInput *input = qn_cli_keep (g_new0 (QnInput, 1));
+  QnModel *model = &input->project.model;
+  QnDiag diag = { 0 };
 
-  QnExit code = detect_contacts (input);
-  if (code != QN_EXIT_DONE)
-    qn_input_clear (input);
-  return code;
+  qn_cli_must (qn_project_load (path, (const char *const *) options->overrides,
+                                &input->project, QN_TROUBLE));
+  model->analysis.workers = qn_threads_get ();
+  if (model->block_count == 0 && model->beam_count == 0)
+    qn_diag_set_field (&diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE, "blocks",
+                       0);
+  else if (qn_contacts_detect (model, &input->contacts, &diag) == QN_OK)
+    return input;
+  qn_input_refuse (&input->project, &diag);
+  return input;
 }
 
-QnExit
-qn_input_load (QnInput *input, const char *path, const QnInputOptions *options)
+QnInput *
+qn_input_load (const char *path, const QnInputOptions *options)
 {
-  QnExit code = qn_input_read (input, path, options);
-  if (code == QN_EXIT_DONE)
-    tell_warnings (input->project.warnings);
-  return code;
+  QnInput *input = qn_input_read (path, options);
+  tell_warnings (input->project.warnings);
+  return input;
 }
 
-static QnExit
-read_records (QnInput *input, gboolean allow_outside)
-{
-  QnProject *project = &input->project;
-  GError *error = NULL;
-  if (project->model.analysis.procedure != QN_PROCEDURE_DYNAMIC)
-    return QN_EXIT_DONE;
-  if (!qn_project_read_records (project, NULL, allow_outside, &error))
-    return qn_cli_fail (error);
-  tell_warnings (project->warnings);
-  return QN_EXIT_DONE;
-}
-
-QnExit
+void
 qn_input_require_sound (const QnInput *input)
 {
   QnDiag diag = { 0 };
-  if (qn_contacts_require_sound (&input->project.model, &input->contacts, &diag)
-      == QN_OK) {
-    g_autoptr (GPtrArray) texts =
-      qn_project_dup_finding_texts (&input->project, &input->contacts.findings);
-    tell_warnings (texts);
-    return QN_EXIT_DONE;
-  }
-  return qn_input_refuse (&input->project, &diag);
+  if (qn_contacts_require_sound (&input->project.model, &input->contacts, &diag) != QN_OK)
+    qn_input_refuse (&input->project, &diag);
+  g_autoptr (GPtrArray) texts =
+    qn_project_dup_finding_texts (&input->project, &input->contacts.findings);
+  tell_warnings (texts);
 }
 
 /* A path without a live load has no answer, unless it is that of the dead load alone. Limit
  * analysis and stages refuse it themselves. */
-static QnExit
+static void
 require_live_load (const QnProject *project)
 {
   const QnAnalysisSettings *analysis = &project->model.analysis;
@@ -104,24 +99,28 @@ require_live_load (const QnProject *project)
     if (!lacks)
       qn_cli_warning ("%s: loads.live: %s", project->name,
                       _ ("has no effect in an analysis in time"));
-    return QN_EXIT_DONE;
+    return;
   }
   if (project->model.stage_count > 0 || analysis->procedure == QN_PROCEDURE_LIMIT
       || analysis->max_multiplier == 0 || !lacks)
-    return QN_EXIT_DONE;
+    return;
   qn_cli_error (_ ("%s: loads: %s: add one to loads.live, or set "
                    "analysis.max_multiplier=0 for the dead load alone"),
                 project->name, _ (qn_problem_text (QN_PROBLEM_NO_LIVE_LOAD)));
-  return QN_EXIT_INVALID;
+  qn_cli_stop (QN_EXIT_INVALID);
 }
 
-QnExit
+void
 qn_input_prepare (QnInput *input, const QnInputOptions *options)
 {
-  QnExit code = read_records (input, options->allow_outside);
-  if (code == QN_EXIT_DONE)
-    code = qn_input_require_sound (input);
-  return code == QN_EXIT_DONE ? require_live_load (&input->project) : code;
+  QnProject *project = &input->project;
+  if (project->model.analysis.procedure == QN_PROCEDURE_DYNAMIC) {
+    qn_cli_must (
+      qn_project_read_records (project, NULL, options->allow_outside, QN_TROUBLE));
+    tell_warnings (project->warnings);
+  }
+  qn_input_require_sound (input);
+  require_live_load (project);
 }
 
 /* The sentence of a problem that lies in the state, translated; NULL for one of the input. */
@@ -134,74 +133,76 @@ state_problem (QnInputState state, const QnDiag *diag)
                                                 : NULL;
 }
 
-QnExit
+void
 qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *diag)
 {
   const char *problem =
     diag->status != QN_ERROR_NO_MEMORY ? state_problem (state, diag) : NULL;
-  if (problem != NULL) {
-    qn_cli_error ("%s: %s", input->project.name, problem);
-    return QN_EXIT_NO_ANSWER;
-  }
-  return qn_input_refuse (&input->project, diag);
+  if (problem == NULL)
+    qn_input_refuse (&input->project, diag);
+  qn_cli_error ("%s: %s", input->project.name, problem);
+  qn_cli_stop (QN_EXIT_NO_ANSWER);
 }
 
-/* Both lists, one after the other; NULL where both are. The strings are borrowed. */
-static char **
-join_overrides (char **first, char **second)
+QnInput *
+qn_input_load_with_result (const char *path, const char *result_path,
+                           const QnInputOptions *options)
 {
-  if (first == NULL && second == NULL)
-    return NULL;
-  GPtrArray *joined = g_ptr_array_new ();
-  for (; first != NULL && *first != NULL; first++)
-    g_ptr_array_add (joined, *first);
-  for (; second != NULL && *second != NULL; second++)
-    g_ptr_array_add (joined, *second);
-  g_ptr_array_add (joined, NULL);
-  return (char **) g_ptr_array_free (joined, FALSE);
-}
-
-QnExit
-qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,
-                           const char *result_path, const QnInputOptions *options)
-{
-  GError *error = NULL;
-  memset (input, 0, sizeof *input);
-  if (!qn_result_file_read (result_path, file, &error))
-    return qn_cli_fail (error);
+  QnResultFile file;
   gboolean same_bytes = TRUE;
-  QnExit code =
-    qn_input_load_for_result (input, file, path, result_path, options, &same_bytes);
-  if (code == QN_EXIT_DONE && !same_bytes)
+  qn_cli_must (qn_result_file_read (result_path, &file, QN_TROUBLE));
+  QnInput *input =
+    qn_input_load_for_result (&file, path, result_path, options, &same_bytes);
+  if (!same_bytes)
     qn_cli_warning (_ ("%s has changed since %s was computed"), path, result_path);
-  return code;
+  return input;
 }
 
-QnExit
-qn_input_load_for_result (QnInput *input, QnResultFile *file, const char *path,
+QnInput *
+qn_input_load_for_result (const QnResultFile *file, const char *path,
                           const char *result_path, const QnInputOptions *options,
                           gboolean *same_bytes)
 {
-  GError *error = NULL;
-  g_autofree char **joined = join_overrides (file->overrides, options->overrides);
-  QnExit code = qn_input_load (input, path, &(QnInputOptions){ .overrides = joined });
-  if (code != QN_EXIT_DONE) {
-    qn_result_file_clear (file);
-    return code;
-  }
-
-  if (!qn_result_file_match (file, result_path, &input->project, &input->contacts,
-                             same_bytes, &error)) {
-    qn_input_clear (input);
-    qn_result_file_clear (file);
-    return qn_cli_fail (error);
-  }
-  return QN_EXIT_DONE;
+  char **joined = join (file->overrides, options->overrides);
+  QnInput *input = qn_input_load (path, &(QnInputOptions){ .overrides = joined });
+  input->file = *file;
+  qn_cli_must (qn_result_file_match (&input->file, result_path, &input->project,
+                                     &input->contacts, same_bytes, QN_TROUBLE));
+  return input;
 }
 
 void
-qn_input_clear (QnInput *input)
+qn_input_solve (QnInput *input, const QnInputOptions *options)
 {
-  qn_contacts_clear (&input->contacts);
-  qn_project_clear (&input->project);
+  QnTerminalProgress progress;
+  QnDiag diag = { 0 };
+  const QnProject *project = &input->project;
+  QnResult *result = &input->file.result;
+
+  qn_input_prepare (input, options);
+  qn_terminal_progress_begin (&progress, FALSE);
+  QnStatus status =
+    qn_analysis_run (&project->model, &input->contacts, qn_terminal_progress_update,
+                     &progress, result, &diag);
+  qn_terminal_progress_done (&progress);
+  if (qn_interrupt_seen ())
+    qn_cli_cancelled (project->name);
+  if (status != QN_OK)
+    qn_input_refuse (project, &diag);
+  if (result->outcome == QN_OUTCOME_NOT_CONVERGED
+      || result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE) {
+    g_autofree char *cause = qn_outcome_dup_cause (&project->model, result);
+    qn_cli_warning ("%s: %s", project->name, cause);
+  }
+}
+
+QnInput *
+qn_input_load_or_solve (const char *path, const char *result,
+                        const QnInputOptions *options)
+{
+  if (result != NULL)
+    return qn_input_load_with_result (path, result, options);
+  QnInput *input = qn_input_load (path, options);
+  qn_input_solve (input, options);
+  return input;
 }

@@ -38,44 +38,52 @@ typedef struct QnInputOptions {
 typedef struct QnInput {
   QnProject project;
   QnContacts contacts;
+  QnResultFile
+    file; /* that was read with it; only `result` is filled where it was computed here */
 } QnInput;
 
-/* Reads the project and detects its contacts. Warnings about the file go to standard error.
- * On failure the user has been told, *input is empty and the exit code is returned;
- * QN_EXIT_DONE otherwise. */
-QnExit qn_input_load (QnInput *input, const char *path, const QnInputOptions *options);
+/* Puts an override before those of the user, or behind them. */
+void qn_input_override (QnInputOptions *options, const char *override, gboolean before);
+
+/* Reads the project and detects its contacts, for the rest of the program. Warnings about the file go to
+ * standard error; what cannot be read ends the program, as in all functions below. */
+QnInput *qn_input_load (const char *path, const QnInputOptions *options);
 
 /* The same without a word about warnings. */
-QnExit qn_input_read (QnInput *input, const char *path, const QnInputOptions *options);
+QnInput *qn_input_read (const char *path, const QnInputOptions *options);
 
 /* What every analysis of the project does first: reads the ground motions that it names, refuses
- * what qn_input_require_sound() does and a path without a live load. On failure the user has been
- * told. */
-QnExit qn_input_prepare (QnInput *input, const QnInputOptions *options);
+ * what qn_input_require_sound() does and a path without a live load. */
+void qn_input_prepare (QnInput *input, const QnInputOptions *options);
 
-/* Refuses what cannot be analysed, as qn_contacts_require_sound() does, and tells the user; else says
- * what is to be looked at: gaps, loose blocks, numbers that are hardly meant. */
-QnExit qn_input_require_sound (const QnInput *input);
+/* Refuses what cannot be analysed, as qn_contacts_require_sound() does; else says what is to be looked at:
+ * gaps, loose blocks, numbers that are hardly meant. */
+void qn_input_require_sound (const QnInput *input);
 
-/* Tells the user what is wrong with the project and where, and says how the program ends. */
-QnExit qn_input_refuse (const QnProject *project, const QnDiag *diag);
+/* Tells the user what is wrong with the project and where, and ends the program. */
+void qn_input_refuse (const QnProject *project, const QnDiag *diag);
 
 /* What an analysis was about. */
 typedef enum { QN_INPUT_DEAD_LOAD, QN_INPUT_PATH } QnInputState;
 
-/* Tells the user why an analysis failed, and says how the program ends: QN_EXIT_NO_ANSWER where
- * not the input but the state that was found is the reason. */
-QnExit qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *diag);
+/* Tells the user why an analysis failed, and ends the program: with QN_EXIT_NO_ANSWER where not the input
+ * but the state that was found is the reason. */
+void qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *diag);
 
 /* Reads a result file and the project with the overrides that the result was computed with;
  * those of `options` come after them. Refuses a result that is not of this project. */
-QnExit qn_input_load_with_result (QnInput *input, QnResultFile *file, const char *path,
-                                  const char *result_path, const QnInputOptions *options);
+QnInput *qn_input_load_with_result (const char *path, const char *result_path,
+                                    const QnInputOptions *options);
 
-/* The same of a result that has been read already; where it is refused, it is cleared.
- * *same_bytes: whether the project is what it was then, byte for byte. */
-QnExit qn_input_load_for_result (QnInput *input, QnResultFile *file, const char *path,
-                                 const char *result_path, const QnInputOptions *options,
-                                 gboolean *same_bytes);
+/* The same of a result that has been read already and is taken over. *same_bytes: whether the project is
+ * what it was then, byte for byte. */
+QnInput *qn_input_load_for_result (const QnResultFile *file, const char *path,
+                                   const char *result_path, const QnInputOptions *options,
+                                   gboolean *same_bytes);
 
-void qn_input_clear (QnInput *input);
+/* Solves the project. An end without an answer is a warning: what there is can be shown. */
+void qn_input_solve (QnInput *input, const QnInputOptions *options);
+
+/* Reads a project with the result of that name, or solves it where `result` is NULL. */
+QnInput *qn_input_load_or_solve (const char *path, const char *result,
+                                 const QnInputOptions *options);

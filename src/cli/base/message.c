@@ -39,30 +39,46 @@ qn_cli_warning (const char *format, ...)
   va_end (arguments);
 }
 
-QnExit
-qn_cli_usage_error (const char *subcommand, const char *format, ...)
+static const char *own_override, *own_subcommand;
+static gboolean outside_offered;
+
+void
+qn_cli_set_subcommand (const char *subcommand)
+{
+  own_subcommand = subcommand;
+}
+
+void *
+qn_cli_keep (void *memory)
+{
+  static GSList *kept;
+  kept = g_slist_prepend (kept, memory);
+  return memory;
+}
+
+void
+qn_cli_usage_error (const char *format, ...)
 {
   va_list arguments;
   va_start (arguments, format);
   g_autofree char *message = g_strdup_vprintf (format, arguments);
   va_end (arguments);
-  if (subcommand != NULL)
-    qn_cli_error (_ ("%s: %s (see quoin-cli %s --help)"), subcommand, message,
-                  subcommand);
+  if (own_subcommand != NULL)
+    qn_cli_error (_ ("%s: %s (see quoin-cli %s --help)"), own_subcommand, message,
+                  own_subcommand);
   else
     qn_cli_error (_ ("%s (see quoin-cli --help)"), message);
-  return QN_EXIT_USAGE;
+  qn_cli_stop (QN_EXIT_USAGE);
 }
 
-QnExit
-qn_cli_refuse_name (const char *subcommand, const char *value, const char *const *names,
-                    size_t count)
+void
+qn_cli_refuse_name (const char *value, const char *const *names, size_t count)
 {
   g_autoptr (GString) known = g_string_new (NULL);
   for (size_t i = 0; i < count; i++)
     g_string_append_printf (known, "%s%s", i > 0 ? ", " : "", names[i]);
   g_autofree char *reason = g_strdup_printf (_ ("is not one of %s"), known->str);
-  return qn_cli_usage_error (subcommand, "%s: %s", value, reason);
+  qn_cli_usage_error ("%s: %s", value, reason);
 }
 
 static QnExit
@@ -112,9 +128,6 @@ exit_code_of (const GError *error)
   return QN_EXIT_INTERNAL;
 }
 
-static const char *own_override, *own_subcommand;
-static gboolean outside_offered;
-
 void
 qn_cli_offer_outside (void)
 {
@@ -122,16 +135,19 @@ qn_cli_offer_outside (void)
 }
 
 void
-qn_cli_set_own_override (const char *override, const char *subcommand)
+qn_cli_set_own_override (const char *override)
 {
   own_override = override;
-  own_subcommand = subcommand;
 }
 
-QnExit
-qn_cli_fail (GError *error)
+GError *qn_cli_trouble;
+
+void
+qn_cli_must (gboolean done)
 {
-  QnExit code = exit_code_of (error);
+  const GError *error = qn_cli_trouble;
+  if (done)
+    return;
   g_autoptr (GString) message = g_string_new (error->message);
   if (own_override != NULL) {
     g_autoptr (GString) quoted = g_string_new (NULL);
@@ -142,19 +158,12 @@ qn_cli_fail (GError *error)
   if (outside_offered && g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE))
     g_string_append (message, _ ("; --allow-outside permits it"));
   qn_cli_error ("%s", message->str);
-  g_error_free (error);
-  return code;
+  qn_cli_stop (exit_code_of (error));
 }
 
-QnExit
-qn_cli_end (GError *error)
-{
-  return error != NULL ? qn_cli_fail (error) : QN_EXIT_DONE;
-}
-
-QnExit
+void
 qn_cli_cancelled (const char *project)
 {
   qn_cli_error (_ ("%s: cancelled"), project);
-  return QN_EXIT_CANCELLED;
+  qn_cli_stop (QN_EXIT_CANCELLED);
 }

@@ -1,4 +1,8 @@
-/* What quoin-cli says on standard error: one line per message, "quoin-cli: " in front. */
+/* What quoin-cli says on standard error: one line per message, "quoin-cli: " in front; and how it ends.
+ *
+ * A command that cannot go on ends the program there and then. Functions below that say so do not come
+ * back, but are neither declared like that nor beside qn_cli_stop(), which shows it: what their callers hold
+ * stays within reach, where tools that look for leaks find it. What is made for the whole command is never freed (qn_cli_keep()). */
 #pragma once
 
 #include "cli/base/exit-code.h"
@@ -10,27 +14,34 @@
 void qn_cli_error (const char *format, ...) G_GNUC_PRINTF (1, 2);
 void qn_cli_warning (const char *format, ...) G_GNUC_PRINTF (1, 2);
 
-/* Wrong usage: the message and where help is to be found. `subcommand` may be NULL. Returns how the
- * program ends, QN_EXIT_USAGE. */
-QnExit qn_cli_usage_error (const char *subcommand, const char *format, ...)
-  G_GNUC_PRINTF (2, 3);
+/* The subcommand that runs, for what follows; borrowed for good. */
+void qn_cli_set_subcommand (const char *subcommand);
+
+/* Completes standard output (shown-text.c) and ends the program. */
+void qn_cli_stop (QnExit code);
+
+/* Keeps memory, and all that it holds, until the program ends; returns it. */
+void *qn_cli_keep (void *memory);
+
+/* Ends the program for wrong usage: the message and where help is to be found. */
+void qn_cli_usage_error (const char *format, ...) G_GNUC_PRINTF (1, 2);
 
 /* The same for the value of an option that is none of these. */
-QnExit qn_cli_refuse_name (const char *subcommand, const char *value,
-                           const char *const *names, size_t count);
+void qn_cli_refuse_name (const char *value, const char *const *names, size_t count);
 
-/* An override that a subcommand puts before those of the user: where an error names it as what set a
- * value, the subcommand is named instead. Both are borrowed for good. */
-void qn_cli_set_own_override (const char *override, const char *subcommand);
+/* An override that the subcommand puts before those of the user: where an error names it as what set a
+ * value, the subcommand is named instead. Borrowed for good. */
+void qn_cli_set_own_override (const char *override);
 
 /* The subcommand has --allow-outside: an error about a file outside the project's folder names it. */
 void qn_cli_offer_outside (void);
 
-/* Prints the error, frees it and says how the program ends. */
-QnExit qn_cli_fail (GError *error);
+/* What a call has to say that did not succeed, for qn_cli_must(). */
+extern GError *qn_cli_trouble;
+#define QN_TROUBLE (&qn_cli_trouble)
 
-/* How a last step ends: QN_EXIT_DONE where it has set no error, as qn_cli_fail() says otherwise. */
-QnExit qn_cli_end (GError *error);
+/* Goes on where a call with QN_TROUBLE was done; else prints the trouble and ends the program. */
+void qn_cli_must (gboolean done);
 
-/* Tells that the analysis of this project was cancelled; QN_EXIT_CANCELLED. */
-QnExit qn_cli_cancelled (const char *project);
+/* Ends the program since the analysis of this project was cancelled. */
+void qn_cli_cancelled (const char *project);

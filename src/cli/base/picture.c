@@ -1,61 +1,86 @@
 #include "cli/base/picture.h"
 
 #include "cli/base/message.h"
+#include "doc/document/underlay.h"
 #include "doc/view/sheet.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
 #include <string.h>
 
-QnExit
-qn_picture_page (const QnSubcommand *self, const QnPictureOptions *options,
-                 QnOutput *output)
+void
+qn_picture_page (QnPictureOptions *options)
 {
-  GError *error = NULL;
+  QnOutput *output = &options->output;
   QnPage page;
+  char *end = options->dpi;
 
   if (options->path == NULL)
-    return qn_cli_usage_error (self->name, _ ("-o is missing"));
+    qn_cli_usage_error (_ ("-o is missing"));
+  qn_output_init (output);
   output->transparent = options->transparent;
-  char *end = options->dpi;
   if (options->dpi != NULL) {
     output->dpi = g_ascii_strtod (options->dpi, &end);
     if (end == options->dpi || *end != '\0' || !(output->dpi > 0)
         || !isfinite (output->dpi))
-      return qn_cli_usage_error (self->name, _ ("--dpi must be positive"));
+      qn_cli_usage_error (_ ("--dpi must be positive"));
   }
   if (g_strcmp0 (options->backend, "gl") == 0)
     output->backend = QN_BACKEND_GL;
   else if (options->backend != NULL && strcmp (options->backend, "cairo") != 0)
-    return qn_cli_usage_error (self->name, _ ("--backend is cairo or gl"));
-
-  if ((options->size != NULL && !qn_output_parse_size (output, options->size, &error))
-      || !qn_output_page (output, &page, &error))
-    return qn_cli_fail (error);
-  return QN_EXIT_DONE;
+    qn_cli_usage_error (_ ("--backend is cairo or gl"));
+  qn_cli_must (options->size == NULL
+               || qn_output_parse_size (output, options->size, QN_TROUBLE));
+  qn_cli_must (qn_output_page (output, &page, QN_TROUBLE));
 }
 
-QnExit
-qn_picture_output (const QnSubcommand *self, const QnPictureOptions *options,
-                   QnOutput *output)
+void
+qn_picture_output (QnPictureOptions *options)
 {
-  GError *error = NULL;
   QnFormat format;
-  QnExit code = qn_picture_page (self, options, output);
-  if (code == QN_EXIT_DONE && !qn_format_of_path (options->path, &format, &error))
-    code = qn_cli_fail (error);
-  return code;
+  qn_picture_page (options);
+  qn_cli_must (qn_format_of_path (options->path, &format, QN_TROUBLE));
 }
 
-QnExit
-qn_picture_or_table (const QnSubcommand *self, const QnPictureOptions *options,
-                     QnOutput *output)
+void
+qn_picture_if_any (QnPictureOptions *options)
+{
+  if (options->path != NULL)
+    qn_picture_output (options);
+}
+
+void
+qn_picture_or_table (QnPictureOptions *options)
 {
   QnFormat format;
-  QnExit code = qn_picture_page (self, options, output);
-  if (code == QN_EXIT_DONE && !qn_is_table (options->path)
-      && !qn_format_of_path (options->path, &format, NULL))
-    return qn_cli_usage_error (self->name, "%s: %s", options->path,
-                               _ ("the name ends in .png, .svg, .pdf or .csv"));
-  return code;
+  qn_picture_page (options);
+  if (!qn_is_table (options->path) && !qn_format_of_path (options->path, &format, NULL))
+    qn_cli_usage_error ("%s: %s", options->path,
+                        _ ("the name ends in .png, .svg, .pdf or .csv"));
+}
+
+void
+qn_picture_plot (const QnPictureOptions *options, QnPlot *plot, const char *title,
+                 const QnProject *project)
+{
+  QnMetadata metadata;
+  qn_project_get_metadata (project, &metadata);
+  plot->title = title;
+  plot->monochrome = options->monochrome;
+  qn_cli_must (
+    qn_plot_export (plot, options->path, &options->output, &metadata, QN_TROUBLE));
+}
+
+gboolean
+qn_picture_figure (QnFigure *figure, const QnInput *input, const QnInputOptions *options,
+                   const char *path, const QnOutput *output)
+{
+  QnMetadata metadata;
+  QnUnderlay *underlay = &figure->options.underlay;
+  qn_project_get_metadata (&input->project, &metadata);
+  gboolean done =
+    qn_underlay_read (&input->project, options->allow_outside, underlay, QN_TROUBLE)
+    && qn_figure_export (figure, path, output, &metadata, QN_TROUBLE);
+  g_clear_pointer (&underlay->image, cairo_surface_destroy);
+  return done;
 }

@@ -1,14 +1,14 @@
 /* Options that all subcommands which make a picture share. */
 #pragma once
 
-#include "cli/base/exit-code.h"
-#include "cli/base/subcommand.h"
-#include "render/backend/output.h"
+#include "cli/base/input.h"
+#include "render/figure/plot.h"
 
 /* The options as they stand on the command line; all NULL or zero before parsing. */
 typedef struct QnPictureOptions {
   char *path, *size, *dpi, *backend;
   gboolean transparent, monochrome;
+  QnOutput output; /* what they say */
 } QnPictureOptions;
 
 /* Entries for a GOptionEntry array; `options` is a QnPictureOptions. */
@@ -27,15 +27,23 @@ typedef struct QnPictureOptions {
   { "monochrome", 0, 0, G_OPTION_ARG_NONE, &(options).monochrome, N_ ("Greys only"), NULL }
 /* clang-format on */
 
-/* Fills `output`; the defaults of an unset --size are in it already. Tells the user what is
- * wrong and returns QN_EXIT_USAGE otherwise. */
-QnExit qn_picture_output (const QnSubcommand *self, const QnPictureOptions *options,
-                          QnOutput *output);
+/* Fills `output`; wrong options, or none for the path, end the program. */
+void qn_picture_output (QnPictureOptions *options);
+
+/* The same where a picture is asked for; else nothing. */
+void qn_picture_if_any (QnPictureOptions *options);
 
 /* The same without a look at the ending of the path: for files that are no single picture. */
-QnExit qn_picture_page (const QnSubcommand *self, const QnPictureOptions *options,
-                        QnOutput *output);
+void qn_picture_page (QnPictureOptions *options);
 
 /* The same for a picture or a table. */
-QnExit qn_picture_or_table (const QnSubcommand *self, const QnPictureOptions *options,
-                            QnOutput *output);
+void qn_picture_or_table (QnPictureOptions *options);
+
+/* Writes the picture of a plot about a project, which may be NULL. */
+void qn_picture_plot (const QnPictureOptions *options, QnPlot *plot, const char *title,
+                      const QnProject *project);
+
+/* Writes a figure of a project, with the picture that lies beneath it; FALSE with QN_TROUBLE. */
+gboolean qn_picture_figure (QnFigure *figure, const QnInput *input,
+                            const QnInputOptions *options, const char *path,
+                            const QnOutput *output);

@@ -49,8 +49,9 @@ measure_memory (QnTerminalProgress *progress)
 }
 
 void
-qn_terminal_progress_init (QnTerminalProgress *progress, gboolean quiet)
+qn_terminal_progress_begin (QnTerminalProgress *progress, gboolean quiet)
 {
+  qn_interrupt_install ();
   progress->shown = !quiet && isatty (STDERR_FILENO);
   progress->last_time = 0;
   progress->idle_heap = heap_in_use ();

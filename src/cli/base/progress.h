@@ -14,13 +14,13 @@ typedef struct QnTerminalProgress {
                         equal computations report the same whatever else takes memory */
 } QnTerminalProgress;
 
-/* From now on Ctrl+C is only recorded, a second one ends the program at once. */
+/* From now on Ctrl+C is only recorded, a second one ends the program at once. Analyses do that first. */
 void qn_interrupt_install (void);
 
 /* Whether Ctrl+C was pressed. */
 gboolean qn_interrupt_seen (void);
 
-void qn_terminal_progress_init (QnTerminalProgress *progress, gboolean quiet);
+void qn_terminal_progress_begin (QnTerminalProgress *progress, gboolean quiet);
 
 /* A QnProgressFunc; user_data is a QnTerminalProgress. */
 bool qn_terminal_progress_update (const QnProgress *progress, void *user_data);

@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <glib/gi18n.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -58,6 +59,12 @@ qn_shown_text_end (QnExit code)
     code = QN_EXIT_FILE;
   }
   return code;
+}
+
+void
+qn_cli_stop (QnExit code)
+{
+  exit ((int) qn_shown_text_end (code));
 }
 
 /* Bytes of a character whose rest has not been printed yet. */

@@ -6,7 +6,6 @@
 #include <glib/gi18n.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -27,29 +26,17 @@ is_repeated (const GOptionEntry *entry)
          || entry->arg == G_OPTION_ARG_FILENAME_ARRAY;
 }
 
-static gboolean
-check_count (const QnSubcommand *self, int count, int least, int most)
-{
-  if (count >= least && count <= most)
-    return TRUE;
-  qn_cli_usage_error (self->name,
-                      count < least ? _ ("an argument is missing: expected %s")
-                                    : _ ("too many arguments: expected %s"),
-                      self->arguments);
-  return FALSE;
-}
-
-static gboolean
-check_numbers (const QnSubcommand *self, const GOptionEntry *entries)
+/* Keeps the strings and lists that parsing has put where the entries say, and checks numbers. */
+static void
+take_values (const GOptionEntry *entries)
 {
   for (; entries->long_name != NULL; entries++)
-    if (entries->arg == G_OPTION_ARG_DOUBLE
-        && !isfinite (*(double *) entries->arg_data)) {
-      qn_cli_usage_error (self->name, _ ("--%s must be a finite number"),
-                          entries->long_name);
-      return FALSE;
-    }
-  return TRUE;
+    if (entries->arg == G_OPTION_ARG_STRING || entries->arg == G_OPTION_ARG_FILENAME
+        || is_repeated (entries))
+      qn_cli_keep (*(void **) entries->arg_data);
+    else if (entries->arg == G_OPTION_ARG_DOUBLE
+             && !isfinite (*(double *) entries->arg_data))
+      qn_cli_usage_error (_ ("--%s must be a finite number"), entries->long_name);
 }
 
 /* Whether two paths lead to one file, there or not. */
@@ -76,9 +63,8 @@ is_output (const GOptionEntry *entry)
 
 /* No output may be a file that is read or another output: it would take that one's place, perhaps that
  * of the user's own project. */
-static gboolean
-check_files (const QnSubcommand *self, const GOptionEntry *entries, int count,
-             char **arguments)
+static void
+check_files (const GOptionEntry *entries, int count, char **arguments)
 {
   g_autoptr (GPtrArray) files = g_ptr_array_new ();
   for (const GOptionEntry *e = entries; e->long_name != NULL; e++)
@@ -90,13 +76,10 @@ check_files (const QnSubcommand *self, const GOptionEntry *entries, int count,
   for (; entries->long_name != NULL; entries++)
     for (guint i = 0; is_output (entries) && i < files->len; i++) {
       const char *output = *(char **) entries->arg_data;
-      if (files->pdata[i] == output || !is_same_file (output, files->pdata[i]))
-        continue;
-      qn_cli_usage_error (
-        self->name, _ ("%s: another file of this command is the same file"), output);
-      return FALSE;
+      if (files->pdata[i] != output && is_same_file (output, files->pdata[i]))
+        qn_cli_usage_error (_ ("%s: another file of this command is the same file"),
+                            output);
     }
-  return TRUE;
 }
 
 /* GLib's own answer to --help ends the program with 0 where nobody can read it. */
@@ -106,10 +89,9 @@ end_by_help (GOptionContext *context, int argc, char **argv)
   for (int i = 1; i < argc && strcmp (argv[i], "--") != 0; i++)
     if (strcmp (argv[i], "--help") == 0 || strcmp (argv[i], "-h") == 0
         || strcmp (argv[i], "-?") == 0) {
-      char *help = g_option_context_get_help (context, TRUE, NULL);
+      g_autofree char *help = g_option_context_get_help (context, TRUE, NULL);
       fputs (help, stdout);
-      g_free (help);
-      exit ((int) qn_shown_text_end (QN_EXIT_DONE));
+      qn_cli_stop (QN_EXIT_DONE);
     }
 }
 
@@ -134,6 +116,7 @@ qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int 
                 entries->description);
     return FALSE;
   }
+  qn_cli_set_subcommand (self->name);
   g_set_prgname (name);
   g_option_context_set_translation_domain (context, GETTEXT_PACKAGE);
   g_option_context_add_main_entries (context, entries, GETTEXT_PACKAGE);
@@ -147,25 +130,17 @@ qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int 
   end_by_help (context, *argc, *argv);
   gboolean parsed = g_option_context_parse (context, argc, argv, &error);
   g_set_prgname ("quoin-cli");
-  if (!parsed) {
-    qn_cli_usage_error (self->name, "%s", error->message);
-    return FALSE;
-  }
+  if (!parsed)
+    qn_cli_usage_error ("%s", error->message);
   if (*argc > 1 && g_strcmp0 ((*argv)[1], "--") == 0) {
     (*argv)++;
     (*argc)--;
   }
-  return check_count (self, *argc - 1, least, most) && check_numbers (self, entries)
-         && check_files (self, entries, *argc, *argv);
-}
-
-void
-qn_subcommand_free_values (const GOptionEntry *entries)
-{
-  for (; entries->long_name != NULL; entries++) {
-    if (entries->arg == G_OPTION_ARG_STRING || entries->arg == G_OPTION_ARG_FILENAME)
-      g_clear_pointer ((char **) entries->arg_data, g_free);
-    else if (is_repeated (entries))
-      g_clear_pointer ((char ***) entries->arg_data, g_strfreev);
-  }
+  if (*argc <= least)
+    qn_cli_usage_error (_ ("an argument is missing: expected %s"), self->arguments);
+  if (*argc - 1 > most)
+    qn_cli_usage_error (_ ("too many arguments: expected %s"), self->arguments);
+  take_values (entries);
+  check_files (entries, *argc, *argv);
+  return TRUE;
 }

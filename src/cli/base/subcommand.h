@@ -6,8 +6,6 @@
  */
 #pragma once
 
-#include "cli/base/exit-code.h"
-
 #include <glib.h>
 
 typedef struct QnSubcommand QnSubcommand;
@@ -18,8 +16,9 @@ struct QnSubcommand {
   const char *summary;   /* one line, no full stop; translatable (N_) */
   const char *help;      /* what --help says below the options; translatable, or NULL */
 
-  /* argv[0] is the subcommand's own name; argv is NULL-terminated and may be modified. */
-  QnExit (*run) (const QnSubcommand *self, int argc, char **argv);
+  /* argv[0] is the subcommand's own name; argv is NULL-terminated and may be modified. Where it comes back
+   * all is done; else it ends the program (message.h). */
+  void (*run) (const QnSubcommand *self, int argc, char **argv);
 };
 
 extern const QnSubcommand qn_cmd_capacity;
@@ -48,11 +47,8 @@ extern const QnSubcommand qn_cmd_verify;
 
 /* Parses options in the usual way: options and arguments in any order, "--" ends the options,
  * --help prints the help of the subcommand and ends the program. What is no option stays in
- * argv[1 .. argc). An unknown option or a number of arguments outside least .. most is told
- * to the user; the subcommand returns QN_EXIT_USAGE then. QN_DESCRIBE prints the subcommand and its
- * options as lines with tabs, of which the build makes manual pages and completions. */
+ * argv[1 .. argc). An unknown option or a number of arguments outside least .. most ends the
+ * program; the values of options are kept until it ends. QN_DESCRIBE prints the subcommand and its options as
+ * lines with tabs, of which the build makes manual pages and completions; FALSE, nothing to do, then. */
 gboolean qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries,
                               int least, int most, int *argc, char ***argv);
-
-/* Frees the strings and lists that parsing has put where the entries say. */
-void qn_subcommand_free_values (const GOptionEntry *entries);

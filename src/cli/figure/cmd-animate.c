@@ -1,8 +1,8 @@
+#include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
-#include "cli/figure/sheet-input.h"
 #include "doc/view/sheet.h"
 #include "render/movie/animation.h"
 
@@ -22,24 +22,22 @@ typedef struct AnimateOptions {
 } AnimateOptions;
 
 /* What can be judged before any file is read. */
-static QnExit
-check (const QnSubcommand *self, const AnimateOptions *options, QnViewOptions *view)
+static void
+check (const AnimateOptions *options, QnViewOptions *view)
 {
-  GError *error = NULL;
   if (options->view != NULL && strcmp (options->view, "mechanism") != 0
       && strcmp (options->view, "deformed") != 0)
-    return qn_cli_usage_error (self->name, _ ("--view is mechanism or deformed"));
+    qn_cli_usage_error (_ ("--view is mechanism or deformed"));
   view->scale = QN_SCALE_AUTO;
   if (options->scale != NULL && !qn_view_options_set (view, "scale", options->scale))
-    return qn_cli_usage_error (self->name, _ ("--scale is a positive number, or auto"));
+    qn_cli_usage_error (_ ("--scale is a positive number, or auto"));
   if (!isfinite (options->speed) || options->speed < 0)
-    return qn_cli_usage_error (self->name, _ ("--speed is a positive number"));
+    qn_cli_usage_error (_ ("--speed is a positive number"));
   if (options->speed > 0 && options->frames > 0)
-    return qn_cli_usage_error (self->name, _ ("either --speed or --frames, not both"));
+    qn_cli_usage_error (_ ("either --speed or --frames, not both"));
   if (options->picture.transparent)
-    return qn_cli_usage_error (self->name, _ ("animations have a white background"));
-  qn_animation_check_path (options->picture.path, &error);
-  return qn_cli_end (error);
+    qn_cli_usage_error (_ ("animations have a white background"));
+  qn_cli_must (qn_animation_check_path (options->picture.path, QN_TROUBLE));
 }
 
 static bool
@@ -56,54 +54,37 @@ on_frame (int done, int total, void *user_data)
 }
 
 static void
-fill (QnAnimation *animation, const AnimateOptions *options, double scale,
-      gboolean *shown)
+animate (const AnimateOptions *options, double scale, const QnInput *input)
 {
-  animation->figure.options.monochrome = options->picture.monochrome;
-  animation->figure.options.scale = scale;
-  animation->once = options->once;
-  animation->curve = !options->no_curve;
-  if (options->frames != 0)
-    animation->frames = options->frames;
-  animation->rate = options->rate;
-  animation->progress = on_frame;
-  animation->user_data = shown;
-}
-
-static QnExit
-animate (const AnimateOptions *options, const QnOutput *output, double scale,
-         const char *path)
-{
-  QnSheetItem item;
-  QnExit code = qn_sheet_item_load (&item, path, options->result, &options->input);
-  if (code != QN_EXIT_DONE)
-    return code;
-
-  const QnInput *input = &item.input;
-  const QnResult *result = &item.file.result;
+  const QnResult *result = &input->file.result;
   QnView view = result->mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED;
-  if (options->view != NULL)
-    qn_view_parse (options->view, &view);
   gboolean shown = !options->quiet && isatty (STDERR_FILENO);
   QnAnimation animation;
   QnMetadata metadata;
-  GError *error = NULL;
+  if (options->view != NULL)
+    qn_view_parse (options->view, &view);
   qn_animation_init (&animation, &input->project.model, &input->contacts, result, view);
-  fill (&animation, options, scale, &shown);
+  animation.figure.options.monochrome = options->picture.monochrome;
+  animation.figure.options.scale = scale;
+  animation.once = options->once;
+  animation.curve = !options->no_curve;
+  if (options->frames != 0)
+    animation.frames = options->frames;
+  animation.rate = options->rate;
+  animation.progress = on_frame;
+  animation.user_data = &shown;
   qn_project_get_metadata (&input->project, &metadata);
   qn_interrupt_install ();
-  if ((options->speed > 0 && !qn_animation_set_speed (&animation, options->speed, &error))
-      || !qn_animation_export (&animation, options->picture.path, output, &metadata,
-                               &error))
-    code = qn_cli_fail (error);
-  qn_sheet_item_clear (&item);
-  return code;
+  qn_cli_must (options->speed == 0
+               || qn_animation_set_speed (&animation, options->speed, QN_TROUBLE));
+  qn_cli_must (qn_animation_export (&animation, options->picture.path,
+                                    &options->picture.output, &metadata, QN_TROUBLE));
 }
 
-static QnExit
+static void
 run_animate (const QnSubcommand *self, int argc, char **argv)
 {
-  AnimateOptions options = { .rate = 24 };
+  AnimateOptions options = { .rate = 24, .picture.size = (char *) "960x720" };
   const GOptionEntry entries[] = {
     { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
       N_ ("Result that is shown"), N_ ("RESULT.json") },
@@ -127,22 +108,14 @@ run_animate (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
-  QnOutput output;
   QnViewOptions view = { 0 };
-  QnExit code = QN_EXIT_USAGE;
 
-  qn_output_init (&output);
-  output.width = 960;
-  output.height = 720;
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = qn_picture_page (self, &options.picture, &output);
-  if (code == QN_EXIT_DONE)
-    code = check (self, &options, &view);
-  if (code == QN_EXIT_DONE)
-    code = animate (&options, &output, view.scale, argv[1]);
-
-  qn_subcommand_free_values (entries);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return;
+  qn_picture_page (&options.picture);
+  check (&options, &view);
+  animate (&options, view.scale,
+           qn_input_load_or_solve (argv[1], options.result, &options.input));
 }
 
 const QnSubcommand qn_cmd_animate = {

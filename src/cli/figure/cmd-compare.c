@@ -16,7 +16,7 @@ typedef struct CompareOptions {
   int columns;
 } CompareOptions;
 
-static QnExit
+static void
 run_compare (const QnSubcommand *self, int argc, char **argv)
 {
   CompareOptions options = { .columns = CHOSEN_BY_FORMAT };
@@ -29,33 +29,16 @@ run_compare (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
-  QnOutput output;
-  QnSheetItem *items = NULL;
-  GError *error = NULL;
-  QnExit code = QN_EXIT_USAGE;
-
-  qn_output_init (&output);
-  if (qn_subcommand_parse (self, entries, 1, 1000, &argc, &argv)) {
-    if (options.columns < 1 && options.columns != CHOSEN_BY_FORMAT)
-      qn_cli_usage_error (self->name, _ ("--columns must be positive"));
-    else
-      code = qn_picture_or_table (self, &options.picture, &output);
-  }
-  gsize count = (gsize) MAX (argc - 1, 0);
-  if (code == QN_EXIT_DONE)
-    code = qn_sheet_items_load (argv + 1, count, &options.input, &items);
-  if (code == QN_EXIT_DONE) {
-    g_autofree QnSheetRun *runs = qn_sheet_items_get_runs (items, argv + 1, count);
-    qn_comparison_export (runs, count, MAX (options.columns, 0), options.title,
-                          options.picture.monochrome, options.picture.path, &output,
-                          &error);
-    code = qn_cli_end (error);
-  }
-
-  if (items != NULL)
-    qn_sheet_items_free (items, count);
-  qn_subcommand_free_values (entries);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 1, 1000, &argc, &argv))
+    return;
+  if (options.columns < 1 && options.columns != CHOSEN_BY_FORMAT)
+    qn_cli_usage_error (_ ("--columns must be positive"));
+  qn_picture_or_table (&options.picture);
+  gsize count = (gsize) argc - 1;
+  const QnSheetRun *runs = qn_sheet_runs_load (argv + 1, count, &options.input);
+  qn_cli_must (qn_comparison_export (runs, count, MAX (options.columns, 0), options.title,
+                                     options.picture.monochrome, options.picture.path,
+                                     &options.picture.output, QN_TROUBLE));
 }
 
 const QnSubcommand qn_cmd_compare = {

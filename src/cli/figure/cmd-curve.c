@@ -13,47 +13,20 @@ typedef struct CurveOptions {
   double until; /* m or rad, or 0 */
   gboolean whole, energy;
   char **references;
-  GArray *lines; /* of QnReferenceLine, of `references` */
 } CurveOptions;
 
-static QnExit
-parse_references (const QnSubcommand *self, CurveOptions *options)
+static QnReferenceLine
+parse_reference (const char *text)
 {
-  for (char **text = options->references; text != NULL && *text != NULL; text++) {
-    QnReferenceLine line;
-    if (!qn_reference_line_parse (*text, &line))
-      return qn_cli_usage_error (
-        self->name, _ ("%s: a reference is a number, or a number=text"), *text);
-    if (line.label == NULL)
-      line.label = _ ("reference");
-    g_array_append_val (options->lines, line);
-  }
-  return QN_EXIT_DONE;
+  QnReferenceLine line;
+  if (!qn_reference_line_parse (text, &line))
+    qn_cli_usage_error (_ ("%s: a reference is a number, or a number=text"), text);
+  if (line.label == NULL)
+    line.label = _ ("reference");
+  return line;
 }
 
-static QnExit
-draw_curve (const CurveOptions *options, const QnOutput *output, const QnSheetItem *items,
-            char **arguments, gsize count)
-{
-  GError *error = NULL;
-  const char *path = options->picture.path;
-  const QnCurveSheet sheet = {
-    .title = options->title,
-    .until = options->until,
-    .whole = options->whole,
-    .references = (const QnReferenceLine *) (void *) options->lines->data,
-    .reference_count = options->lines->len,
-    .monochrome = options->picture.monochrome,
-  };
-  g_autofree QnSheetRun *runs = qn_sheet_items_get_runs (items, arguments, count);
-  if (options->energy)
-    qn_energy_sheet_export (&sheet, runs, path, output, &error);
-  else
-    qn_curve_sheet_export (&sheet, runs, count, path, output, &error);
-  return qn_cli_end (error);
-}
-
-static QnExit
+static void
 run_curve (const QnSubcommand *self, int argc, char **argv)
 {
   CurveOptions options = { 0 };
@@ -73,35 +46,31 @@ run_curve (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
-  QnOutput output;
-  QnSheetItem *items = NULL;
-  QnExit code = QN_EXIT_USAGE;
-
-  qn_output_init (&output);
-  if (qn_subcommand_parse (self, entries, 1, 1000, &argc, &argv)) {
-    if (options.until < 0)
-      qn_cli_usage_error (self->name, _ ("--until must be positive"));
-    else if (options.energy && (argc != 2 || qn_is_table (options.picture.path)))
-      qn_cli_usage_error (
-        self->name, _ ("--energy draws one analysis, as a picture; the history that "
-                       "solve --csv writes is its table"));
-    else
-      code = qn_picture_or_table (self, &options.picture, &output);
-  }
-  options.lines = g_array_new (FALSE, FALSE, sizeof (QnReferenceLine));
-  if (code == QN_EXIT_DONE)
-    code = parse_references (self, &options);
-  gsize count = (gsize) MAX (argc - 1, 0);
-  if (code == QN_EXIT_DONE)
-    code = qn_sheet_items_load (argv + 1, count, &options.input, &items);
-  if (code == QN_EXIT_DONE)
-    code = draw_curve (&options, &output, items, argv + 1, count);
-
-  if (items != NULL)
-    qn_sheet_items_free (items, count);
-  qn_subcommand_free_values (entries);
-  g_array_unref (options.lines);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 1, 1000, &argc, &argv))
+    return;
+  const char *path = options.picture.path;
+  if (options.until < 0)
+    qn_cli_usage_error (_ ("--until must be positive"));
+  if (options.energy && (argc != 2 || qn_is_table (path)))
+    qn_cli_usage_error (_ ("--energy draws one analysis, as a picture; the history that "
+                           "solve --csv writes is its table"));
+  qn_picture_or_table (&options.picture);
+  gsize count = (gsize) argc - 1,
+        lines = options.references != NULL ? g_strv_length (options.references) : 0;
+  g_autofree QnReferenceLine *references = g_new (QnReferenceLine, lines);
+  for (gsize i = 0; i < lines; i++)
+    references[i] = parse_reference (options.references[i]);
+  const QnSheetRun *runs = qn_sheet_runs_load (argv + 1, count, &options.input);
+  const QnCurveSheet sheet = { .title = options.title,
+                               .until = options.until,
+                               .whole = options.whole,
+                               .references = references,
+                               .reference_count = lines,
+                               .monochrome = options.picture.monochrome };
+  const QnOutput *output = &options.picture.output;
+  qn_cli_must (options.energy
+                 ? qn_energy_sheet_export (&sheet, runs, path, output, QN_TROUBLE)
+                 : qn_curve_sheet_export (&sheet, runs, count, path, output, QN_TROUBLE));
 }
 
 const QnSubcommand qn_cmd_curve = {

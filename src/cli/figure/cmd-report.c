@@ -1,7 +1,7 @@
+#include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
-#include "cli/figure/sheet-input.h"
 #include "doc/view/report-item.h"
 #include "io/exchange/record.h"
 
@@ -17,55 +17,35 @@ typedef struct ReportOptions {
 
 /* One result, and the project it was computed of. */
 typedef struct Item {
-  QnInput input;
+  QnInput *input;
   QnReportItem report;
 } Item;
 
 static void
-item_clear (Item *item)
-{
-  qn_report_item_clear (&item->report);
-  qn_input_clear (&item->input);
-}
-
-static QnExit
 load_item (Item *item, const char *model, const char *result,
            const QnInputOptions *options)
 {
-  QnExit code =
-    qn_input_load_with_result (&item->input, &item->report.file, model, result, options);
-  if (code != QN_EXIT_DONE)
-    return code;
+  QnInput *input = item->input = qn_input_load_with_result (model, result, options);
+  item->report.file = input->file;
   item->report.name = g_path_get_basename (result);
-  qn_report_item_check (&item->report, &item->input.project, &item->input.contacts,
-                        result);
+  qn_report_item_check (&item->report, &input->project, &input->contacts, result);
   /* What shook the structure is shown where its records are still there. */
-  if (item->input.project.model.analysis.procedure == QN_PROCEDURE_DYNAMIC)
-    qn_project_read_records (&item->input.project, NULL, options->allow_outside, NULL);
-  return QN_EXIT_DONE;
+  if (input->project.model.analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    qn_project_read_records (&input->project, NULL, options->allow_outside, NULL);
 }
 
 /* A project without results is solved. */
-static QnExit
+static void
 solve_item (Item *item, const char *model, const QnInputOptions *options)
 {
-  QnSheetItem solved;
-  GError *error = NULL;
-  QnExit code = qn_sheet_item_load (&solved, model, NULL, options);
-  if (code != QN_EXIT_DONE)
-    return code;
   gsize length;
-  g_autofree char *text = qn_result_dup_text (
-    &solved.input.project, &solved.input.contacts, &solved.file.result, &length);
-  item->input = solved.input;
-  solved.input = (QnInput){ 0 };
-  if (!qn_report_item_parse (&item->report, text, length, _ ("Analysis of the project"),
-                             &item->input.project, &item->input.contacts, &error)) {
-    qn_input_clear (&item->input);
-    code = qn_cli_fail (error);
-  }
-  qn_sheet_item_clear (&solved);
-  return code;
+  QnInput *input = item->input = qn_input_load_or_solve (model, NULL, options);
+  g_autofree char *text =
+    qn_result_dup_text (&input->project, &input->contacts, &input->file.result, &length);
+  qn_result_clear (&input->file.result);
+  qn_cli_must (qn_report_item_parse (&item->report, text, length,
+                                     _ ("Analysis of the project"), &input->project,
+                                     &input->contacts, QN_TROUBLE));
 }
 
 /* Numbers of a report go with its words, as those of its pictures do. */
@@ -77,83 +57,61 @@ use_numbers_of_words (void)
     setlocale (LC_NUMERIC, "C");
 }
 
-static QnExit
+static void
 write_report (const ReportOptions *options, const QnInput *input, const Item *items,
               gsize count, const QnReportTemplate *plan)
 {
-  GError *error = NULL;
+  gsize length;
   g_autofree QnReportRun *runs = g_new0 (QnReportRun, count + 1);
   for (gsize i = 0; i < count; i++)
-    runs[i] = qn_report_item_get_run (&items[i].report, &items[i].input.project,
-                                      &items[i].input.contacts);
+    runs[i] = qn_report_item_get_run (&items[i].report, &items[i].input->project,
+                                      &items[i].input->contacts);
   QnTerminalProgress progress;
-  qn_interrupt_install ();
-  qn_terminal_progress_init (&progress, FALSE);
+  qn_terminal_progress_begin (&progress, FALSE);
   use_numbers_of_words ();
   g_autoptr (GBytes) bytes =
     qn_report_encode_runs (&input->project, &input->contacts, plan, runs, count,
-                           qn_terminal_progress_update, &progress, &error);
+                           qn_terminal_progress_update, &progress, QN_TROUBLE);
   setlocale (LC_NUMERIC, "C");
   qn_terminal_progress_done (&progress);
-  if (g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED)) {
-    g_error_free (error);
-    return qn_cli_cancelled (input->project.name);
-  }
-  gsize length;
-  const void *data = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
-  if (data != NULL)
-    qn_file_replace (options->output, data, length, &error);
-  return qn_cli_end (error);
+  if (g_error_matches (qn_cli_trouble, G_IO_ERROR, G_IO_ERROR_CANCELLED))
+    qn_cli_cancelled (input->project.name);
+  qn_cli_must (bytes != NULL);
+  const void *data = g_bytes_get_data (bytes, &length);
+  qn_cli_must (qn_file_replace (options->output, data, length, QN_TROUBLE));
 }
 
 /* What the project keeps, and what options say instead. */
-static QnExit
-plan_report (const QnSubcommand *self, const ReportOptions *options,
-             const QnProject *project, QnReportTemplate *plan)
+static void
+plan_report (const ReportOptions *options, const QnProject *project,
+             QnReportTemplate *plan)
 {
-  g_autoptr (GError) error = NULL;
   const char *const given[][2] = { { "paper", options->paper },
                                    { "demand", options->demand },
                                    { "sections", options->sections } };
-  if (!qn_report_template_read (plan, project, &error))
-    return qn_cli_fail (g_steal_pointer (&error));
+  qn_cli_must (qn_report_template_read (plan, project, QN_TROUBLE));
   for (gsize i = 0; i < G_N_ELEMENTS (given); i++)
     if (given[i][1] != NULL
-        && !qn_report_template_set (plan, given[i][0], given[i][1], &error))
-      return qn_cli_usage_error (self->name, "--%s: %s", given[i][0], error->message);
-  return QN_EXIT_DONE;
+        && !qn_report_template_set (plan, given[i][0], given[i][1], QN_TROUBLE))
+      qn_cli_usage_error ("--%s: %s", given[i][0], qn_cli_trouble->message);
 }
 
-static QnExit
-make_report (const QnSubcommand *self, const ReportOptions *options, const char *model)
+static void
+make_report (const ReportOptions *options, const char *model)
 {
-  QnReportTemplate plan;
-  guint given = options->results != NULL ? g_strv_length (options->results) : 0;
-  g_autofree Item *items = g_new0 (Item, given + 1);
-  gsize count = 0;
-  QnInput input;
-  QnExit code = qn_input_load (&input, model, &options->input);
-  if (code != QN_EXIT_DONE)
-    return code;
-  code = plan_report (self, options, &input.project, &plan);
-  for (guint i = 0; i < given && code == QN_EXIT_DONE; i++) {
-    code = load_item (&items[i], model, options->results[i], &options->input);
-    count += code == QN_EXIT_DONE;
-  }
-  if (given == 0 && code == QN_EXIT_DONE) {
-    code = solve_item (&items[0], model, &options->input);
-    count += code == QN_EXIT_DONE;
-  }
-  if (code == QN_EXIT_DONE)
-    code = write_report (options, &input, items, count, &plan);
-  for (gsize i = 0; i < count; i++)
-    item_clear (&items[i]);
-  qn_report_template_clear (&plan);
-  qn_input_clear (&input);
-  return code;
+  guint count = options->results != NULL ? g_strv_length (options->results) : 0;
+  QnReportTemplate *plan = qn_cli_keep (g_new0 (QnReportTemplate, 1));
+  Item *items = qn_cli_keep (g_new0 (Item, count + 1));
+  const QnInput *input = qn_input_load (model, &options->input);
+  plan_report (options, &input->project, plan);
+  for (guint i = 0; i < count; i++)
+    load_item (&items[i], model, options->results[i], &options->input);
+  if (count == 0)
+    solve_item (&items[count++], model, &options->input);
+  write_report (options, input, items, count, plan);
 }
 
-static QnExit
+static void
 run_report (const QnSubcommand *self, int argc, char **argv)
 {
   ReportOptions options = { 0 };
@@ -173,15 +131,11 @@ run_report (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
-  QnExit code = QN_EXIT_USAGE;
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv)) {
-    if (options.output == NULL)
-      qn_cli_usage_error (self->name, _ ("-o is missing"));
-    else
-      code = make_report (self, &options, argv[1]);
-  }
-  qn_subcommand_free_values (entries);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return;
+  if (options.output == NULL)
+    qn_cli_usage_error (_ ("-o is missing"));
+  make_report (&options, argv[1]);
 }
 
 const QnSubcommand qn_cmd_report = {

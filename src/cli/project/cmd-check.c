@@ -16,44 +16,36 @@ typedef struct CheckOptions {
   gboolean json;
 } CheckOptions;
 
-static QnExit
+static void
 tell (const CheckOptions *options, const QnCheckReport *report)
 {
-  GError *error = NULL;
   gsize length;
   if (!options->json) {
     qn_check_report_print (report);
-    return QN_EXIT_DONE;
+    return;
   }
   g_autofree char *text = qn_check_report_dup_json (report, &length);
-  qn_file_write ("-", text, length, &error);
-  return qn_cli_end (error);
+  qn_cli_must (qn_file_write ("-", text, length, QN_TROUBLE));
 }
 
-static QnExit
+static void
 check_model (const CheckOptions *options, const char *path)
 {
-  QnInput input;
-  QnExit code = qn_input_read (&input, path, &options->input);
-  if (code != QN_EXIT_DONE)
-    return code;
-
-  QnCheckReport report = { .project = &input.project, .contacts = &input.contacts };
+  QnInput *input = qn_input_read (path, &options->input);
+  QnCheckReport report = { .project = &input->project, .contacts = &input->contacts };
   GError *unread = NULL;
-  gboolean complete = input.project.model.analysis.procedure != QN_PROCEDURE_DYNAMIC
-                      || qn_project_read_records (&input.project, NULL,
-                                                  options->input.allow_outside, &unread);
   QnDiag diag = { 0 };
+  gboolean complete = input->project.model.analysis.procedure != QN_PROCEDURE_DYNAMIC
+                      || qn_project_read_records (&input->project, NULL,
+                                                  options->input.allow_outside, &unread);
   gboolean sound =
-    qn_contacts_require_sound (&input.project.model, &input.contacts, &diag) == QN_OK;
+    qn_contacts_require_sound (&input->project.model, &input->contacts, &diag) == QN_OK;
   report.sound = complete && sound;
-  code = tell (options, &report);
-  if (!complete)
-    code = qn_cli_fail (unread);
-  else if (code == QN_EXIT_DONE && !sound)
-    code = qn_input_refuse (&input.project, &diag);
-  qn_input_clear (&input);
-  return code;
+  tell (options, &report);
+  qn_cli_trouble = unread;
+  qn_cli_must (complete);
+  if (!sound)
+    qn_input_refuse (&input->project, &diag);
 }
 
 /* One line, which names what is not true. */
@@ -65,64 +57,44 @@ tell_first_fault (const QnCheckReport *report)
   qn_cli_error (_ ("%s: not true: %s"), report->result_name, text);
 }
 
-/* Everything that the result says. */
-static gboolean
-find_faults (const CheckOptions *options, QnInput *input, const QnResultFile *file,
-             const char *text, gsize length, QnCheckReport *report,
-             QnResultFaults *faults, GError **error)
-{
-  const char *name = options->result;
-  if (file->result.history.width > 0
-      && !qn_project_read_records (&input->project, NULL, options->input.allow_outside,
-                                   error))
-    return FALSE;
-  return qn_result_file_find_faults (file, name, &input->project, &input->contacts,
-                                     faults, error)
-         && (faults->count > 0
-             || qn_result_text_agrees (text, length, name, file, &input->project,
-                                       &input->contacts, report->unproved, error));
-}
-
-static QnExit
+static void
 check_result (const CheckOptions *options, const char *path)
 {
-  QnInput input;
+  const char *name = options->result;
   QnResultFile file;
-  GError *error = NULL;
   gsize length;
-  g_autofree char *text = qn_file_read (options->result, &length, &error);
-  if (text == NULL
-      || !qn_result_file_parse (text, length, options->result, &file, &error))
-    return qn_cli_fail (error);
   gboolean same_bytes;
-  QnExit code = qn_input_load_for_result (&input, &file, path, options->result,
-                                          &options->input, &same_bytes);
-  if (code != QN_EXIT_DONE)
-    return code;
-
+  g_autofree char *text = qn_file_read (name, &length, QN_TROUBLE);
+  qn_cli_must (text != NULL
+               && qn_result_file_parse (text, length, name, &file, QN_TROUBLE));
+  QnInput *input =
+    qn_input_load_for_result (&file, path, name, &options->input, &same_bytes);
+  QnProject *project = &input->project;
+  const QnContacts *contacts = &input->contacts;
   QnResultFaults faults;
   g_autoptr (GPtrArray) unproved = g_ptr_array_new_with_free_func (g_free);
-  QnCheckReport report = { .project = &input.project,
-                           .contacts = &input.contacts,
+  QnCheckReport report = { .project = project,
+                           .contacts = contacts,
                            .sound = TRUE,
-                           .result_name = options->result,
+                           .result_name = name,
                            .faults = &faults,
                            .unproved = unproved };
-  if (!find_faults (options, &input, &file, text, length, &report, &faults, &error)) {
-    code = qn_cli_fail (error);
-  } else {
-    code = tell (options, &report);
-    if (code == QN_EXIT_DONE && faults.count > 0) {
-      code = QN_EXIT_INVALID;
-      tell_first_fault (&report);
-    }
+  qn_cli_must (
+    file.result.history.width == 0
+    || qn_project_read_records (project, NULL, options->input.allow_outside, QN_TROUBLE));
+  qn_cli_must (qn_result_file_find_faults (&input->file, name, project, contacts, &faults,
+                                           QN_TROUBLE));
+  qn_cli_must (faults.count > 0
+               || qn_result_text_agrees (text, length, name, &input->file, project,
+                                         contacts, unproved, QN_TROUBLE));
+  tell (options, &report);
+  if (faults.count > 0) {
+    tell_first_fault (&report);
+    qn_cli_stop (QN_EXIT_INVALID);
   }
-  qn_input_clear (&input);
-  qn_result_file_clear (&file);
-  return code;
 }
 
-static QnExit
+static void
 run_check (const QnSubcommand *self, int argc, char **argv)
 {
   CheckOptions options = { 0 };
@@ -134,12 +106,8 @@ run_check (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
-  QnExit code = QN_EXIT_USAGE;
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = options.result != NULL ? check_result (&options, argv[1])
-                                  : check_model (&options, argv[1]);
-  qn_subcommand_free_values (entries);
-  return code;
+    (options.result != NULL ? check_result : check_model) (&options, argv[1]);
 }
 
 const QnSubcommand qn_cmd_check = {

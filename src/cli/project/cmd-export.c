@@ -32,10 +32,10 @@ format_of (const char *path)
 }
 
 static gboolean
-write_table (const ExportOptions *options, const QnInput *input, const QnResult *result,
-             GError **error)
+write_table (const ExportOptions *options, const QnInput *input, GError **error)
 {
   const QnProject *project = &input->project;
+  const QnResult *result = &input->file.result;
   if (g_strcmp0 (options->table, "displacements") == 0 && result->step_count > 0)
     return qn_displacements_csv_write (options->output, project, result,
                                        result->step_count - 1, error);
@@ -71,72 +71,54 @@ write_polygons (const ExportOptions *options, QnInput *input, GError **error)
          && qn_project_save (&input->project, options->output, error);
 }
 
-static QnExit
-load_and_export (const ExportOptions *options, Format format, const char *path)
+static gboolean
+write_as (Format format, const ExportOptions *options, QnInput *input, GError **error)
 {
-  QnInput input;
-  QnResultFile file;
-  gboolean with_result = options->result != NULL;
-  QnExit code = with_result ? qn_input_load_with_result (&input, &file, path,
-                                                         options->result, &options->input)
-                            : qn_input_load (&input, path, &options->input);
-  if (code != QN_EXIT_DONE)
-    return code;
-  const QnResult *result = with_result ? &file.result : NULL;
-  const QnModel *model = &input.project.model;
+  const QnModel *model = &input->project.model;
+  const QnResult *result = options->result != NULL ? &input->file.result : NULL;
   double unit = options->unit != NULL ? qn_import_unit (options->unit) : 1;
-  GError *error = NULL;
-  gboolean done = FALSE;
   switch (format) {
   case FORMAT_DXF:
-    done = qn_dxf_export (model, &input.contacts, result, options->scale, unit,
-                          options->output, &error);
-    break;
+    return qn_dxf_export (model, &input->contacts, result, options->scale, unit,
+                          options->output, error);
   case FORMAT_PVD:
-    done = qn_vtu_export (model, &input.contacts, result, options->output, &error);
-    break;
+    return qn_vtu_export (model, &input->contacts, result, options->output, error);
   case FORMAT_CSV:
-    done = write_table (options, &input, result, &error);
-    break;
+    return write_table (options, input, error);
   case FORMAT_QUOIN:
-    done = write_polygons (options, &input, &error);
-    break;
+    return write_polygons (options, input, error);
   case FORMAT_COUNT:
     break;
   }
-  code = done ? QN_EXIT_DONE : qn_cli_fail (error);
-  if (with_result)
-    qn_result_file_clear (&file);
-  qn_input_clear (&input);
-  return code;
+  g_assert_not_reached ();
 }
 
-static QnExit
-check_options (const QnSubcommand *self, const ExportOptions *options, Format *format)
+static Format
+check_options (const ExportOptions *options)
 {
   static const char *const tables[] = { "curve", "displacements", "contacts", "beams",
                                         "bars",  "ties",          "cracks" };
-  const char *problem = NULL;
+  Format format = FORMAT_COUNT;
   gsize table = 0;
   while (options->table != NULL && table < G_N_ELEMENTS (tables)
          && strcmp (tables[table], options->table) != 0)
     table++;
   if (table == G_N_ELEMENTS (tables))
-    return qn_cli_refuse_name (self->name, options->table, tables, table);
+    qn_cli_refuse_name (options->table, tables, table);
   if (options->output == NULL)
-    problem = _ ("-o is missing");
-  else if ((*format = format_of (options->output)) == FORMAT_COUNT)
-    problem = _ ("the output must end in .dxf, .pvd, .csv or .quoin");
-  else if (options->unit != NULL && qn_import_unit (options->unit) == 0)
-    problem = _ ("--unit must be mm, cm, dm, m, in or ft");
-  else if (*format == FORMAT_CSV && options->result == NULL)
-    problem = _ ("a table needs --result");
-  if (problem == NULL)
-    return QN_EXIT_DONE;
-  return qn_cli_usage_error (self->name, "%s", problem);
+    qn_cli_usage_error (_ ("-o is missing"));
+  else
+    format = format_of (options->output);
+  if (format == FORMAT_COUNT)
+    qn_cli_usage_error (_ ("the output must end in .dxf, .pvd, .csv or .quoin"));
+  if (options->unit != NULL && qn_import_unit (options->unit) == 0)
+    qn_cli_usage_error (_ ("--unit must be mm, cm, dm, m, in or ft"));
+  if (format == FORMAT_CSV && options->result == NULL)
+    qn_cli_usage_error (_ ("a table needs --result"));
+  return format;
 }
 
-static QnExit
+static void
 run_export (const QnSubcommand *self, int argc, char **argv)
 {
   ExportOptions options = { .scale = 1 };
@@ -156,14 +138,13 @@ run_export (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_ENTRIES (options.input),
     G_OPTION_ENTRY_NULL,
   };
-  Format format = FORMAT_COUNT;
-  QnExit code = QN_EXIT_USAGE;
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = check_options (self, &options, &format);
-  if (code == QN_EXIT_DONE)
-    code = load_and_export (&options, format, argv[1]);
-  qn_subcommand_free_values (entries);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return;
+  Format format = check_options (&options);
+  QnInput *input = options.result != NULL
+                     ? qn_input_load_with_result (argv[1], options.result, &options.input)
+                     : qn_input_load (argv[1], &options.input);
+  qn_cli_must (write_as (format, &options, input, QN_TROUBLE));
 }
 
 const QnSubcommand qn_cmd_export = {

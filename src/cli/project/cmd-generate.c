@@ -13,23 +13,19 @@ typedef struct GenerateOptions {
   gboolean plain;
 } GenerateOptions;
 
-static QnExit
+static void
 generate (const GenerateOptions *options, char **arguments)
 {
-  QnProject project;
-  GError *error = NULL;
-  if (!qn_project_generate (arguments[0], (const char *const *) arguments + 1,
-                            options->friction, &project, &error))
-    return qn_cli_fail (error);
+  QnProject *project = qn_cli_keep (g_new0 (QnProject, 1));
+  qn_cli_must (qn_project_generate (arguments[0], (const char *const *) arguments + 1,
+                                    options->friction, project, QN_TROUBLE));
   if (options->plain)
-    qn_project_detach_masonry (&project, 0);
+    qn_project_detach_masonry (project, 0);
   if (options->title != NULL) {
-    free (project.model.title);
-    project.model.title = strdup (options->title);
+    free (project->model.title);
+    project->model.title = strdup (options->title);
   }
-  qn_project_save (&project, options->output, &error);
-  qn_project_clear (&project);
-  return qn_cli_end (error);
+  qn_cli_must (qn_project_save (project, options->output, QN_TROUBLE));
 }
 
 /* Whether an argument that begins with -- is an option of the subcommand itself. */
@@ -64,7 +60,7 @@ join_keys (int argc, char **argv, const GOptionEntry *entries)
   return joined;
 }
 
-static QnExit
+static void
 run_generate (const QnSubcommand *self, int argc, char **argv)
 {
   GenerateOptions options = { .friction = 0.65 };
@@ -79,22 +75,17 @@ run_generate (const QnSubcommand *self, int argc, char **argv)
       N_ ("Write plain blocks instead of parameters"), NULL },
     G_OPTION_ENTRY_NULL,
   };
-  GPtrArray *joined = join_keys (argc, argv, entries);
+  g_autoptr (GPtrArray) joined = join_keys (argc, argv, entries);
   /* The parser reorders the vector; the strings stay owned by `joined`. */
   g_autofree char **arguments = g_memdup2 (joined->pdata, joined->len * sizeof (char *));
   char **rest = arguments;
   int count = (int) joined->len - 1;
-  QnExit code = QN_EXIT_USAGE;
-  if (qn_subcommand_parse (self, entries, 1, 1000, &count, &rest)) {
-    rest[count] = NULL;
-    if (options.output == NULL)
-      qn_cli_usage_error (self->name, _ ("-o is missing"));
-    else
-      code = generate (&options, rest + 1);
-  }
-  g_ptr_array_unref (joined);
-  qn_subcommand_free_values (entries);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 1, 1000, &count, &rest))
+    return;
+  rest[count] = NULL;
+  if (options.output == NULL)
+    qn_cli_usage_error (_ ("-o is missing"));
+  generate (&options, rest + 1);
 }
 
 const QnSubcommand qn_cmd_generate = {

@@ -33,36 +33,18 @@ tell_import (const ImportOptions *options, const QnImportReport *report)
     qn_cli_warning ("%s", (char *) report->warnings->pdata[i]);
 }
 
-static QnExit
+static void
 import_file (const ImportOptions *options, const char *path)
 {
-  QnProject project;
+  QnProject *project = qn_cli_keep (g_new0 (QnProject, 1));
   QnImportReport report;
-  GError *error = NULL;
-  gboolean done = qn_import_file (path, &options->settings, &project, &report, &error);
+  gboolean done = qn_import_file (path, &options->settings, project, &report, QN_TROUBLE);
   tell_import (options, &report);
-  done = done && qn_project_save (&project, options->output, &error);
-  QnExit code = done ? QN_EXIT_DONE : qn_cli_fail (error);
-  qn_project_clear (&project);
   qn_import_report_clear (&report);
-  return code;
+  qn_cli_must (done && qn_project_save (project, options->output, QN_TROUBLE));
 }
 
-static QnExit
-take_options (const QnSubcommand *self, ImportOptions *options, const char *const *names,
-              char **values)
-{
-  g_autoptr (GError) error = NULL;
-  for (gsize i = 0; names[i] != NULL; i++)
-    if (values[i] != NULL
-        && !qn_import_settings_set (&options->settings, names[i], values[i], &error))
-      return qn_cli_usage_error (self->name, "--%s", error->message);
-  if (options->output == NULL)
-    return qn_cli_usage_error (self->name, _ ("-o is missing"));
-  return QN_EXIT_DONE;
-}
-
-static QnExit
+static void
 run_import (const QnSubcommand *self, int argc, char **argv)
 {
   ImportOptions options = { .settings = QN_IMPORT_DEFAULTS };
@@ -100,13 +82,15 @@ run_import (const QnSubcommand *self, int argc, char **argv)
       N_ ("Friction coefficient of the dry joints (0.65)"), N_ ("MU") },
     G_OPTION_ENTRY_NULL,
   };
-  QnExit code = QN_EXIT_USAGE;
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = take_options (self, &options, names, values);
-  if (code == QN_EXIT_DONE)
-    code = import_file (&options, argv[1]);
-  qn_subcommand_free_values (entries);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return;
+  for (gsize i = 0; names[i] != NULL; i++)
+    if (values[i] != NULL
+        && !qn_import_settings_set (&options.settings, names[i], values[i], QN_TROUBLE))
+      qn_cli_usage_error ("--%s", qn_cli_trouble->message);
+  if (options.output == NULL)
+    qn_cli_usage_error (_ ("-o is missing"));
+  import_file (&options, argv[1]);
 }
 
 const QnSubcommand qn_cmd_import = {

@@ -2,7 +2,6 @@
 #include "cli/base/picture.h"
 #include "cli/base/subcommand.h"
 #include "doc/text/law-trace.h"
-#include "doc/view/sheet.h"
 #include "io/project/project.h"
 #include "io/text/file-writer.h"
 
@@ -49,34 +48,30 @@ find_number (QnLaw *law, const char *key)
   return NULL;
 }
 
-static gboolean
-apply_setting (const QnSubcommand *self, QnLaw *law, const char *setting)
+static void
+apply_setting (QnLaw *law, const char *setting)
 {
   g_auto (GStrv) parts = g_strsplit (setting, "=", 2);
-  g_autofree char *message = NULL;
-  if (parts[0] == NULL || parts[1] == NULL) {
-    message = g_strdup_printf (_ ("“%s” is not KEY=VALUE"), setting);
-  } else if (strcmp (parts[0], "basis") == 0) {
-    for (int basis = 0; basis < QN_BASIS_COUNT; basis++)
-      if (strcmp (parts[1], qn_basis_names[basis]) == 0) {
-        law->basis = (QnBasis) basis;
-        return TRUE;
-      }
-    message = g_strdup_printf (_ ("no basis is called “%s”"), parts[1]);
-  } else {
-    double *number = find_number (law, parts[0]);
-    if (number == NULL)
-      message = g_strdup_printf (_ ("this kind of law has no “%s”"), parts[0]);
-    else if (!parse_number (parts[1], number))
-      message = g_strdup_printf (_ ("“%s” is not a number"), parts[1]);
+  if (parts[0] == NULL || parts[1] == NULL)
+    qn_cli_usage_error (_ ("“%s” is not KEY=VALUE"), setting);
+  if (strcmp (parts[0], "basis") == 0) {
+    int basis = 0;
+    while (basis < QN_BASIS_COUNT && strcmp (parts[1], qn_basis_names[basis]) != 0)
+      basis++;
+    if (basis == QN_BASIS_COUNT)
+      qn_cli_usage_error (_ ("no basis is called “%s”"), parts[1]);
+    law->basis = (QnBasis) basis;
+    return;
   }
-  if (message != NULL)
-    qn_cli_usage_error (self->name, "%s", message);
-  return message == NULL;
+  double *number = find_number (law, parts[0]);
+  if (number == NULL)
+    qn_cli_usage_error (_ ("this kind of law has no “%s”"), parts[0]);
+  if (!parse_number (parts[1], number))
+    qn_cli_usage_error (_ ("“%s” is not a number"), parts[1]);
 }
 
-static gboolean
-parse_path (const QnSubcommand *self, const char *text, QnLawPreset *what)
+static void
+parse_path (const char *text, QnLawPreset *what)
 {
   g_auto (GStrv) parts = g_strsplit (text, ",", -1);
   gsize count = g_strv_length (parts);
@@ -85,86 +80,63 @@ parse_path (const QnSubcommand *self, const char *text, QnLawPreset *what)
     good = parse_number (parts[i], &what->turns[i]);
   what->turn_count = count;
   if (!good)
-    qn_cli_usage_error (self->name,
-                        _ ("--path takes 1 to 64 elongations with commas between"));
-  return good;
+    qn_cli_usage_error (_ ("--path takes 1 to 64 elongations with commas between"));
 }
 
 /* A law of a project, by name. */
-static QnExit
-take_law_of_project (const LawOptions *options, const char *name, QnLawPreset *what)
+static void
+take_law_of_project (const char *model, const char *name, QnLawPreset *what)
 {
-  QnProject project;
-  GError *error = NULL;
-  if (!qn_project_load (options->model, NULL, &project, &error))
-    return qn_cli_fail (error);
-  QnId id = qn_model_find_law (&project.model, name);
-  QnExit code = id == QN_NONE ? QN_EXIT_INVALID : QN_EXIT_DONE;
+  QnProject *project = qn_cli_keep (g_new0 (QnProject, 1));
+  qn_cli_must (qn_project_load (model, NULL, project, QN_TROUBLE));
+  QnId id = qn_model_find_law (&project->model, name);
   if (id == QN_NONE) {
-    qn_cli_error (_ ("%s: no law is called “%s”"), options->model, name);
-  } else {
-    const QnLaw *law = &project.model.laws[id];
-    *what = *qn_law_preset (law->kind);
-    what->law = *law;
-    what->law.name = what->law.source = NULL;
+    qn_cli_error (_ ("%s: no law is called “%s”"), model, name);
+    qn_cli_stop (QN_EXIT_INVALID);
   }
-  qn_project_clear (&project);
-  return code;
+  const QnLaw *law = &project->model.laws[id];
+  *what = *qn_law_preset (law->kind);
+  what->law = *law;
+  what->law.name = what->law.source = NULL;
 }
 
-static QnExit
-take_preset (const QnSubcommand *self, const char *name, QnLawPreset *what)
+static void
+take_preset (const char *name, QnLawPreset *what)
 {
-  for (int kind = 0; kind < QN_LAW_KIND_COUNT; kind++)
-    if (strcmp (name, qn_law_kind_names[kind]) == 0) {
-      *what = *qn_law_preset ((QnLawKind) kind);
-      return QN_EXIT_DONE;
-    }
-  return qn_cli_usage_error (self->name, _ ("no law is called “%s”"), name);
+  int kind = 0;
+  while (kind < QN_LAW_KIND_COUNT && strcmp (name, qn_law_kind_names[kind]) != 0)
+    kind++;
+  if (kind == QN_LAW_KIND_COUNT)
+    qn_cli_usage_error (_ ("no law is called “%s”"), name);
+  *what = *qn_law_preset ((QnLawKind) kind);
 }
 
-static QnExit
-prepare (const QnSubcommand *self, const LawOptions *options, const char *name,
-         History *history)
+static void
+prepare (const LawOptions *options, const char *name, History *history)
 {
   QnLawPreset *what = &history->what;
   QnDiag diag = { 0 };
-  QnExit code = options->model != NULL ? take_law_of_project (options, name, what)
-                                       : take_preset (self, name, what);
-  for (char **setting = options->settings; code == QN_EXIT_DONE && setting && *setting;
-       setting++)
-    if (!apply_setting (self, &what->law, *setting))
-      code = QN_EXIT_USAGE;
-  if (code == QN_EXIT_DONE && options->path != NULL
-      && !parse_path (self, options->path, what))
-    code = QN_EXIT_USAGE;
-  if (code == QN_EXIT_DONE && !(options->length > 0 && isfinite (options->length))) {
-    qn_cli_usage_error (self->name, _ ("--length must be positive"));
-    code = QN_EXIT_USAGE;
-  }
-  if (code != QN_EXIT_DONE)
-    return code;
+  if (options->model != NULL)
+    take_law_of_project (options->model, name, what);
+  else
+    take_preset (name, what);
+  for (char **setting = options->settings; setting && *setting; setting++)
+    apply_setting (&what->law, *setting);
+  if (options->path != NULL)
+    parse_path (options->path, what);
+  if (!(options->length > 0 && isfinite (options->length)))
+    qn_cli_usage_error (_ ("--length must be positive"));
 
   QnLaw named = what->law;
   named.name = (char *) name;
   if (qn_law_check (&named, 0, &diag) != QN_OK) {
     qn_cli_error ("%s: %s", diag.field, _ (qn_problem_text (diag.problem)));
-    return QN_EXIT_INVALID;
+    qn_cli_stop (QN_EXIT_INVALID);
   }
   history->length = what->law.basis == QN_BASIS_MATERIAL ? options->length : 1;
-  return QN_EXIT_DONE;
 }
 
-static QnExit
-trace (History *history)
-{
-  if (qn_law_trace (&history->what, history->length, history->samples))
-    return QN_EXIT_DONE;
-  qn_cli_error ("%s", _ (qn_problem_text (QN_PROBLEM_FRACTURE_ENERGY_TOO_SMALL)));
-  return QN_EXIT_INVALID;
-}
-
-static QnExit
+static void
 write_history (const History *history, const char *path)
 {
   static const char *const units[QN_BASIS_COUNT][3] = {
@@ -173,10 +145,8 @@ write_history (const History *history, const char *path)
     [QN_BASIS_MATERIAL] = { "-", "Pa", "Pa" },
   };
   const char *const *unit = units[history->what.law.basis];
-  GError *error = NULL;
-  QnFileWriter *writer = qn_file_writer_open (path, &error);
-  if (writer == NULL)
-    return qn_cli_fail (error);
+  QnFileWriter *writer = qn_file_writer_open (path, QN_TROUBLE);
+  qn_cli_must (writer != NULL);
   qn_file_writer_printf (writer,
                          "normal elongation [%s],tangential elongation [%s],normal force "
                          "[%s],shear force [%s],normal tangent [%s],shear tangent [%s]\n",
@@ -188,44 +158,29 @@ write_history (const History *history, const char *path)
     qn_file_writer_numbers (writer, row, G_N_ELEMENTS (row), ",");
     qn_file_writer_puts (writer, "\n");
   }
-  qn_file_writer_commit (writer, &error);
-  return qn_cli_end (error);
+  qn_cli_must (qn_file_writer_commit (writer, QN_TROUBLE));
 }
 
-static QnExit
-draw_history (const History *history, const LawOptions *options, const char *name,
-              const QnOutput *output)
+static void
+show (LawOptions *options, const char *name)
 {
-  g_autoptr (QnPlot) plot = qn_law_plot (&history->what, history->samples);
-  plot->title = name;
-  plot->monochrome = options->picture.monochrome;
-  QnMetadata metadata;
-  GError *error = NULL;
-  qn_project_get_metadata (NULL, &metadata);
-  qn_plot_export (plot, options->picture.path, output, &metadata, &error);
-  return qn_cli_end (error);
+  History history = { .samples =
+                        qn_cli_keep (g_array_new (FALSE, FALSE, sizeof (QnLawSample))) };
+  prepare (options, name, &history);
+  qn_picture_if_any (&options->picture);
+  if (!qn_law_trace (&history.what, history.length, history.samples)) {
+    qn_cli_error ("%s", _ (qn_problem_text (QN_PROBLEM_FRACTURE_ENERGY_TOO_SMALL)));
+    qn_cli_stop (QN_EXIT_INVALID);
+  }
+  if (options->picture.path != NULL) {
+    g_autoptr (QnPlot) plot = qn_law_plot (&history.what, history.samples);
+    qn_picture_plot (&options->picture, plot, name, NULL);
+  }
+  if (options->csv != NULL || options->picture.path == NULL)
+    write_history (&history, options->csv != NULL ? options->csv : "-");
 }
 
-static QnExit
-show (const QnSubcommand *self, const LawOptions *options, const char *name)
-{
-  History history = { .samples = g_array_new (FALSE, FALSE, sizeof (QnLawSample)) };
-  QnOutput output;
-  QnExit code = prepare (self, options, name, &history);
-  qn_output_init (&output);
-  if (code == QN_EXIT_DONE && options->picture.path != NULL)
-    code = qn_picture_output (self, &options->picture, &output);
-  if (code == QN_EXIT_DONE)
-    code = trace (&history);
-  if (code == QN_EXIT_DONE && options->picture.path != NULL)
-    code = draw_history (&history, options, name, &output);
-  if (code == QN_EXIT_DONE && (options->csv != NULL || options->picture.path == NULL))
-    code = write_history (&history, options->csv != NULL ? options->csv : "-");
-  g_array_free (history.samples, TRUE);
-  return code;
-}
-
-static QnExit
+static void
 run_law (const QnSubcommand *self, int argc, char **argv)
 {
   LawOptions options = { .length = 0.1 };
@@ -246,11 +201,8 @@ run_law (const QnSubcommand *self, int argc, char **argv)
     QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf")),
     G_OPTION_ENTRY_NULL,
   };
-  QnExit code = QN_EXIT_USAGE;
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = show (self, &options, argv[1]);
-  qn_subcommand_free_values (entries);
-  return code;
+    show (&options, argv[1]);
 }
 
 const QnSubcommand qn_cmd_law = {

@@ -5,12 +5,10 @@
 #include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "cli/study/cmd-study.h"
-#include "doc/view/sheet.h"
 #include "io/exchange/record.h"
 #include "io/text/file-writer.h"
 #include "io/text/json-text.h"
 #include "io/text/number-text.h"
-#include "render/figure/plot.h"
 #include "study/cases/run.h"
 #include "study/report/table.h"
 
@@ -53,13 +51,6 @@ typedef struct Ida {
   gsize count;
 } Ida;
 
-static void
-curve_clear (Curve *curve)
-{
-  g_free (curve->name);
-  g_free (curve->scales);
-}
-
 /* --- What is asked ----------------------------------------------------------------------- */
 
 /* "0.1:2:0.1": from, to, step. */
@@ -87,28 +78,26 @@ parse_scales (const char *text, GArray *scales)
   return scales->len > 0;
 }
 
-static QnExit
-check_ida_options (const QnSubcommand *self, IdaOptions *options, GArray *scales)
+static void
+check_ida_options (const IdaOptions *options, GArray *scales)
 {
   if (options->records == NULL)
-    return qn_cli_usage_error (self->name, _ ("--record is missing"));
+    qn_cli_usage_error (_ ("--record is missing"));
   if (options->scale == NULL || !parse_scales (options->scale, scales))
-    return qn_cli_usage_error (
-      self->name, _ ("--scale is least:greatest:step, all positive, as in 0.1:2:0.1"));
+    qn_cli_usage_error (
+      _ ("--scale is least:greatest:step, all positive, as in 0.1:2:0.1"));
   if (options->folder == NULL)
-    return qn_cli_usage_error (self->name, _ ("-o is missing"));
+    qn_cli_usage_error (_ ("-o is missing"));
   if (options->jobs < 0 || options->jobs > 1024)
-    return qn_cli_usage_error (self->name, _ ("--jobs is a number from 1 to 1024"));
-  return QN_EXIT_DONE;
+    qn_cli_usage_error (_ ("--jobs is a number from 1 to 1024"));
 }
 
 /* --- A study for each record --------------------------------------------------------------- */
 
 /* The model with this record, the only one, as its ground motion. It acts along the direction of
  * the project's first ground motion, or along x. */
-static gboolean
-make_model (const Ida *ida, const char *record, double end, QnProject *model,
-            GError **error)
+static void
+make_model (const Ida *ida, const char *record, double end, QnProject *model)
 {
   const QnModel *source = &ida->project.model;
   QnVec2 direction =
@@ -130,8 +119,9 @@ make_model (const Ida *ida, const char *record, double end, QnProject *model,
                                          "%s], \"record\": \"%s\", \"rest\": true}]",
                                          x, y, record));
   g_ptr_array_add (all, NULL);
-  return qn_project_parse (ida->project.text, ida->project.text_length, ida->project.name,
-                           (const char *const *) all->pdata, model, error);
+  qn_cli_must (qn_project_parse (ida->project.text, ida->project.text_length,
+                                 ida->project.name, (const char *const *) all->pdata,
+                                 model, QN_TROUBLE));
 }
 
 static char *
@@ -154,8 +144,8 @@ dup_study_text (const Ida *ida, const char *title, const char *model)
 }
 
 /* Puts record, model and study beside each other into the folder, and reads the study. */
-static gboolean
-make_study (const Ida *ida, gsize index, Curve *curve, QnStudy *study, GError **error)
+static void
+make_study (const Ida *ida, gsize index, Curve *curve, QnStudy *study)
 {
   const char *path = ida->options->records[index];
   g_autofree char *stem = g_strdup_printf ("record-%" G_GSIZE_FORMAT, index + 1);
@@ -168,41 +158,37 @@ make_study (const Ida *ida, gsize index, Curve *curve, QnStudy *study, GError **
   QnRecord record;
   QnProject model;
   /* What the command line states is for the records that do not. */
-  if (!qn_record_read (path, NULL, 0, &record, NULL)
-      && !qn_record_read (path, ida->options->unit, ida->options->time_step, &record,
-                          error))
-    return FALSE;
+  qn_cli_must (qn_record_read (path, NULL, 0, &record, NULL)
+               || qn_record_read (path, ida->options->unit, ida->options->time_step,
+                                  &record, QN_TROUBLE));
   QnRecordFacts facts = qn_record_facts (&record);
   g_autofree char *doubt = qn_record_dup_doubt (&record);
   if (doubt != NULL)
     qn_cli_warning ("%s: %s", path, doubt);
   curve->name = g_path_get_basename (path);
   curve->peak = facts.peak;
-  gboolean ok = qn_record_write (record_path, &record, error);
+  qn_cli_must (qn_record_write (record_path, &record, QN_TROUBLE));
   qn_record_clear (&record);
-  if (!ok || !make_model (ida, csv, facts.duration, &model, error))
-    return FALSE;
+  make_model (ida, csv, facts.duration, &model);
   QnProjectText *text = qn_project_write (&model, NULL, NULL);
   g_autofree char *json = dup_study_text (ida, curve->name, model_name);
-  ok = qn_file_write (model_path, text->text, text->length, error)
-       && qn_file_write (study_path, json, strlen (json), error)
-       && qn_study_read (study_path, NULL, study, error);
+  qn_cli_must (qn_file_write (model_path, text->text, text->length, QN_TROUBLE)
+               && qn_file_write (study_path, json, strlen (json), QN_TROUBLE)
+               && qn_study_read (study_path, NULL, study, QN_TROUBLE));
   qn_project_text_free (text);
   qn_project_clear (&model);
-  return ok;
 }
 
-static gboolean
-take_run_curve (Curve *curve, const QnStudy *study, const char *folder, GError **error)
+static void
+take_run_curve (Curve *curve, const QnStudy *study, const char *folder)
 {
   QnTable table;
-  if (!qn_table_read (&table, study, folder, error))
-    return FALSE;
+  qn_cli_must (qn_table_read (&table, study, folder, QN_TROUBLE));
   const gsize scale = (gsize) qn_table_find (&table, "scale"),
               peak = (gsize) qn_table_find (&table, "peak_displacement"),
               time = (gsize) qn_table_find (&table, "time_of_collapse");
   curve->count = curve->first = table.rows->len;
-  curve->scales = g_new (double, 4 * curve->count);
+  curve->scales = qn_cli_keep (g_new (double, 4 * curve->count));
   curve->peaks = curve->scales + curve->count;
   curve->displacements = curve->peaks + curve->count;
   curve->times = curve->displacements + curve->count;
@@ -215,7 +201,6 @@ take_run_curve (Curve *curve, const QnStudy *study, const char *folder, GError *
       curve->first = MIN (curve->first, i);
   }
   qn_table_clear (&table);
-  return TRUE;
 }
 
 /* --- What comes out ------------------------------------------------------------------------ */
@@ -246,13 +231,11 @@ print_runs (const Ida *ida)
   }
 }
 
-static QnExit
+static void
 write_runs (const Ida *ida)
 {
-  GError *error = NULL;
-  QnFileWriter *out = qn_file_writer_open (ida->options->csv, &error);
-  if (out == NULL)
-    return qn_cli_fail (error);
+  QnFileWriter *out = qn_file_writer_open (ida->options->csv, QN_TROUBLE);
+  qn_cli_must (out != NULL);
   qn_file_writer_puts (out, "record,scale,peak acceleration [m/s2],peak displacement "
                             "[m],overturned,time [s]\n");
   for (gsize c = 0; c < ida->count; c++) {
@@ -269,21 +252,18 @@ write_runs (const Ida *ida)
       qn_file_writer_puts (out, "\n");
     }
   }
-  qn_file_writer_commit (out, &error);
-  return qn_cli_end (error);
+  qn_cli_must (qn_file_writer_commit (out, QN_TROUBLE));
 }
 
 /* Every record up to where it first overturns, and dashed from there to that level and along it. */
-static QnExit
-draw_runs (const Ida *ida, const QnOutput *output)
+static void
+draw_runs (const Ida *ida)
 {
-  QnPlot *plot = qn_plot_new (_ ("Peak displacement (m)"),
-                              _ ("Peak acceleration of the ground (m/s²)"));
+  g_autoptr (QnPlot) plot = qn_plot_new (_ ("Peak displacement (m)"),
+                                         _ ("Peak acceleration of the ground (m/s²)"));
   double *levels = qn_plot_keep (plot, g_new0 (double, 6 * ida->count));
   const char *overturning = _ ("overturns first at this level");
   double farthest = 0;
-  QnMetadata metadata;
-  GError *error = NULL;
   for (gsize c = 0; c < ida->count; c++)
     for (gsize i = 0; i < ida->curves[c].first; i++)
       farthest = fmax (farthest, ida->curves[c].displacements[i]); /* passes over NaN */
@@ -317,63 +297,48 @@ draw_runs (const Ida *ida, const QnOutput *output)
       QN_USUAL_DASH;
     overturning = NULL; /* told once */
   }
-  plot->title = ida->project.model.title;
-  plot->monochrome = ida->options->picture.monochrome;
-  qn_project_get_metadata (&ida->project, &metadata);
-  qn_plot_export (plot, ida->options->picture.path, output, &metadata, &error);
-  qn_plot_free (plot);
-  return qn_cli_end (error);
+  qn_picture_plot (&ida->options->picture, plot, ida->project.model.title, &ida->project);
 }
 
 /* --- All of it ------------------------------------------------------------------------------ */
 
 /* Computes the cases of one record that are missing in its folder. */
-static QnExit
+static void
 compute (const Ida *ida, gsize index, Curve *curve)
 {
-  QnStudy study;
+  g_auto (QnStudy) study = { 0 };
   QnStudyProgress progress;
-  GError *error = NULL;
   const QnStudyRunSettings settings = { .jobs = (guint) ida->options->jobs,
                                         .shard = { 0, 1 } };
   g_autofree char *name = g_strdup_printf ("record-%" G_GSIZE_FORMAT, index + 1);
   g_autofree char *folder = g_build_filename (ida->options->folder, name, NULL);
-  if (!make_study (ida, index, curve, &study, &error))
-    return qn_cli_fail (error);
-  QnExit code = qn_study_compute (&study, folder, ida->options->folder, settings,
-                                  ida->options->quiet, index, ida->count, &progress);
-  if (code == QN_EXIT_DONE && !take_run_curve (curve, &study, folder, &error))
-    code = qn_cli_fail (error);
-  qn_study_clear (&study);
-  return code;
+  make_study (ida, index, curve, &study);
+  if (!qn_study_compute (&study, folder, settings, ida->options->quiet, index, ida->count,
+                         &progress))
+    qn_study_cancelled (ida->options->folder);
+  take_run_curve (curve, &study, folder);
 }
 
-static QnExit
-run_all (Ida *ida, const QnOutput *output)
+static void
+run_all (Ida *ida)
 {
-  QnExit code = QN_EXIT_DONE;
   if (g_mkdir_with_parents (ida->options->folder, 0777) != 0) {
     qn_cli_error ("%s: %s", ida->options->folder, _ ("cannot be written"));
-    return QN_EXIT_FILE;
+    qn_cli_stop (QN_EXIT_FILE);
   }
   ida->count = g_strv_length (ida->options->records);
-  ida->curves = g_new0 (Curve, ida->count);
-  for (gsize i = 0; i < ida->count && code == QN_EXIT_DONE; i++)
-    code = compute (ida, i, &ida->curves[i]);
-  if (code == QN_EXIT_DONE && ida->options->csv != NULL)
-    code = write_runs (ida);
-  if (code == QN_EXIT_DONE && ida->options->picture.path != NULL)
-    code = draw_runs (ida, output);
-  if (code == QN_EXIT_DONE && !ida->options->quiet
-      && g_strcmp0 (ida->options->csv, "-") != 0)
-    print_runs (ida);
+  ida->curves = qn_cli_keep (g_new0 (Curve, ida->count));
   for (gsize i = 0; i < ida->count; i++)
-    curve_clear (&ida->curves[i]);
-  g_free (ida->curves);
-  return code;
+    compute (ida, i, &ida->curves[i]);
+  if (ida->options->csv != NULL)
+    write_runs (ida);
+  if (ida->options->picture.path != NULL)
+    draw_runs (ida);
+  if (!ida->options->quiet && g_strcmp0 (ida->options->csv, "-") != 0)
+    print_runs (ida);
 }
 
-static QnExit
+static void
 run_ida (const QnSubcommand *self, int argc, char **argv)
 {
   IdaOptions options = { 0 };
@@ -403,28 +368,16 @@ run_ida (const QnSubcommand *self, int argc, char **argv)
     QN_INPUT_QUIET_ENTRY (&options.quiet),
     G_OPTION_ENTRY_NULL,
   };
-  QnOutput output;
-  Ida ida = { .options = &options,
-              .scales = g_array_new (FALSE, FALSE, sizeof (double)) };
-  GError *error = NULL;
-  QnExit code = QN_EXIT_USAGE;
-
-  qn_output_init (&output);
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = check_ida_options (self, &options, ida.scales);
-  if (code == QN_EXIT_DONE && options.picture.path != NULL)
-    code = qn_picture_output (self, &options.picture, &output);
-  if (code == QN_EXIT_DONE) {
-    if (qn_project_load (argv[1], (const char *const *) options.input.overrides,
-                         &ida.project, &error)) {
-      code = run_all (&ida, &output);
-      qn_project_clear (&ida.project);
-    } else
-      code = qn_cli_fail (error);
-  }
-  g_array_unref (ida.scales);
-  qn_subcommand_free_values (entries);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return;
+  Ida *ida = qn_cli_keep (g_new0 (Ida, 1));
+  ida->options = &options;
+  ida->scales = g_array_new (FALSE, FALSE, sizeof (double));
+  check_ida_options (&options, ida->scales);
+  qn_picture_if_any (&options.picture);
+  qn_cli_must (qn_project_load (argv[1], (const char *const *) options.input.overrides,
+                                &ida->project, QN_TROUBLE));
+  run_all (ida);
 }
 
 const QnSubcommand qn_cmd_ida = {

@@ -8,41 +8,28 @@
 #include <glib/gi18n.h>
 #include <stdio.h>
 
-/* The study of a folder and its rows, for what follows from them. */
-static QnExit
-load_table (const char *folder, QnStudy *study, QnTable *table)
+/* The rows of the study of a folder, for the rest of the program. */
+static QnTable *
+load_table (const char *folder)
 {
-  GError *error = NULL;
-  if (!qn_folder_read_study (folder, study, &error))
-    return qn_cli_fail (error);
-  if (qn_table_read (table, study, folder, &error))
-    return QN_EXIT_DONE;
-  qn_study_clear (study);
-  return qn_cli_fail (error);
+  QnStudy *study = qn_cli_keep (g_new0 (QnStudy, 1));
+  QnTable *table = qn_cli_keep (g_new0 (QnTable, 1));
+  qn_cli_must (qn_folder_read_study (folder, study, QN_TROUBLE)
+               && qn_table_read (table, study, folder, QN_TROUBLE));
+  return table;
 }
 
-static QnExit
+static void
 run_table (const QnSubcommand *self, int argc, char **argv)
 {
-  g_autofree char *path = NULL;
+  char *path = (char *) "-";
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &path,
       N_ ("Write the table here; standard output by default"), N_ ("TABLE.csv") },
     G_OPTION_ENTRY_NULL,
   };
-  QnStudy study;
-  QnTable table;
-  GError *error = NULL;
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return QN_EXIT_USAGE;
-  QnExit code = load_table (argv[1], &study, &table);
-  if (code != QN_EXIT_DONE)
-    return code;
-  if (!qn_table_write (&table, path != NULL ? path : "-", &error))
-    code = qn_cli_fail (error);
-  qn_table_clear (&table);
-  qn_study_clear (&study);
-  return code;
+  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    qn_cli_must (qn_table_write (load_table (argv[1]), path, QN_TROUBLE));
 }
 
 const QnSubcommand qn_study_action_table = {
@@ -52,22 +39,14 @@ const QnSubcommand qn_study_action_table = {
   .run = run_table,
 };
 
-static QnExit
+static void
 run_summary (const QnSubcommand *self, int argc, char **argv)
 {
   const GOptionEntry entries[] = { G_OPTION_ENTRY_NULL };
-  QnStudy study;
-  QnTable table;
   if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return QN_EXIT_USAGE;
-  QnExit code = load_table (argv[1], &study, &table);
-  if (code != QN_EXIT_DONE)
-    return code;
-  g_autofree char *text = qn_summary_dup_text (&table);
+    return;
+  g_autofree char *text = qn_summary_dup_text (load_table (argv[1]));
   fputs (text, stdout);
-  qn_table_clear (&table);
-  qn_study_clear (&study);
-  return QN_EXIT_DONE;
 }
 
 const QnSubcommand qn_study_action_summary = {
@@ -106,9 +85,8 @@ default_output (const QnTable *table)
 }
 
 /* Columns by their names; the first ones that fit where none are named. */
-static QnExit
-find_columns (const QnSubcommand *self, const PlotOptions *options, const QnTable *table,
-              QnStudyFigure *figure)
+static void
+find_columns (const PlotOptions *options, const QnTable *table, QnStudyFigure *figure)
 {
   guint given = options->by != NULL ? g_strv_length (options->by) : 0;
   gboolean one =
@@ -117,58 +95,24 @@ find_columns (const QnSubcommand *self, const PlotOptions *options, const QnTabl
   figure->column =
     options->of != NULL ? qn_table_find (table, options->of) : default_output (table);
   if (figure->kind == QN_STUDY_FIGURE_MECHANISMS)
-    return QN_EXIT_DONE;
+    return;
   if (figure->column < (int) table->parameters
       || !qn_study_output_is_number (
         qn_study_output (table->study, (gsize) figure->column - table->parameters)))
-    return qn_cli_usage_error (self->name,
-                               _ ("--of names an output of the study that is a number"));
+    qn_cli_usage_error (_ ("--of names an output of the study that is a number"));
   if (given > wanted || table->parameters < wanted)
-    return qn_cli_usage_error (
-      self->name, _ ("--by names the parameter of a scatter or an envelope, or the two "
-                     "of a surface"));
+    qn_cli_usage_error (_ ("--by names the parameter of a scatter or an envelope, or the "
+                           "two of a surface"));
   for (guint i = 0; i < wanted; i++) {
     figure->parameters[i] = i < given ? qn_table_find (table, options->by[i]) : (int) i;
     if (figure->parameters[i] < 0 || figure->parameters[i] >= (int) table->parameters)
-      return qn_cli_usage_error (self->name, _ ("--by names a parameter of the study"));
+      qn_cli_usage_error (_ ("--by names a parameter of the study"));
   }
   if (wanted == 2 && figure->parameters[0] == figure->parameters[1])
-    return qn_cli_usage_error (self->name,
-                               _ ("a surface needs two different parameters"));
-  return QN_EXIT_DONE;
+    qn_cli_usage_error (_ ("a surface needs two different parameters"));
 }
 
-static QnExit
-plot (const QnSubcommand *self, const PlotOptions *options, const char *folder)
-{
-  QnStudy study;
-  QnTable table;
-  QnOutput output;
-  GError *error = NULL;
-  QnStudyFigure figure = { .monochrome = options->picture.monochrome };
-  qn_output_init (&output);
-  if (options->kind == NULL)
-    return qn_cli_usage_error (self->name, _ ("--kind is missing"));
-  if (!find_kind (options->kind, &figure.kind))
-    return qn_cli_refuse_name (self->name,
-                               options->kind != NULL ? options->kind : "--kind",
-                               qn_study_figure_names, QN_STUDY_FIGURE_COUNT);
-  QnExit code = qn_picture_output (self, &options->picture, &output);
-  if (code == QN_EXIT_DONE)
-    code = load_table (folder, &study, &table);
-  if (code != QN_EXIT_DONE)
-    return code;
-  code = find_columns (self, options, &table, &figure);
-  if (code == QN_EXIT_DONE
-      && !qn_study_figure_export (&figure, &table, options->picture.path, &output,
-                                  &error))
-    code = qn_cli_fail (error);
-  qn_table_clear (&table);
-  qn_study_clear (&study);
-  return code;
-}
-
-static QnExit
+static void
 run_plot (const QnSubcommand *self, int argc, char **argv)
 {
   PlotOptions options = { 0 };
@@ -182,11 +126,19 @@ run_plot (const QnSubcommand *self, int argc, char **argv)
     QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf")),
     G_OPTION_ENTRY_NULL,
   };
-  QnExit code = QN_EXIT_USAGE;
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = plot (self, &options, argv[1]);
-  qn_subcommand_free_values (entries);
-  return code;
+  QnStudyFigure figure = { 0 };
+  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
+    return;
+  if (options.kind == NULL)
+    qn_cli_usage_error (_ ("--kind is missing"));
+  if (!find_kind (options.kind, &figure.kind))
+    qn_cli_refuse_name (options.kind, qn_study_figure_names, QN_STUDY_FIGURE_COUNT);
+  qn_picture_output (&options.picture);
+  figure.monochrome = options.picture.monochrome;
+  const QnTable *table = load_table (argv[1]);
+  find_columns (&options, table, &figure);
+  qn_cli_must (qn_study_figure_export (&figure, table, options.picture.path,
+                                       &options.picture.output, QN_TROUBLE));
 }
 
 const QnSubcommand qn_study_action_plot = {

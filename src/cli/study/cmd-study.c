@@ -66,17 +66,15 @@ dup_program (void)
   return g_strdup ("/proc/self/exe");
 }
 
-QnExit
-qn_study_compute (const QnStudy *study, const char *folder, const char *name,
-                  QnStudyRunSettings settings, gboolean quiet, gsize part, gsize parts,
-                  QnStudyProgress *progress)
+gboolean
+qn_study_compute (const QnStudy *study, const char *folder, QnStudyRunSettings settings,
+                  gboolean quiet, gsize part, gsize parts, QnStudyProgress *progress)
 {
   Display display = { .shown = !quiet && isatty (STDERR_FILENO),
                       .lines = g_getenv ("QUOIN_PROGRESS") != NULL,
                       .part = part,
                       .parts = parts };
   gboolean cancelled;
-  GError *error = NULL;
   g_autofree char *program = dup_program ();
   settings.program = program;
   settings.progress = update_display;
@@ -84,15 +82,18 @@ qn_study_compute (const QnStudy *study, const char *folder, const char *name,
   if (settings.jobs == 0)
     settings.jobs = g_get_num_processors ();
   qn_interrupt_install ();
-  gboolean ok = qn_study_run (study, folder, &settings, progress, &cancelled, &error);
+  gboolean ok = qn_study_run (study, folder, &settings, progress, &cancelled, QN_TROUBLE);
   if (display.last_time > 0)
     fprintf (stderr, "\r\033[K");
-  if (!ok)
-    return qn_cli_fail (error);
-  if (!cancelled)
-    return QN_EXIT_DONE;
+  qn_cli_must (ok);
+  return !cancelled;
+}
+
+void
+qn_study_cancelled (const char *name)
+{
   qn_cli_error (_ ("%s: cancelled; the same command continues"), name);
-  return QN_EXIT_CANCELLED;
+  qn_cli_stop (QN_EXIT_CANCELLED);
 }
 
 /* "3/10": the third of ten slices. */
@@ -111,61 +112,57 @@ parse_shard (const char *text, QnShard *shard)
   return TRUE;
 }
 
-static QnExit
+static void
 compute (const QnStudy *study, const RunOptions *options, QnStudyRunSettings settings)
 {
   QnStudyProgress progress;
-  QnExit code = qn_study_compute (study, options->folder, options->folder, settings,
-                                  options->quiet, 0, 1, &progress);
-  if (options->quiet || (code != QN_EXIT_DONE && code != QN_EXIT_CANCELLED))
-    return code;
-  qn_print (_ ("%s: %zu of %zu cases"), options->folder, progress.present,
-            progress.wanted);
-  if (progress.failed > 0)
-    qn_print (_ (", %zu of those computed now failed"), progress.failed);
-  qn_print (_ ("; %.1f s\n"), progress.seconds);
-  return code;
+  gboolean done =
+    qn_study_compute (study, options->folder, settings, options->quiet, 0, 1, &progress);
+  if (!options->quiet) {
+    qn_print (_ ("%s: %zu of %zu cases"), options->folder, progress.present,
+              progress.wanted);
+    if (progress.failed > 0)
+      qn_print (_ (", %zu of those computed now failed"), progress.failed);
+    qn_print (_ ("; %.1f s\n"), progress.seconds);
+  }
+  if (!done)
+    qn_study_cancelled (options->folder);
 }
 
-static QnExit
-run_study (const QnSubcommand *self, RunOptions *options, const char *path)
+static void
+run_study (RunOptions *options, char *path)
 {
-  QnStudy study;
-  GError *error = NULL;
+  QnStudy *study = qn_cli_keep (g_new0 (QnStudy, 1));
   QnStudyRunSettings settings = { .jobs = (guint) MAX (options->jobs, 0),
                                   .keep = options->keep,
                                   .retry = options->retry };
   /* The folder of a study stands for the study as well. */
   gboolean again = options->folder == NULL && g_file_test (path, G_FILE_TEST_IS_DIR);
   if (options->folder == NULL && !again)
-    return qn_cli_usage_error (self->name, _ ("-o is missing"));
+    qn_cli_usage_error (_ ("-o is missing"));
   if (options->jobs < 0 || options->jobs > 1024)
-    return qn_cli_usage_error (self->name, _ ("--jobs is a number from 1 to 1024"));
+    qn_cli_usage_error (_ ("--jobs is a number from 1 to 1024"));
   if (!parse_shard (options->shard, &settings.shard))
-    return qn_cli_usage_error (self->name,
-                               _ ("--shard is k/n, the k-th of n slices, as in 3/10"));
-  if (!(again ? qn_folder_read_study (path, &study, &error)
-              : qn_study_read (path, NULL, &study, &error)))
-    return qn_cli_fail (error);
+    qn_cli_usage_error (_ ("--shard is k/n, the k-th of n slices, as in 3/10"));
+  qn_cli_must (again ? qn_folder_read_study (path, study, QN_TROUBLE)
+                     : qn_study_read (path, NULL, study, QN_TROUBLE));
   if (again)
-    options->folder = g_strdup (path);
-  for (guint i = 0; i < study.warnings->len; i++)
-    qn_cli_warning ("%s", (char *) g_ptr_array_index (study.warnings, i));
-  for (guint i = 0; i < study.project.warnings->len; i++)
-    qn_cli_warning ("%s", (char *) g_ptr_array_index (study.project.warnings, i));
-  QnExit code = QN_EXIT_DONE;
-  if (!options->prepare)
-    code = compute (&study, options, settings);
-  else if (!qn_folder_prepare (options->folder, &study, &error))
-    code = qn_cli_fail (error);
-  else if (!options->quiet)
+    options->folder = path;
+  for (guint i = 0; i < study->warnings->len; i++)
+    qn_cli_warning ("%s", (char *) g_ptr_array_index (study->warnings, i));
+  for (guint i = 0; i < study->project.warnings->len; i++)
+    qn_cli_warning ("%s", (char *) g_ptr_array_index (study->project.warnings, i));
+  if (!options->prepare) {
+    compute (study, options, settings);
+    return;
+  }
+  qn_cli_must (qn_folder_prepare (options->folder, study, QN_TROUBLE));
+  if (!options->quiet)
     qn_print (_ ("%s: %zu cases to compute\n"), options->folder,
-              qn_study_case_count (&study));
-  qn_study_clear (&study);
-  return code;
+              qn_study_case_count (study));
 }
 
-static QnExit
+static void
 run_run (const QnSubcommand *self, int argc, char **argv)
 {
   RunOptions options = { 0 };
@@ -186,19 +183,16 @@ run_run (const QnSubcommand *self, int argc, char **argv)
       N_ ("Print errors and warnings only"), NULL },
     G_OPTION_ENTRY_NULL,
   };
-  QnExit code = QN_EXIT_USAGE;
   if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    code = run_study (self, &options, argv[1]);
-  qn_subcommand_free_values (entries);
-  return code;
+    run_study (&options, argv[1]);
 }
 
-static QnExit
+static void
 run_submit (const QnSubcommand *self, int argc, char **argv)
 {
   gboolean slurm = FALSE, dry_run = FALSE;
   int size = 0;
-  g_autofree char *partition = NULL, *program = NULL;
+  char *partition = NULL;
   const GOptionEntry entries[] = {
     { "slurm", 0, 0, G_OPTION_ARG_NONE, &slurm, N_ ("Submit to Slurm"), NULL },
     { "array-size", 0, 0, G_OPTION_ARG_INT, &size,
@@ -210,26 +204,21 @@ run_submit (const QnSubcommand *self, int argc, char **argv)
     G_OPTION_ENTRY_NULL,
   };
   if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return QN_EXIT_USAGE;
+    return;
   if (!slurm)
-    return qn_cli_usage_error (self->name, _ ("--slurm is missing"));
+    qn_cli_usage_error (_ ("--slurm is missing"));
   if (size < 0 || size > QN_STUDY_MAX_CASES)
-    return qn_cli_usage_error (self->name, _ ("--array-size must be positive"));
-  program = g_file_read_link ("/proc/self/exe", NULL);
+    qn_cli_usage_error (_ ("--array-size must be positive"));
+  g_autofree char *program = g_file_read_link ("/proc/self/exe", NULL);
   const QnSlurmSettings settings = { .program = program != NULL ? program : "quoin-cli",
                                      .array_size = (guint) size,
                                      .partition = partition,
                                      .dry_run = dry_run };
   const char *folder = argv[1];
-  QnStudy study;
+  g_auto (QnStudy) study = { 0 };
   QnSubmission submission;
-  GError *error = NULL;
-  if (!qn_folder_read_study (folder, &study, &error))
-    return qn_cli_fail (error);
-  gboolean ok = qn_study_submit (&study, folder, &settings, &submission, &error);
-  qn_study_clear (&study);
-  if (!ok)
-    return qn_cli_fail (error);
+  qn_cli_must (qn_folder_read_study (folder, &study, QN_TROUBLE)
+               && qn_study_submit (&study, folder, &settings, &submission, QN_TROUBLE));
   if (submission.script == NULL)
     qn_print (_ ("%s: nothing to submit: %zu cases missing, %u tasks wait or run\n"),
               folder, submission.missing, submission.active);
@@ -239,7 +228,6 @@ run_submit (const QnSubcommand *self, int argc, char **argv)
     qn_print (_ ("%s: %zu cases missing, %u tasks submitted as array %s\n"), folder,
               submission.missing, submission.tasks, submission.job);
   qn_submission_clear (&submission);
-  return QN_EXIT_DONE;
 }
 
 static const QnSubcommand submit_action = {
@@ -252,7 +240,7 @@ static const QnSubcommand submit_action = {
 };
 
 /* Started by `run` alone: not in the help. */
-static QnExit
+static void
 run_worker (const QnSubcommand *self, int argc, char **argv)
 {
   gboolean keep = FALSE;
@@ -261,15 +249,11 @@ run_worker (const QnSubcommand *self, int argc, char **argv)
       N_ ("Keep the full result of every case that is computed"), NULL },
     G_OPTION_ENTRY_NULL,
   };
-  QnStudy study;
-  GError *error = NULL;
+  g_auto (QnStudy) study = { 0 };
   if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return QN_EXIT_USAGE;
-  if (!qn_folder_read_study (argv[1], &study, &error))
-    return qn_cli_fail (error);
+    return;
+  qn_cli_must (qn_folder_read_study (argv[1], &study, QN_TROUBLE));
   qn_worker_serve (&study, argv[1], keep, stdin, stdout);
-  qn_study_clear (&study);
-  return QN_EXIT_DONE;
 }
 
 static const QnSubcommand worker = {
@@ -289,24 +273,18 @@ static const QnSubcommand run_action = {
   .run = run_run,
 };
 
-static QnExit
+static void
 run_gather (const QnSubcommand *self, int argc, char **argv)
 {
   const GOptionEntry entries[] = { G_OPTION_ENTRY_NULL };
-  QnStudy study;
+  g_auto (QnStudy) study = { 0 };
   QnGathered gathered;
-  GError *error = NULL;
   if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return QN_EXIT_USAGE;
-  if (!qn_folder_read_study (argv[1], &study, &error))
-    return qn_cli_fail (error);
-  gboolean ok = qn_study_gather (&study, argv[1], &gathered, &error);
-  qn_study_clear (&study);
-  if (!ok)
-    return qn_cli_fail (error);
+    return;
+  qn_cli_must (qn_folder_read_study (argv[1], &study, QN_TROUBLE)
+               && qn_study_gather (&study, argv[1], &gathered, QN_TROUBLE));
   qn_print (_ ("%s: %zu rows added; %zu of %zu cases, %zu failed\n"), argv[1],
             gathered.added, gathered.present, gathered.count, gathered.failed);
-  return QN_EXIT_DONE;
 }
 
 static const QnSubcommand gather_action = {
@@ -334,28 +312,31 @@ print_help (void)
   qn_print (_ ("\n\"quoin-cli study ACTION --help\" explains one of them.\n"));
 }
 
-static QnExit
+static void
 run_subcommand (const QnSubcommand *self, int argc, char **argv)
 {
-  if (argc < 2)
-    return qn_cli_usage_error (self->name, _ ("an action is missing"));
-  if (strcmp (argv[1], "--help") == 0 || strcmp (argv[1], "-h") == 0) {
+  const char *name = argc > 1 ? argv[1] : NULL;
+  const QnSubcommand *action = g_strcmp0 (name, "worker") == 0 ? &worker : NULL;
+  qn_cli_set_subcommand (self->name);
+  if (name == NULL)
+    qn_cli_usage_error (_ ("an action is missing"));
+  if (strcmp (name, "--help") == 0 || strcmp (name, "-h") == 0) {
     print_help ();
-    return QN_EXIT_DONE;
+    return;
   }
-  if (strcmp (argv[1], QN_DESCRIBE) == 0) {
+  if (strcmp (name, QN_DESCRIBE) == 0) {
     const GOptionEntry none[] = { G_OPTION_ENTRY_NULL };
     qn_subcommand_parse (self, none, 0, 0, &argc, &argv);
     for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
       actions[i]->run (actions[i], argc, argv);
-    return QN_EXIT_DONE;
+    return;
   }
-  if (strcmp (argv[1], "worker") == 0)
-    return worker.run (&worker, argc - 1, argv + 1);
   for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
-    if (strcmp (argv[1], actions[i]->name + strlen ("study ")) == 0)
-      return actions[i]->run (actions[i], argc - 1, argv + 1);
-  return qn_cli_usage_error (self->name, _ ("unknown action %s"), argv[1]);
+    if (strcmp (name, actions[i]->name + strlen ("study ")) == 0)
+      action = actions[i];
+  if (action == NULL)
+    qn_cli_usage_error (_ ("unknown action %s"), name);
+  action->run (action, argc - 1, argv + 1);
 }
 
 const QnSubcommand qn_cmd_study = {

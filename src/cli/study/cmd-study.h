@@ -6,11 +6,14 @@
 
 /* Computes the cases of a study that are missing in its folder, as `settings` say but for the program, the
  * progress and, where `jobs` is 0, how many processes; shows on a terminal how far it has come, unless
- * `quiet`: it is the one with the number `part` of `parts` alike. On failure or at Ctrl+C the user has been
- * told, of `name`. */
-QnExit qn_study_compute (const QnStudy *study, const char *folder, const char *name,
-                         QnStudyRunSettings settings, gboolean quiet, gsize part,
-                         gsize parts, QnStudyProgress *progress);
+ * `quiet`: it is the one with the number `part` of `parts` alike. Failure ends the program; FALSE where it was
+ * cancelled. */
+gboolean qn_study_compute (const QnStudy *study, const char *folder,
+                           QnStudyRunSettings settings, gboolean quiet, gsize part,
+                           gsize parts, QnStudyProgress *progress);
+
+/* Ends the program since the study was cancelled; `name` is what the command calls it. */
+void qn_study_cancelled (const char *name);
 
 extern const QnSubcommand qn_study_action_table;
 extern const QnSubcommand qn_study_action_summary;

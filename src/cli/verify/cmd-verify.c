@@ -25,28 +25,21 @@ typedef struct Tally {
 } Tally;
 
 /* Loads a model that is compiled in. */
-static QnExit
+static void
 load_case (const QnVerifyGroup *group, const QnVerifyCase *test, QnInput *input)
 {
   g_autofree char *path = g_strconcat (QN_VERIFY_RESOURCES, test->model, NULL);
-  GError *error = NULL;
-  memset (input, 0, sizeof *input);
-
-  g_autoptr (GBytes) bytes = g_resources_lookup_data (path, 0, &error);
-  if (bytes == NULL)
-    return qn_cli_fail (error);
   gsize length = 0;
-  const char *text = g_bytes_get_data (bytes, &length);
-  if (!qn_project_parse (text, length, test->model, group->overrides, &input->project,
-                         &error))
-    return qn_cli_fail (error);
-
   QnDiag diag = { 0 };
-  if (qn_contacts_detect (&input->project.model, &input->contacts, &diag) == QN_OK)
-    return QN_EXIT_DONE;
-  QnExit code = qn_input_refuse (&input->project, &diag);
-  qn_input_clear (input);
-  return code;
+  *input = (QnInput){ 0 };
+
+  g_autoptr (GBytes) bytes = g_resources_lookup_data (path, 0, QN_TROUBLE);
+  qn_cli_must (bytes != NULL);
+  const char *text = g_bytes_get_data (bytes, &length);
+  qn_cli_must (qn_project_parse (text, length, test->model, group->overrides,
+                                 &input->project, QN_TROUBLE));
+  if (qn_contacts_detect (&input->project.model, &input->contacts, &diag) != QN_OK)
+    qn_input_refuse (&input->project, &diag);
 }
 
 static size_t
@@ -113,12 +106,12 @@ print_row (const QnVerifyCase *test, const QnInput *input, const QnResult *resul
 }
 
 /* Writes the result as FOLDER/GROUP/<name of the model file>.json. */
-static QnExit
+static void
 keep_result (const VerifyOptions *options, const QnVerifyGroup *group,
              const QnInput *input, const QnResult *result)
 {
   if (options->keep == NULL)
-    return QN_EXIT_DONE;
+    return;
   g_autofree char *folder = g_build_filename (options->keep, group->name, NULL);
   g_autofree char *base = g_path_get_basename (input->project.name);
   char *ending = g_strrstr (base, ".quoin");
@@ -126,18 +119,16 @@ keep_result (const VerifyOptions *options, const QnVerifyGroup *group,
     *ending = '\0';
   g_autofree char *name = g_strconcat (base, ".json", NULL);
   g_autofree char *path = g_build_filename (folder, name, NULL);
-  GError *error = NULL;
 
   if (g_mkdir_with_parents (folder, 0777) != 0) {
     qn_cli_error (_ ("%s: cannot be made: %s"), folder, g_strerror (errno));
-    return QN_EXIT_FILE;
+    qn_cli_stop (QN_EXIT_FILE);
   }
-  if (!qn_result_file_write (path, &input->project, &input->contacts, result, &error))
-    return qn_cli_fail (error);
-  return QN_EXIT_DONE;
+  qn_cli_must (
+    qn_result_file_write (path, &input->project, &input->contacts, result, QN_TROUBLE));
 }
 
-static QnExit
+static void
 run_case (const VerifyOptions *options, const QnVerifyGroup *group,
           const QnVerifyCase *test, Tally *tally)
 {
@@ -145,43 +136,36 @@ run_case (const VerifyOptions *options, const QnVerifyGroup *group,
   QnTerminalProgress progress;
   QnResult result = { 0 };
   QnDiag diag = { 0 };
-  QnExit code = load_case (group, test, &input);
-  if (code != QN_EXIT_DONE)
-    return code;
-
-  qn_terminal_progress_init (&progress, options->quiet);
   double found = NAN;
+
+  load_case (group, test, &input);
+  qn_terminal_progress_begin (&progress, options->quiet);
   QnStatus status = qn_verify_run (test, &input, qn_terminal_progress_update, &progress,
                                    &result, &found, &diag);
   qn_terminal_progress_done (&progress);
   result.statistics.peak_memory_bytes = (int64_t) progress.peak_memory;
-  if (status != QN_OK && status != QN_ERROR_CANCELLED) {
-    code = qn_input_refuse (&input.project, &diag);
-  } else if (qn_interrupt_seen ()) {
+  if (status != QN_OK && status != QN_ERROR_CANCELLED)
+    qn_input_refuse (&input.project, &diag);
+  if (qn_interrupt_seen ()) {
     qn_cli_error (_ ("cancelled"));
-    code = QN_EXIT_CANCELLED;
-  } else {
-    double bound =
-      group->bounded && result.has_associative_bound ? result.associative_bound : NAN;
-    gboolean met = print_row (test, &input, &result, found, bound);
-    tally->uncertain += result.mechanism_uncertain;
-    if (!isfinite (test->tolerance))
-      tally->reported++;
-    else if (met)
-      tally->met++;
-    else
-      tally->missed++;
-    code = keep_result (options, group, &input, &result);
+    qn_cli_stop (QN_EXIT_CANCELLED);
   }
-  if (status == QN_OK)
-    qn_result_clear (&result);
-  qn_input_clear (&input);
-  return code;
+  double bound =
+    group->bounded && result.has_associative_bound ? result.associative_bound : NAN;
+  gboolean met = print_row (test, &input, &result, found, bound);
+  tally->uncertain += result.mechanism_uncertain;
+  *(!isfinite (test->tolerance) ? &tally->reported
+    : met                       ? &tally->met
+                                : &tally->missed) += 1;
+  keep_result (options, group, &input, &result);
+  qn_result_clear (&result);
+  qn_contacts_clear (&input.contacts);
+  qn_project_clear (&input.project);
 }
 
 /* Refuses names that no group has. */
-static gboolean
-check_names (const QnSubcommand *self, char **names)
+static void
+check_names (char **names)
 {
   gsize count;
   const QnVerifyGroup *groups = qn_verify_groups (&count);
@@ -189,22 +173,18 @@ check_names (const QnSubcommand *self, char **names)
     gboolean known = FALSE;
     for (gsize i = 0; i < count; i++)
       known = known || strcmp (groups[i].name, *names) == 0;
-    if (!known) {
-      qn_cli_usage_error (self->name, _ ("no group is called “%s”"), *names);
-      return FALSE;
-    }
+    if (!known)
+      qn_cli_usage_error (_ ("no group is called “%s”"), *names);
   }
-  return TRUE;
 }
 
-static QnExit
+static void
 verify (const VerifyOptions *options, char **names)
 {
   gsize count;
   const QnVerifyGroup *groups = qn_verify_groups (&count);
   Tally tally = { 0 };
 
-  qn_interrupt_install ();
   for (gsize i = 0; i < count; i++) {
     if (*names != NULL && !g_strv_contains ((const char *const *) names, groups[i].name))
       continue;
@@ -223,11 +203,8 @@ verify (const VerifyOptions *options, char **names)
     print_cell (_ ("seconds"), 7, FALSE);
     print_cell (_ ("factorisations"), 14, FALSE);
     qn_print ("\n");
-    for (gsize k = 0; k < groups[i].case_count; k++) {
-      QnExit code = run_case (options, &groups[i], &groups[i].cases[k], &tally);
-      if (code != QN_EXIT_DONE)
-        return code;
-    }
+    for (gsize k = 0; k < group->case_count; k++)
+      run_case (options, group, &group->cases[k], &tally);
     qn_print ("\n");
   }
   fputs (_ ("* HybriDFEM as published, for comparison.\n"
@@ -238,10 +215,11 @@ verify (const VerifyOptions *options, char **names)
                          "determined: the mechanism is its last motion."));
   qn_print (_ ("%u met, %u missed, %u reported only.\n"), tally.met, tally.missed,
             tally.reported);
-  return tally.missed > 0 ? QN_EXIT_INTERNAL : QN_EXIT_DONE;
+  if (tally.missed > 0)
+    qn_cli_stop (QN_EXIT_INTERNAL);
 }
 
-static QnExit
+static void
 run_verify (const QnSubcommand *self, int argc, char **argv)
 {
   VerifyOptions options = { 0 };
@@ -251,12 +229,10 @@ run_verify (const QnSubcommand *self, int argc, char **argv)
     { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("Show no progress"), NULL },
     G_OPTION_ENTRY_NULL,
   };
-  QnExit code = QN_EXIT_USAGE;
-  if (qn_subcommand_parse (self, entries, 0, 16, &argc, &argv)
-      && check_names (self, argv + 1))
-    code = verify (&options, argv + 1);
-  qn_subcommand_free_values (entries);
-  return code;
+  if (!qn_subcommand_parse (self, entries, 0, 16, &argc, &argv))
+    return;
+  check_names (argv + 1);
+  verify (&options, argv + 1);
 }
 
 const QnSubcommand qn_cmd_verify = {
