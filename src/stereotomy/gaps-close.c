@@ -1,5 +1,4 @@
 /* Closing gaps: sides -> joints -> lines -> corners. See gaps.h. */
-#include "core/base/box-tree.h"
 #include "core/base/memory.h"
 #include "stereotomy/gaps.h"
 #include "stereotomy/polygon-ops.h"
@@ -56,6 +55,7 @@ typedef struct Sample {
 } Sample;
 
 typedef struct Closing {
+  QnPool pool; /* of all but the gaps */
   const QnRings *rings;
   QnGaps gaps;
   double slack;  /* m: by how much a line may cut into a block */
@@ -556,10 +556,8 @@ static double
 common_area (const QnRings *rings, const QnId pair[2])
 {
   QnRings common = { 0 };
-  double area = 0;
   qn_polygon_intersection (&rings->items[pair[0]], &rings->items[pair[1]], &common, NULL);
-  for (size_t i = 0; i < common.count; i++)
-    area += qn_ring_area (&common.items[i]);
+  double area = qn_rings_area (&common);
   qn_rings_clear (&common);
   return area;
 }
@@ -612,12 +610,13 @@ closing_init (Closing *closing, const QnRings *rings)
 {
   for (size_t i = 0; i < rings->count; i++)
     closing->side_count += rings->items[i].count;
-  closing->sides = qn_alloc (closing->side_count, sizeof *closing->sides);
-  closing->first_side = qn_alloc (rings->count, sizeof *closing->first_side);
-  closing->next_gap = qn_alloc (closing->gaps.count, sizeof *closing->next_gap);
-  closing->samples = qn_alloc (2 * closing->gaps.count, sizeof *closing->samples);
-  if (closing->sides == NULL || closing->first_side == NULL || closing->next_gap == NULL
-      || closing->samples == NULL)
+  const size_t gaps = closing->gaps.count;
+  closing->sides =
+    qn_pool_alloc (&closing->pool, closing->side_count, sizeof *closing->sides);
+  closing->first_side = qn_pool_alloc (&closing->pool, rings->count, sizeof (size_t));
+  closing->next_gap = qn_pool_alloc (&closing->pool, gaps, sizeof (size_t));
+  closing->samples = qn_pool_alloc (&closing->pool, 2 * gaps, sizeof (Sample));
+  if (closing->pool.failed)
     return false;
   for (size_t i = 0, n = 0; i < rings->count; i++) {
     const QnRing *ring = &rings->items[i];
@@ -643,25 +642,6 @@ closing_init (Closing *closing, const QnRings *rings)
   return true;
 }
 
-static void
-closing_clear (Closing *closing)
-{
-  qn_gaps_clear (&closing->gaps);
-  free (closing->sides);
-  free (closing->first_side);
-  free (closing->next_gap);
-  free (closing->samples);
-}
-
-static double
-area_of (const QnRings *rings)
-{
-  double area = 0;
-  for (size_t i = 0; i < rings->count; i++)
-    area += qn_ring_area (&rings->items[i]);
-  return area;
-}
-
 /* What is told of it; gaps that are left are looked for anew. */
 static QnStatus
 tell (const Closing *closing, const QnRings *moved, double most, QnGapClosing *told,
@@ -685,7 +665,7 @@ tell (const Closing *closing, const QnRings *moved, double most, QnGapClosing *t
   told->closed = before > left.count ? before - left.count : 0;
   if (before == 0)
     told->narrowest = 0;
-  told->grown = area_of (moved) - area_of (closing->rings);
+  told->grown = qn_rings_area (moved) - qn_rings_area (closing->rings);
   qn_gaps_clear (&left);
   return status;
 }
@@ -719,7 +699,8 @@ close_once (QnRings *rings, double least, double most, QnGapClosing *told, QnDia
     moved = swap;
   }
   qn_rings_clear (&moved);
-  closing_clear (&closing);
+  qn_gaps_clear (&closing.gaps);
+  qn_pool_clear (&closing.pool);
   return status;
 }
 

@@ -1,5 +1,4 @@
 #include "stereotomy/gaps.h"
-#include "core/base/box-tree.h"
 #include "core/base/memory.h"
 #include "core/base/numbers.h"
 #include "core/base/polygon.h"
@@ -9,22 +8,16 @@
 /* The usual width at most, m. */
 #define USUAL_MOST 0.04
 
-/* Where a side lies: ring and its first vertex. */
-typedef struct Side {
-  size_t ring, edge;
-} Side;
-
 typedef struct Search {
   const QnRings *rings;
   double least, most; /* m */
   double parallel;    /* cosine of the angle that still counts as parallel */
-  Side *sides;
   QnBoxTree rings_tree;
   QnGaps *gaps;
 } Search;
 
 static void
-ends_of (const QnRings *rings, Side side, QnVec2 *from, QnVec2 *to)
+ends_of (const QnRings *rings, QnRingSide side, QnVec2 *from, QnVec2 *to)
 {
   const QnRing *ring = &rings->items[side.ring];
   *from = ring->points[side.edge];
@@ -41,7 +34,7 @@ point_along (QnVec2 from, QnVec2 to, QnVec2 along, double s)
 
 /* Whether two sides face each other across a gap of this width; fills in all but `rings`. */
 static bool
-face_each_other (const Search *search, Side one, Side two, QnGap *gap)
+face_each_other (const Search *search, QnRingSide one, QnRingSide two, QnGap *gap)
 {
   QnVec2 p, q, u, v;
   ends_of (search->rings, one, &p, &q);
@@ -95,20 +88,6 @@ is_filled (const Search *search, const QnGap *gap)
   return filled == QN_N_ELEMENTS (places);
 }
 
-static bool
-ring_tree (const QnRings *rings, QnBoxTree *tree)
-{
-  QnBox *boxes = qn_alloc (rings->count, sizeof *boxes);
-  if (boxes == NULL)
-    return false;
-  for (size_t i = 0; i < rings->count; i++)
-    if (rings->items[i].count > 0)
-      boxes[i] = qn_box_of_points (rings->items[i].points, rings->items[i].count);
-  bool done = qn_box_tree_init (tree, boxes, rings->count);
-  free (boxes);
-  return done;
-}
-
 /* In the order of the sides, whatever the tree's. */
 static int
 compare_gaps (const void *left, const void *right)
@@ -126,29 +105,18 @@ compare_gaps (const void *left, const void *right)
 static bool
 collect (Search *search)
 {
-  size_t count = 0, n = 0;
-  for (size_t i = 0; i < search->rings->count; i++)
-    count += search->rings->items[i].count;
-  QnBox *boxes = qn_alloc (count, sizeof *boxes);
   QnBoxTree tree = { 0 };
   QnBoxPairs pairs = { 0 };
-  search->sides = qn_alloc (count, sizeof *search->sides);
-  bool done = boxes != NULL && search->sides != NULL;
-  for (size_t i = 0; done && i < search->rings->count; i++)
-    for (size_t k = 0; k < search->rings->items[i].count; k++, n++) {
-      QnVec2 from, to;
-      search->sides[n] = (Side){ i, k };
-      ends_of (search->rings, search->sides[n], &from, &to);
-      boxes[n] = qn_box_of_segment (from, to);
-    }
-  done = done && qn_box_tree_init (&tree, boxes, count)
-         && qn_box_tree_pairs (&tree, search->most,
-                               QN_MOST_SIDE_PAIRS + QN_PAIRS_PER_SIDE * count, &pairs);
+  QnRingSide *sides = qn_rings_side_tree (search->rings, 0, &tree);
+  bool done = sides != NULL
+              && qn_box_tree_pairs (
+                &tree, search->most,
+                QN_MOST_SIDE_PAIRS + QN_PAIRS_PER_SIDE * tree.item_count, &pairs);
   for (size_t i = 0; done && i < pairs.count; i++) {
     size_t first = (size_t) (pairs.items[i][0] < pairs.items[i][1] ? pairs.items[i][0]
                                                                    : pairs.items[i][1]);
     size_t second = (size_t) (pairs.items[i][0] + pairs.items[i][1]) - first;
-    Side one = search->sides[first], two = search->sides[second];
+    QnRingSide one = sides[first], two = sides[second];
     QnGap gap = { .rings = { one.ring, two.ring }, .edges = { one.edge, two.edge } };
     if (one.ring != two.ring && face_each_other (search, one, two, &gap)
         && !is_filled (search, &gap))
@@ -159,8 +127,7 @@ collect (Search *search)
     qsort (search->gaps->items, search->gaps->count, sizeof (QnGap), compare_gaps);
   qn_box_pairs_clear (&pairs);
   qn_box_tree_clear (&tree);
-  free (boxes);
-  free (search->sides);
+  free (sides);
   return done;
 }
 
@@ -175,7 +142,7 @@ qn_gaps_find (const QnRings *rings, double least, double most, QnGaps *gaps, QnD
   *gaps = (QnGaps){ 0 };
   if (rings->count < 2 || !(most > least))
     return QN_OK;
-  bool done = ring_tree (rings, &search.rings_tree) && collect (&search);
+  bool done = qn_rings_tree (rings, 0, &search.rings_tree) && collect (&search);
   qn_box_tree_clear (&search.rings_tree);
   if (done)
     return QN_OK;

@@ -142,13 +142,7 @@ reach (QnSegments *segments, size_t index, bool first, const QnBoxTree *tree,
     return true;
   if (nearest > NEGLIGIBLE * tolerance) {
     *(first ? &own->a : &own->b) = best;
-    if (healing != NULL) {
-      healing->count++;
-      if (nearest > healing->farthest) {
-        healing->farthest = nearest;
-        healing->at = end;
-      }
-    }
+    qn_healing_note (healing, end, best);
   } else {
     best = end;
   }

@@ -226,15 +226,13 @@ check_apart (const Cutter *a, const Cutter *b, QnDiag *diag)
   double size = fmin (qn_box_size (a->bounds), qn_box_size (b->bounds));
   QnRings common = { 0 };
   QnStatus status = QN_OK;
-  double area = 0;
   for (size_t i = 0; i < a->parts.count && status == QN_OK; i++)
     for (size_t k = 0; k < b->parts.count && status == QN_OK; k++)
       if (qn_box_meets_within (qn_ring_bounds (&a->parts.items[i]),
                                qn_ring_bounds (&b->parts.items[k]), 0))
         status =
           qn_polygon_intersection (&a->parts.items[i], &b->parts.items[k], &common, diag);
-  for (size_t i = 0; i < common.count; i++)
-    area += qn_ring_area (&common.items[i]);
+  const double area = qn_rings_area (&common);
   qn_rings_clear (&common);
   if (status == QN_OK && area > OPENING_TOLERANCE * size * size)
     status = qn_masonry_problem (diag, QN_PROBLEM_OPENINGS_OVERLAP, "openings", area);
@@ -287,9 +285,7 @@ cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, size_t *lef
   double whole = qn_ring_area (&unit->ring), left = whole;
   if (status == QN_OK && near.count > 0) {
     status = qn_polygon_difference (&unit->ring, &near, &parts, diag);
-    left = 0;
-    for (size_t i = 0; i < parts.count; i++)
-      left += qn_ring_area (&parts.items[i]);
+    left = qn_rings_area (&parts);
   }
   if (status == QN_OK && left < whole * (1 - OPENING_TOLERANCE * 1e-3))
     status = add_remainder (unit, &parts, pieces, diag);

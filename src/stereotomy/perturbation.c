@@ -30,6 +30,7 @@ typedef struct Part {
 } Part;
 
 typedef struct Net {
+  QnPool pool; /* of all but the cycle */
   Node *nodes;
   size_t node_count;
   QnId *corners; /* node of every vertex of every piece */
@@ -60,15 +61,13 @@ find_nodes (const QnPieces *pieces, Net *net)
   size_t count = 0, at = 0;
   for (size_t i = 0; i < pieces->count; i++)
     count += pieces->items[i].ring.count;
-  QnBox *boxes = qn_alloc (count, sizeof *boxes);
   QnBoxTree vertices = { 0 };
-  net->nodes = qn_alloc (count, sizeof *net->nodes);
-  net->corners = qn_alloc (count, sizeof *net->corners);
-  net->ends = qn_alloc (pieces->count, sizeof *net->ends);
-  if (boxes == NULL || net->nodes == NULL || net->corners == NULL || net->ends == NULL) {
-    free (boxes);
+  QnBox *boxes = qn_pool_alloc (&net->pool, count, sizeof *boxes);
+  net->nodes = qn_pool_alloc (&net->pool, count, sizeof *net->nodes);
+  net->corners = qn_pool_alloc (&net->pool, count, sizeof *net->corners);
+  net->ends = qn_pool_alloc (&net->pool, pieces->count, sizeof *net->ends);
+  if (net->pool.failed)
     return false;
-  }
   QnBox all = QN_BOX_EMPTY;
   for (size_t i = 0; i < pieces->count; i++)
     for (size_t k = 0; k < pieces->items[i].ring.count; k++, at++) {
@@ -94,7 +93,6 @@ find_nodes (const QnPieces *pieces, Net *net)
     boxes[n] = (QnBox){ net->nodes[n].at, net->nodes[n].at };
   done = done && qn_box_tree_init (&net->tree, boxes, net->node_count);
   qn_box_tree_clear (&vertices);
-  free (boxes);
   return done;
 }
 
@@ -202,7 +200,7 @@ static bool
 find_outline (const QnPieces *pieces, Net *net)
 {
   size_t count = 0, first = 0;
-  Part *parts = net->parts = qn_alloc (net->cycle_count, sizeof *parts);
+  Part *parts = net->parts = qn_pool_alloc (&net->pool, net->cycle_count, sizeof *parts);
   if (parts == NULL)
     return false;
   for (size_t i = 0; i < pieces->count; first = net->ends[i++])
@@ -260,10 +258,7 @@ qn_pieces_perturb (double size, uint32_t seed, QnPieces *pieces, QnDiag *diag)
           new_place (&net.nodes[n], size, seed, (uint32_t) n);
     }
   qn_box_tree_clear (&net.tree);
-  free (net.nodes);
-  free (net.corners);
   free (net.cycle);
-  free (net.ends);
-  free (net.parts);
+  qn_pool_clear (&net.pool);
   return done ? QN_OK : qn_diag_no_memory (diag);
 }

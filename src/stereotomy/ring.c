@@ -182,3 +182,50 @@ qn_rings_clear (QnRings *rings)
   free (rings->items);
   *rings = (QnRings){ 0 };
 }
+
+double
+qn_rings_area (const QnRings *rings)
+{
+  double area = 0;
+  for (size_t i = 0; i < rings->count; i++)
+    area += qn_ring_area (&rings->items[i]);
+  return area;
+}
+
+bool
+qn_rings_tree (const QnRings *rings, double margin, QnBoxTree *tree)
+{
+  QnBox *boxes = qn_alloc (rings->count, sizeof *boxes);
+  if (boxes == NULL)
+    return false;
+  for (size_t i = 0; i < rings->count; i++)
+    boxes[i] = qn_box_grow (rings->items[i].count > 0 ? qn_ring_bounds (&rings->items[i])
+                                                      : (QnBox){ { 0, 0 }, { 0, 0 } },
+                            margin);
+  bool done = qn_box_tree_init (tree, boxes, rings->count);
+  free (boxes);
+  return done;
+}
+
+QnRingSide *
+qn_rings_side_tree (const QnRings *rings, double margin, QnBoxTree *tree)
+{
+  size_t count = 0, n = 0;
+  for (size_t i = 0; i < rings->count; i++)
+    count += rings->items[i].count;
+  QnBox *boxes = qn_alloc (count, sizeof *boxes);
+  QnRingSide *sides = qn_alloc (count, sizeof *sides);
+  for (size_t i = 0; boxes != NULL && sides != NULL && i < rings->count; i++)
+    for (size_t k = 0; k < rings->items[i].count; k++, n++) {
+      const QnRing *ring = &rings->items[i];
+      sides[n] = (QnRingSide){ i, k };
+      boxes[n] = qn_box_grow (
+        qn_box_of_segment (ring->points[k], ring->points[(k + 1) % ring->count]), margin);
+    }
+  if (boxes == NULL || sides == NULL || !qn_box_tree_init (tree, boxes, count)) {
+    free (sides);
+    sides = NULL;
+  }
+  free (boxes);
+  return sides;
+}

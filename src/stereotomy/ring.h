@@ -7,7 +7,7 @@
 #pragma once
 
 #include "core/base/base.h"
-#include "core/base/box.h"
+#include "core/base/box-tree.h"
 
 typedef struct QnRing {
   QnVec2 *points; /* owned */
@@ -51,5 +51,16 @@ bool qn_rings_take (QnRings *rings, QnRing *ring);
 void qn_rings_remove (QnRings *rings, size_t index);
 void qn_rings_clear (QnRings *rings);
 
-/* Extents of all of them. */
+/* Extents and area of all of them. */
 QnBox qn_rings_bounds (const QnRings *rings);
+double qn_rings_area (const QnRings *rings);
+
+/* A side of one of them, by its first vertex. */
+typedef struct QnRingSide {
+  size_t ring, edge;
+} QnRingSide;
+
+/* A tree of the rings, each grown by the margin, and one of all their sides in order, which are returned (owned).
+ * False and NULL, with nothing to clear, when memory runs out. */
+bool qn_rings_tree (const QnRings *rings, double margin, QnBoxTree *tree);
+QnRingSide *qn_rings_side_tree (const QnRings *rings, double margin, QnBoxTree *tree);

@@ -1,5 +1,4 @@
 #include "stereotomy/weld.h"
-#include "core/base/box-tree.h"
 #include "core/base/memory.h"
 
 #include <stdlib.h>
@@ -16,8 +15,8 @@ typedef struct Place {
   size_t target; /* place that it is welded to */
 } Place;
 
-static void
-note (QnHealing *healing, QnVec2 from, QnVec2 to)
+void
+qn_healing_note (QnHealing *healing, QnVec2 from, QnVec2 to)
 {
   if (healing == NULL)
     return;
@@ -173,7 +172,7 @@ qn_weld_vertices (QnRings *rings, double least, double tolerance, const QnRing *
       double way = qn_vec2_length (qn_vec2_sub (to, ring->points[k]));
       if (way > least) {
         if (way > NEGLIGIBLE * tolerance)
-          note (healing, ring->points[k], to);
+          qn_healing_note (healing, ring->points[k], to);
         ring->points[k] = to;
         moved = true;
       }
@@ -185,68 +184,16 @@ qn_weld_vertices (QnRings *rings, double least, double tolerance, const QnRing *
   return QN_OK;
 }
 
-/* A box tree over the rings, each grown by the margin. */
-static bool
-ring_tree (const QnRings *rings, double margin, QnBoxTree *tree)
-{
-  QnBox *boxes = qn_alloc (rings->count, sizeof *boxes);
-  if (boxes == NULL)
-    return false;
-  for (size_t i = 0; i < rings->count; i++) {
-    QnBox bounds = qn_ring_bounds (&rings->items[i]);
-    if (rings->items[i].count == 0)
-      bounds = (QnBox){ { 0, 0 }, { 0, 0 } };
-    boxes[i] = qn_box_grow (bounds, margin);
-  }
-  bool done = qn_box_tree_init (tree, boxes, rings->count);
-  free (boxes);
-  return done;
-}
-
-/* The edges of rings, each grown by the margin, in one tree, and the rings that reach near another. */
-typedef struct Edges {
-  QnBoxTree tree;
-  size_t *ring; /* by edge */
-  size_t *near; /* by ring: 1 + the last ring that it was found near to */
-} Edges;
-
+/* Notes by 1 + index the rings that come near to a side of ring `index`. */
 static void
-clear_edges (Edges *edges)
-{
-  qn_box_tree_clear (&edges->tree);
-  free (edges->ring);
-  free (edges->near);
-}
-
-static bool
-collect_edges (const QnRings *rings, double margin, Edges *edges)
-{
-  size_t total = vertex_total (rings), n = 0;
-  QnBox *boxes = qn_alloc (total, sizeof *boxes);
-  *edges = (Edges){ .ring = qn_alloc (total, sizeof *edges->ring),
-                    .near = qn_alloc (rings->count, sizeof *edges->near) };
-  bool done = boxes != NULL && edges->ring != NULL && edges->near != NULL;
-  for (size_t i = 0; done && i < rings->count; i++)
-    for (size_t k = 0; k < rings->items[i].count; k++, n++) {
-      const QnRing *ring = &rings->items[i];
-      boxes[n] = qn_box_grow (
-        qn_box_of_segment (ring->points[k], ring->points[(k + 1) % ring->count]), margin);
-      edges->ring[n] = i;
-    }
-  done = done && qn_box_tree_init (&edges->tree, boxes, total);
-  free (boxes);
-  return done;
-}
-
-/* Notes the rings that come near to an edge of ring `index`. */
-static void
-find_near (const QnRing *ring, size_t index, Edges *edges)
+find_near (const QnRing *ring, size_t index, const QnBoxTree *tree,
+           const QnRingSide *sides, size_t *near)
 {
   for (size_t k = 0; k < ring->count; k++) {
     QnBox side = qn_box_of_segment (ring->points[k], ring->points[(k + 1) % ring->count]);
-    QnBoxQuery query = qn_box_tree_query (&edges->tree, side);
+    QnBoxQuery query = qn_box_tree_query (tree, side);
     for (QnId i; (i = qn_box_query_next (&query)) != QN_NONE;)
-      edges->near[edges->ring[i]] = index + 1;
+      near[sides[i].ring] = index + 1;
   }
 }
 
@@ -300,7 +247,7 @@ fit_vertices (QnRings *rings, size_t index, const QnBoxTree *tree, const size_t 
     double way = isfinite (to_vertex) ? to_vertex : to_edge;
     if (isfinite (way) && way > NEGLIGIBLE * tolerance) {
       ring->points[k] = isfinite (to_vertex) ? vertex : edge;
-      note (healing, p, ring->points[k]);
+      qn_healing_note (healing, p, ring->points[k]);
     }
   }
 }
@@ -344,7 +291,7 @@ fit_edges (QnRings *rings, size_t index, const QnBoxTree *tree, const size_t *ne
           continue;
         if (!insert_vertex (ring, k, p))
           return false;
-        note (healing, foot, p);
+        qn_healing_note (healing, foot, p);
         break;
       }
     }
@@ -357,28 +304,26 @@ qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing, QnDiag
 {
   if (rings->count == 0)
     return QN_OK;
-  QnBoxTree tree = { 0 };
-  Edges edges = { 0 };
-  /* Rings, and edges of both, move by up to the tolerance while others look for them. */
-  bool done = ring_tree (rings, 2 * tolerance, &tree)
-              && collect_edges (rings, 4 * tolerance, &edges);
+  QnBoxTree tree = { 0 }, side_tree = { 0 };
+  QnHealing own = { 0 };
+  QnHealing *told = healing != NULL ? healing : &own;
+  size_t *near = qn_alloc (rings->count, sizeof *near); /* see find_near() */
+  /* Rings, and sides of both, move by up to the tolerance while others look for them. */
+  QnRingSide *sides = qn_rings_side_tree (rings, 4 * tolerance, &side_tree);
+  bool done =
+    near != NULL && sides != NULL && qn_rings_tree (rings, 2 * tolerance, &tree);
   for (size_t i = 0; i < rings->count && done; i++) {
-    QnHealing own = { 0 };
-    find_near (&rings->items[i], i, &edges);
-    fit_vertices (rings, i, &tree, edges.near, tolerance, &own);
-    done = fit_edges (rings, i, &tree, edges.near, tolerance, &own);
-    if (own.count > 0)
+    const size_t before = told->count;
+    find_near (&rings->items[i], i, &side_tree, sides, near);
+    fit_vertices (rings, i, &tree, near, tolerance, told);
+    done = fit_edges (rings, i, &tree, near, tolerance, told);
+    if (told->count > before)
       qn_ring_simplify (&rings->items[i], NEGLIGIBLE * tolerance);
-    if (healing != NULL && own.count > 0) {
-      healing->count += own.count;
-      if (own.farthest > healing->farthest) {
-        healing->farthest = own.farthest;
-        healing->at = own.at;
-      }
-    }
   }
   qn_box_tree_clear (&tree);
-  clear_edges (&edges);
+  qn_box_tree_clear (&side_tree);
+  free (sides);
+  free (near);
   return done ? QN_OK : qn_diag_no_memory (diag);
 }
 

@@ -15,6 +15,9 @@ typedef struct QnHealing {
   QnVec2 at;       /* where that was */
 } QnHealing;
 
+/* Notes (where `healing` is given) that a vertex went from one place to another. */
+void qn_healing_note (QnHealing *healing, QnVec2 from, QnVec2 to);
+
 /* Vertices within the tolerance of each other become one. The place that most vertices already
  * share wins (the one named first among equals), so a single stray end joins the others and
  * not the other way round. Corners and then points on the boundary of `frame` (nullable) win over

@@ -1,5 +1,5 @@
 /* Contact faces: where a side of one block faces a side of another on a common line. */
-#include "core/contact/contact-faces.h"
+#include "core/contact/contact-search.h"
 
 #include "core/base/memory.h"
 #include "core/base/polygon.h"

@@ -1,5 +1,5 @@
 /* Blocks with point contacts alone, without contact, or without connection to a support. */
-#include "core/contact/contact-loose.h"
+#include "core/contact/contact-search.h"
 
 #include "core/base/memory.h"
 #include "core/base/polygon.h"

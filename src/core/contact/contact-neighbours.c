@@ -1,10 +1,7 @@
 /* All pairs of blocks that lie near each other, one after the other. */
-#include "core/contact/contact-neighbours.h"
+#include "core/contact/contact-search.h"
 
 #include "core/base/memory.h"
-#include "core/contact/contact-faces.h"
-#include "core/contact/contact-loose.h"
-#include "core/contact/contact-overlaps.h"
 
 #include <stdlib.h>
 

@@ -1,5 +1,5 @@
 /* Blocks that overlap, how deeply and where. */
-#include "core/contact/contact-overlaps.h"
+#include "core/contact/contact-search.h"
 
 #include "core/base/memory.h"
 #include "core/base/numbers.h"

@@ -1,4 +1,4 @@
-/* Shared by the steps of contact detection: tolerances, sides, broad phase. */
+/* The steps of contact detection, and what they share: tolerances, sides. */
 #pragma once
 
 #include "core/base/box-tree.h"
@@ -87,3 +87,64 @@ qn_side_walk_next (QnSideWalk *walk)
   }
   return NULL;
 }
+
+/* ---- broad phase: pairs of blocks whose boxes meet ---- */
+
+/* Largest numbers of overlapping pairs of blocks, and of pairs with common boxes, that are searched. A
+ * structure laid over itself has fewer overlaps, a thousand oblique parallel slabs fewer common boxes. */
+#define QN_MOST_OVERLAPS(blocks)   (10000 + 4 * (size_t) (blocks))
+#define QN_MOST_NEIGHBOURS(blocks) (2000000 + 100 * (size_t) (blocks))
+
+/* Finds faces, then gaps, overlaps and point contacts, each kind of finding sorted by blocks. Refuses
+ * TOO_MANY_NEIGHBOURS and TOO_MANY_OVERLAPS. */
+QnStatus qn_contact_search_all (const QnContactSearch *search, QnContacts *contacts,
+                                QnDiag *diag);
+
+/* ---- narrow phase: common stretches of the sides of two blocks; overlaps ---- */
+
+/* A place where a corner of one block lies on the boundary of another one. */
+typedef struct QnTouch {
+  QnId a, b; /* a < b */
+  QnVec2 at;
+} QnTouch;
+
+typedef struct QnTouches {
+  QnTouch *items; /* owned; sorted by (a, b) */
+  size_t count, capacity;
+} QnTouches;
+
+/* Room that a search of pairs of blocks needs again and again. */
+typedef struct QnContactMatches {
+  struct QnContactMatch *items;
+  size_t count, capacity;
+} QnContactMatches;
+
+/* Appends the faces (without pairs) of blocks a < b in their final order, their gaps, and the
+ * touches that lie on no common face of the two. False when memory runs out. */
+bool qn_contact_match_pair (const QnContactSearch *search, QnId a, QnId b,
+                            QnContactMatches *matches, QnContacts *contacts,
+                            QnTouches *touches);
+
+typedef struct QnContactCuts {
+  double *items;
+  size_t count, capacity;
+} QnContactCuts;
+
+/* Appends a finding if blocks a < b overlap; false when memory runs out. */
+bool qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
+                               QnContactCuts *cuts, QnFindings *findings);
+
+/* ---- laws and pairs of the faces; blocks that nothing holds ---- */
+
+/* Sets laws and pairs of every face; pairs of bars follow those of the joint. Refuses bars that cross no
+ * face, joints by material between two rigid sides, and springs that snap back while they soften. */
+QnStatus qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts,
+                                  QnDiag *diag);
+
+/* Appends findings for blocks that touch at a point only; overlaps must be found before. */
+QnStatus qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
+                                   const QnTouches *touches, QnDiag *diag);
+
+/* Appends findings for blocks without contact and for blocks not connected to a support. */
+QnStatus qn_contacts_report_loose (const QnModel *model, QnContacts *contacts,
+                                   QnDiag *diag);

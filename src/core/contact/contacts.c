@@ -1,9 +1,7 @@
 #include "core/contact/contacts.h"
 
 #include "core/contact/contact-bars.h"
-#include "core/contact/contact-loose.h"
-#include "core/contact/contact-neighbours.h"
-#include "core/contact/pair-placement.h"
+#include "core/contact/contact-search.h"
 #include "core/contact/plausible.h"
 
 #include <math.h>

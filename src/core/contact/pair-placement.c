@@ -1,4 +1,4 @@
-#include "core/contact/pair-placement.h"
+#include "core/contact/contact-search.h"
 
 #include "core/base/memory.h"
 #include "core/contact/contact-bars.h"

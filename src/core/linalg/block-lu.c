@@ -3,6 +3,7 @@
 #include "core/base/memory.h"
 #include "core/linalg/dense-front.h"
 #include "core/linalg/front-tree.h"
+#include "core/linalg/sparse.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -232,12 +233,7 @@ list_all_entries (QnBlockLu *lu, const int32_t *ap, const int32_t *ai)
   bool ok = unknown && where && mirror;
 
   if (ok) {
-    /* mirror[p]: where the transpose of the entry at p stands. Columns are visited in
-     * order, and so are the entries of their rows. */
-    memcpy (where, ap, (size_t) tree->n * sizeof *where);
-    for (int32_t j = 0; j < tree->n; j++)
-      for (int32_t p = ap[j]; p < ap[j + 1]; p++)
-        mirror[p] = where[ai[p]]++;
+    qn_sparse_mirror (tree->n, ap, ai, where, mirror);
     for (int32_t i = 0; i < tree->n; i++)
       unknown[tree->position[i]] = i;
     for (int32_t f = 0; f < tree->front_count; f++) {

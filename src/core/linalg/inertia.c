@@ -1,6 +1,7 @@
 #include "core/linalg/inertia.h"
 
 #include "core/base/memory.h"
+#include "core/linalg/sparse.h"
 
 #include <cholmod.h>
 #include <float.h>
@@ -31,11 +32,12 @@ void dsytrf_ (const char *part, const int *n, double *a, const int *lda, int *pi
 typedef struct {
   cholmod_sparse *upper; /* columns of the upper triangle */
   cholmod_factor *factor;
-  int32_t *position;         /* n: where each unknown stands in it */
-  int32_t *places, *mirrors; /* of its entries in ax, and of their transposes */
+  int32_t *position; /* n: where each unknown stands in it */
+  int32_t *places;   /* of its entries in ax */
 } Order;
 
 struct QnInertia {
+  QnPool pool; /* of all that is not CHOLMOD's */
   int32_t n;
   const int32_t *ap, *ai;
   cholmod_common common;
@@ -46,32 +48,12 @@ struct QnInertia {
   int32_t *mirror; /* where the transpose of every entry stands in ax */
 };
 
-/* mirror[k]: where the transpose of the entry at k stands. Columns are visited in order, and so are
- * the entries of their rows. */
-static bool
-find_mirrors (QnInertia *inertia)
+/* The unknowns shuffled, another way for every number; as they are for 0. */
+static void
+shuffle (int32_t *position, int32_t n, int number)
 {
-  int32_t *next = qn_alloc ((size_t) inertia->n, sizeof *next);
-
-  if (next == NULL)
-    return false;
-  memcpy (next, inertia->ap, (size_t) inertia->n * sizeof *next);
-  for (int32_t j = 0; j < inertia->n; j++)
-    for (int32_t k = inertia->ap[j]; k < inertia->ap[j + 1]; k++)
-      inertia->mirror[k] = next[inertia->ai[k]]++;
-  free (next);
-  return true;
-}
-
-/* The unknowns shuffled, another way for every number; as they are for 0. NULL: no memory. */
-static int32_t *
-shuffle (int32_t n, int number)
-{
-  int32_t *position = qn_alloc ((size_t) n, sizeof *position);
   uint64_t state = 0x9e3779b97f4a7c15u * (uint64_t) number;
 
-  if (position == NULL)
-    return NULL;
   for (int32_t i = 0; i < n; i++) {
     int32_t other = i;
     if (number > 0) {
@@ -81,25 +63,28 @@ shuffle (int32_t n, int number)
     position[i] = position[other];
     position[other] = i;
   }
-  return position;
 }
 
 /* Copies the upper triangle of the pattern with its unknowns at their positions. */
 static bool
-take_pattern (QnInertia *inertia, Order *order)
+take_pattern (QnInertia *inertia, Order *order, int number)
 {
   size_t n = (size_t) inertia->n, count = 0;
-  const int32_t *ap = inertia->ap, *ai = inertia->ai, *position = order->position;
+  const int32_t *ap = inertia->ap, *ai = inertia->ai;
+  int32_t *position = qn_pool_alloc (&inertia->pool, n, sizeof *position);
 
+  if (position == NULL)
+    return false;
+  order->position = position;
+  shuffle (position, inertia->n, number);
   for (int32_t j = 0; j < inertia->n; j++)
     for (int32_t k = ap[j]; k < ap[j + 1]; k++)
       count += position[ai[k]] <= position[j];
   order->upper =
     cholmod_allocate_sparse (n, n, count, 0, 1, 1, CHOLMOD_REAL, &inertia->common);
-  order->places = qn_alloc (count, sizeof *order->places);
-  order->mirrors = qn_alloc (count, sizeof *order->mirrors);
+  order->places = qn_pool_alloc (&inertia->pool, count, sizeof *order->places);
   int32_t *column = qn_alloc (n, sizeof *column);
-  bool ok = order->upper && order->places && order->mirrors && column;
+  bool ok = order->upper && order->places && column;
   if (ok) {
     int32_t *up = order->upper->p, *ui = order->upper->i, next = 0;
     for (int32_t j = 0; j < inertia->n; j++)
@@ -109,7 +94,6 @@ take_pattern (QnInertia *inertia, Order *order)
       for (int32_t k = ap[column[c]]; k < ap[column[c] + 1]; k++)
         if (position[ai[k]] <= c) {
           ui[next] = position[ai[k]];
-          order->mirrors[next] = inertia->mirror[k];
           order->places[next++] = k;
         }
     }
@@ -127,8 +111,7 @@ set_up_order (QnInertia *inertia, int number)
 
   if (order->factor != NULL)
     return true;
-  order->position = shuffle (inertia->n, number);
-  if (order->position != NULL && take_pattern (inertia, order))
+  if (take_pattern (inertia, order, number))
     order->factor = cholmod_analyze (order->upper, &inertia->common);
   return order->factor != NULL;
 }
@@ -154,14 +137,16 @@ qn_inertia_new (int32_t n, const int32_t *ap, const int32_t *ai)
   inertia->ap = ap;
   inertia->ai = ai;
   inertia->right = cholmod_zeros ((size_t) n, 1, CHOLMOD_REAL, &inertia->common);
-  inertia->sums = qn_alloc ((size_t) n, sizeof *inertia->sums);
-  inertia->mirror = qn_alloc ((size_t) ap[n], sizeof *inertia->mirror);
-  if (inertia->right == NULL || inertia->sums == NULL || inertia->mirror == NULL
-      || !find_mirrors (inertia) || !set_up_order (inertia, 0)) {
-    qn_inertia_free (inertia);
-    return NULL;
+  inertia->sums = qn_pool_alloc (&inertia->pool, (size_t) n, sizeof *inertia->sums);
+  inertia->mirror = qn_pool_alloc (&inertia->pool, (size_t) ap[n], sizeof (int32_t));
+  int32_t *next = qn_pool_alloc (&inertia->pool, (size_t) n, sizeof *next);
+  if (inertia->right != NULL && !inertia->pool.failed) {
+    qn_sparse_mirror (n, ap, ai, next, inertia->mirror);
+    if (set_up_order (inertia, 0))
+      return inertia;
   }
-  return inertia;
+  qn_inertia_free (inertia);
+  return NULL;
 }
 
 void
@@ -173,14 +158,10 @@ qn_inertia_free (QnInertia *inertia)
     Order *order = &inertia->orders[i];
     cholmod_free_sparse (&order->upper, &inertia->common);
     cholmod_free_factor (&order->factor, &inertia->common);
-    free (order->position);
-    free (order->places);
-    free (order->mirrors);
   }
   cholmod_free_dense (&inertia->right, &inertia->common);
   cholmod_finish (&inertia->common);
-  free (inertia->sums);
-  free (inertia->mirror);
+  qn_pool_clear (&inertia->pool);
   free (inertia);
 }
 
@@ -263,7 +244,7 @@ qn_inertia_count (QnInertia *inertia, const double *ax, QnInertiaCount *count)
     const int32_t *up = order->upper->p;
     double *ux = order->upper->x;
     for (int32_t k = 0; k < up[inertia->n]; k++) {
-      ux[k] = 0.5 * (ax[order->places[k]] + ax[order->mirrors[k]]);
+      ux[k] = 0.5 * (ax[order->places[k]] + ax[inertia->mirror[order->places[k]]]);
       largest = fmax (largest, fabs (ux[k]));
     }
     cholmod_factorize (order->upper, order->factor, &inertia->common);

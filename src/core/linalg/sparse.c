@@ -3,6 +3,7 @@
 #include "core/base/memory.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 bool
 qn_sparse_pattern_init (QnSparsePattern *pattern, int32_t n, size_t expected)
@@ -105,4 +106,15 @@ qn_sparse_find (const int32_t *ap, const int32_t *ai, int32_t row, int32_t colum
       high = middle;
   }
   return low < ap[column + 1] && ai[low] == row ? low : QN_NONE;
+}
+
+/* Columns are visited in order, and so are the entries of their rows. */
+void
+qn_sparse_mirror (int32_t n, const int32_t *ap, const int32_t *ai, int32_t *next,
+                  int32_t *mirror)
+{
+  memcpy (next, ap, (size_t) n * sizeof *next);
+  for (int32_t j = 0; j < n; j++)
+    for (int32_t k = ap[j]; k < ap[j + 1]; k++)
+      mirror[k] = next[ai[k]]++;
 }

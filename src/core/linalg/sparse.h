@@ -26,3 +26,7 @@ void qn_sparse_pattern_clear (QnSparsePattern *pattern);
  * either is QN_NONE or the entry is not in the pattern. */
 int32_t qn_sparse_find (const int32_t *ap, const int32_t *ai, int32_t row,
                         int32_t column);
+
+/* mirror[k]: where the transpose of entry k of a symmetric pattern stands. `next`: scratch of length n. */
+void qn_sparse_mirror (int32_t n, const int32_t *ap, const int32_t *ai, int32_t *next,
+                       int32_t *mirror);

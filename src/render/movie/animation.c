@@ -323,7 +323,7 @@ format_of_path (const char *path, GError **error)
   if (g_str_has_suffix (lower, ".gif"))
     return &qn_movie_gif;
   if (g_str_has_suffix (lower, ".webm"))
-    return qn_movie_webm_available (error) ? &qn_movie_webm : NULL;
+    return qn_movie_webm (error);
   g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
                _ ("%s: an animation's name ends in .gif, .webm or / for a folder"), path);
   return NULL;

@@ -27,8 +27,9 @@ typedef struct WebmMovie {
   GstClockTime frame_time, time;
 } WebmMovie;
 
-bool
-qn_movie_webm_available (GError **error)
+/* Whether this machine can write WebM. */
+static bool
+is_available (GError **error)
 {
   static const char *const needed[] = { "appsrc", "videoconvert", "vp8enc", "webmmux",
                                         "fdsink" };
@@ -212,57 +213,23 @@ webm_finish (void *state, GError **error)
   return trouble == 0;
 }
 
+const QnMovieFormat *
+qn_movie_webm (GError **error)
+{
+  static const QnMovieFormat format = {
+    .open = webm_open, .add = webm_add, .finish = webm_finish, .abandon = webm_abandon
+  };
+  return is_available (error) ? &format : NULL;
+}
+
 #else
 
-bool
-qn_movie_webm_available (GError **error)
+const QnMovieFormat *
+qn_movie_webm (GError **error)
 {
   g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_UNAVAILABLE,
                        _ ("WebM needs GStreamer, which this build does not include"));
-  return false;
-}
-
-static void *
-webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *metadata,
-           cairo_surface_t *const *samples, int sample_count, GError **error)
-{
-  (void) path;
-  (void) page;
-  (void) rate;
-  (void) metadata;
-  (void) samples;
-  (void) sample_count;
-  qn_movie_webm_available (error);
   return NULL;
 }
 
-/* Never reached: open() does not succeed. */
-static bool
-webm_add (void *state, cairo_surface_t *frame, GError **error)
-{
-  (void) state;
-  (void) frame;
-  return qn_movie_webm_available (error);
-}
-
-static bool
-webm_finish (void *state, GError **error)
-{
-  (void) state;
-  return qn_movie_webm_available (error);
-}
-
-static void
-webm_abandon (void *state)
-{
-  (void) state;
-}
-
 #endif
-
-const QnMovieFormat qn_movie_webm = {
-  .open = webm_open,
-  .add = webm_add,
-  .finish = webm_finish,
-  .abandon = webm_abandon,
-};

@@ -17,7 +17,6 @@ typedef struct QnMovieFormat {
 
 extern const QnMovieFormat qn_movie_gif;
 extern const QnMovieFormat qn_movie_frames; /* numbered PNG files in a folder */
-extern const QnMovieFormat qn_movie_webm;
 
-/* Whether this build and machine can write WebM. */
-bool qn_movie_webm_available (GError **error);
+/* WebM; NULL with an error (UNAVAILABLE) where this build or machine cannot write it. */
+const QnMovieFormat *qn_movie_webm (GError **error);

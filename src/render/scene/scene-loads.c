@@ -81,6 +81,14 @@ add_size (QnSceneBuilder *b, const QnLoad *load, QnVec2 at, double size, const c
   return add_quantity (b, at, "%.4g", size, suffix, color);
 }
 
+/* Places a label at the tail of an arrow, out of its way. */
+static void
+set_behind (QnCommand *label, QnVec2 arrow, double length)
+{
+  label->align_x = arrow.x > 0.3 * length ? 1.1f : arrow.x < -0.3 * length ? -0.1f : 0.5f;
+  label->align_y = arrow.y < -0.3 * length ? -0.2f : arrow.y > 0.3 * length ? 1.2f : 0.5f;
+}
+
 static double
 largest_force (const QnLoad *loads, size_t count)
 {
@@ -107,13 +115,8 @@ add_force_load (QnSceneBuilder *b, const QnLoad *load, double largest, QnPickKin
     double length = FORCE_ARROW * b->block_size * fmax (force / largest, 0.2);
     QnVec2 from = qn_vec2_add_scaled (at, -length / force, load->vector);
     qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, at, 1.4, color, pick, index, 0);
-    QnCommand *label = add_size (b, load, from, force / 1000, " kN", color);
-    label->align_x = load->vector.x > 0.3 * force    ? 1.1f
-                     : load->vector.x < -0.3 * force ? -0.1f
-                                                     : 0.5f;
-    label->align_y = load->vector.y < -0.3 * force  ? -0.2f
-                     : load->vector.y > 0.3 * force ? 1.2f
-                                                    : 0.5f;
+    set_behind (add_size (b, load, from, force / 1000, " kN", color), load->vector,
+                force);
   }
   if (load->moment != 0) {
     QnVec2 arc[25];
@@ -263,15 +266,10 @@ add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick
   QnCommand *label = add_size (b, load, qn_vec2_add_scaled (at, -scale, direction),
                                shown / 1000, pressure ? " kPa" : " kN/m", color);
   qn_command_set_pick (label, pick, index);
-  label->align_x = direction.x > 0.3 * most    ? 1.1f
-                   : direction.x < -0.3 * most ? -0.1f
-                                               : 0.5f;
+  set_behind (label, direction, most);
   /* Beside the edge, not beyond its end, where other things stand. */
-  label->align_y = direction.y < -0.3 * most  ? -0.2f
-                   : direction.y > 0.3 * most ? 1.2f
-                   : rise > 0                 ? -0.2f
-                   : rise < 0                 ? 1.2f
-                                              : 0.5f;
+  if (fabs (direction.y) <= 0.3 * most && rise != 0)
+    label->align_y = rise > 0 ? -0.2f : 1.2f;
 }
 
 /* A settling support: an arrow in its direction with how far. Of a moment only the size is written.
@@ -292,8 +290,7 @@ add_settlement (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId ind
   QnCommand *label =
     add_quantity (b, to, "%.3g", turns ? 1e3 * load->value : 1e3 * fabs (load->value),
                   turns ? " mrad" : " mm", color);
-  label->align_x = along.x < 0 ? 1.1f : along.x > 0 ? -0.1f : 0.5f;
-  label->align_y = along.y < 0 ? 1.2f : along.y > 0 ? -0.2f : 0.5f;
+  set_behind (label, qn_vec2_scale (-1, along), 1);
 }
 
 /* Where a vehicle stands: on the first fill there, or else on the blocks; not-a-number beside both. */

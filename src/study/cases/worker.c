@@ -6,7 +6,6 @@
 #include "study/cases/folder.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <signal.h>
@@ -15,9 +14,6 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-/* Exit status of a child that could not become the program. */
-#define NOT_STARTED 127
 
 static void
 print_number (FILE *output, double number)
@@ -105,17 +101,16 @@ qn_worker_serve (const QnStudy *study, const char *folder, gboolean keep, FILE *
   free (line);
 }
 
-/* In the child: becomes the worker, or ends. Only what is safe after a fork. */
+/* In the child, before it becomes the worker: only what is safe after a fork. */
 static void
-become_worker (char **arguments, char **variables, int input, int output, pid_t parent)
+set_up_child (gpointer data)
 {
+  const pid_t *parent = data;
   prctl (PR_SET_PDEATHSIG, SIGKILL);
   signal (SIGINT, SIG_IGN);
   signal (SIGPIPE, SIG_DFL);
-  if (getppid () == parent && dup2 (input, STDIN_FILENO) >= 0
-      && dup2 (output, STDOUT_FILENO) >= 0)
-    execve (arguments[0], arguments, variables);
-  _exit (NOT_STARTED);
+  if (getppid () != *parent)
+    _exit (1);
 }
 
 gboolean
@@ -124,31 +119,20 @@ qn_worker_start (QnWorker *worker, const char *program, const char *folder, gboo
 {
   const char *arguments[] = { program, "study", "worker", folder, keep ? "--keep" : NULL,
                               NULL };
-  int to[2] = { -1, -1 }, from[2] = { -1, -1 };
-  pid_t parent = getpid (), pid = -1;
+  pid_t parent = getpid ();
+  g_autoptr (GError) cause = NULL;
   /* As many workers as cores: libraries are not to start threads of their own beside them. */
   g_auto (GStrv) variables =
     g_environ_setenv (g_get_environ (), "OPENBLAS_NUM_THREADS", "1", TRUE);
   *worker = (QnWorker){ .input = -1, .output = -1 };
-  if (pipe2 (to, O_CLOEXEC) == 0 && pipe2 (from, O_CLOEXEC) == 0)
-    pid = fork ();
-  if (pid == 0)
-    become_worker ((char **) arguments, variables, to[0], from[1], parent);
-  int trouble = errno;
-  const int theirs[] = { to[0], from[1] }, ours[] = { to[1], from[0] };
-  for (gsize i = 0; i < G_N_ELEMENTS (theirs); i++) {
-    if (theirs[i] >= 0)
-      close (theirs[i]);
-    if (pid < 0 && ours[i] >= 0)
-      close (ours[i]);
-  }
-  if (pid < 0) {
-    qn_io_error_set_errno (error, program, _ ("cannot be started"), trouble);
+  if (!g_spawn_async_with_pipes (NULL, (char **) arguments, variables,
+                                 G_SPAWN_DO_NOT_REAP_CHILD | G_SPAWN_CLOEXEC_PIPES,
+                                 set_up_child, &parent, &worker->pid, &worker->input,
+                                 &worker->output, NULL, &cause)) {
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE, "%s: %s: %s", program,
+                 _ ("cannot be started"), cause->message);
     return FALSE;
   }
-  worker->pid = pid;
-  worker->input = to[1];
-  worker->output = from[0];
   worker->received = g_string_new (NULL);
   return TRUE;
 }
