@@ -46,12 +46,11 @@ check_format (const QnJsonValue *root)
 static gboolean
 read_numbers (const QnJsonValue *list, QnRange range, GArray *numbers)
 {
+  QnJsonValue element = { 0 };
+  double number;
   if (!qn_json_value_array (list))
     return FALSE;
-  gsize index = 0;
-  for (const cJSON *item = list->json->child; item != NULL; item = item->next) {
-    double number;
-    QnJsonValue element = qn_json_value_element (list, index++, item);
+  while (qn_json_value_next (list, &element)) {
     if (!qn_json_value_number (&element, range, &number))
       return FALSE;
     g_array_append_val (numbers, number);
@@ -458,12 +457,10 @@ read_parameters (const QnJsonValue *root, QnStudy *study)
     qn_json_parse (study->project.text, study->project.text_length, "", NULL);
   if (document == NULL)
     return qn_json_value_no_memory (&list);
+  QnJsonValue element = { 0 };
   gboolean ok = TRUE;
-  gsize index = 0;
-  for (const cJSON *item = list.json->child; ok && item != NULL; item = item->next) {
-    QnJsonValue element = qn_json_value_element (&list, index++, item);
+  while (ok && qn_json_value_next (&list, &element))
     ok = read_parameter (&element, study, document);
-  }
   cJSON_Delete (document);
   return ok && (!combined || add_combinations (root, study));
 }
@@ -488,17 +485,16 @@ read_pair (const QnJsonValue *pair, QnStudy *study)
     return FALSE;
   if (cJSON_GetArraySize (pair->json) != 3)
     return qn_json_value_fail (pair, _ ("expected [name, name, rank correlation]"));
-  const cJSON *item = pair->json->child;
-  QnJsonValue first = qn_json_value_element (pair, 0, item);
-  QnJsonValue second = qn_json_value_element (pair, 1, item->next);
-  QnJsonValue number = qn_json_value_element (pair, 2, item->next->next);
-  if (!find_parameter (&first, study, &a) || !find_parameter (&second, study, &b)
-      || !qn_json_value_number (&number, QN_RANGE_FINITE, &value))
+  QnJsonValue item = { 0 };
+  qn_json_value_next (pair, &item);
+  if (!find_parameter (&item, study, &a) || !qn_json_value_next (pair, &item)
+      || !find_parameter (&item, study, &b) || !qn_json_value_next (pair, &item)
+      || !qn_json_value_number (&item, QN_RANGE_FINITE, &value))
     return FALSE;
   if (a == b || study->correlation[a * width + b] != 0)
     return qn_json_value_fail (pair, _ ("expected two parameters, and each pair once"));
   if (!(fabs (value) < 1))
-    return qn_json_value_fail (&number, _ ("a correlation lies between -1 and 1"));
+    return qn_json_value_fail (&item, _ ("a correlation lies between -1 and 1"));
   study->correlation[a * width + b] = study->correlation[b * width + a] = value;
   return TRUE;
 }
@@ -506,9 +502,8 @@ read_pair (const QnJsonValue *pair, QnStudy *study)
 static gboolean
 read_correlation (const QnJsonValue *root, QnStudy *study)
 {
-  QnJsonValue list = qn_json_value_member (root, "correlation");
+  QnJsonValue list = qn_json_value_member (root, "correlation"), element = { 0 };
   guint width = study->parameters->len;
-  gsize index = 0;
   if (list.json == NULL)
     return TRUE;
   if (!qn_json_value_array (&list))
@@ -517,11 +512,9 @@ read_correlation (const QnJsonValue *root, QnStudy *study)
     return qn_json_value_failf (&list, _ ("a plan \"%s\" has independent parameters"),
                                 qn_plan_kind_names[study->plan]);
   study->correlation = g_new0 (double, width *width);
-  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
-    QnJsonValue element = qn_json_value_element (&list, index++, item);
+  while (qn_json_value_next (&list, &element))
     if (!read_pair (&element, study))
       return FALSE;
-  }
   for (guint i = 0; i < width; i++)
     study->correlation[i * width + i] = 1;
   if (!qn_correlation_is_possible (study->correlation, width))
@@ -610,12 +603,10 @@ read_cracks (const QnJsonValue *root, QnStudy *study)
       return FALSE;
     if (cJSON_GetArraySize (names.json) != 2)
       return qn_json_value_fail (&names, _ ("expected the names of two blocks"));
-    for (int i = 0; i < 2; i++) {
-      const cJSON *name = cJSON_GetArrayItem (names.json, i);
-      QnJsonValue place = qn_json_value_element (&names, (gsize) i, name);
-      if (!qn_read_name_of (&place, model, QN_NAMED_BLOCK, &blocks[i]))
+    QnJsonValue name = { 0 };
+    for (int i = 0; qn_json_value_next (&names, &name); i++)
+      if (!qn_read_name_of (&name, model, QN_NAMED_BLOCK, &blocks[i]))
         return FALSE;
-    }
     for (int i = 0; i < 2; i++)
       crack.blocks[i] = g_strdup (model->blocks[blocks[i]].name);
     g_array_append_val (study->cracks, crack);
@@ -628,16 +619,14 @@ read_outputs (const QnJsonValue *root, QnStudy *study)
 {
   const QnAnalysisSettings *analysis = &study->project.model.analysis;
   gboolean bounds = qn_study_run_bounds (study->run, analysis);
-  QnJsonValue list = qn_json_value_member (root, "outputs");
-  gsize index = 0;
+  QnJsonValue list = qn_json_value_member (root, "outputs"), element = { 0 };
   if (!qn_json_value_array (&list))
     return FALSE;
-  for (const cJSON *item = list.json->child; item != NULL; item = item->next) {
-    QnJsonValue element = qn_json_value_element (&list, index++, item);
+  while (qn_json_value_next (&list, &element)) {
+    const char *name = cJSON_GetStringValue (element.json);
     int output = 0;
     while (output < QN_STUDY_OUTPUT_COUNT
-           && (!cJSON_IsString (item)
-               || strcmp (item->valuestring, qn_study_output_names[output]) != 0))
+           && g_strcmp0 (name, qn_study_output_names[output]) != 0)
       output++;
     /* What it gives is kept under the name of what it is. */
     gboolean renamed = bounds && output == QN_STUDY_COLLAPSE_MULTIPLIER;
