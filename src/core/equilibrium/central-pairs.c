@@ -1,40 +1,12 @@
 #include "core/equilibrium/central-pairs.h"
 
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 
 #include <math.h>
 #include <string.h>
 
-/* The strengths of a plastic pair by what they limit. */
-typedef struct {
-  bool shears, crushes; /* whether shear and compression have a limit of their own */
-  double tension, compression;
-  double friction, cohesion;
-} Strengths;
-
-/* Friction without strength at any compression leaves no shear force, and is no row. */
-static Strengths
-sort_strengths (const QnSpring *whole, const QnSpringMemory *memory)
-{
-  QnStrengthRow rows[QN_STRENGTH_ROWS];
-  QnSpring spring = qn_spring_now (whole, memory);
-  int count = qn_spring_strength (&spring, rows);
-  Strengths found = { 0 };
-
-  for (const QnStrengthRow *row = rows; row < rows + count; row++) {
-    if (row->shear > 0) {
-      found.shears = row->normal > 0 || row->limit > 0;
-      found.friction = row->normal;
-      found.cohesion = row->limit;
-    } else if (row->normal > 0) {
-      found.tension = row->limit;
-    } else {
-      found.crushes = true;
-      found.compression = row->limit;
-    }
-  }
-  return found;
-}
+enum { MOST_ROWS = 4 };
 
 /* Whether a pair is one of strengths and flows: the others are as Newton's method would have them, or
  * carry nothing. */
@@ -45,25 +17,30 @@ takes_part (const QnAssembly *as, size_t p)
 }
 
 bool
-qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as)
+qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as, const QnIpTuning *tuning)
 {
-  size_t count = (as->pair_count + QN_CENTRAL_WIDTH - 1) / QN_CENTRAL_WIDTH;
-  size_t padded = count * QN_CENTRAL_WIDTH;
+  size_t count = as->pair_count;
   QnPool *pool = &pairs->pool;
 
-  *pairs = (QnCentralPairs){ .assembly = as,
-                             .loops = qn_central_loops (QN_CENTRAL_WIDTH),
-                             .count = count };
+  *pairs = (QnCentralPairs){ .assembly = as };
   pairs->force = as->force_scale > 0 ? as->force_scale : 1;
   pairs->length = pairs->force / as->stiffness;
-  pairs->packs = qn_pool_lines (pool, count, sizeof *pairs->packs);
-  pairs->steps = qn_pool_lines (pool, count, sizeof *pairs->steps);
-  pairs->kept = qn_pool_lines (pool, count, sizeof *pairs->kept);
-  pairs->near = qn_pool_lines (pool, count, sizeof *pairs->near);
-  pairs->slips = qn_pool_alloc (pool, padded, sizeof *pairs->slips);
-  pairs->rates = qn_pool_alloc (pool, 2 * padded, sizeof *pairs->rates);
-  pairs->forces = qn_pool_lines (pool, 2 * padded, sizeof *pairs->forces);
-  pairs->tangents = qn_pool_lines (pool, 4 * padded, sizeof *pairs->tangents);
+  pairs->cells = qn_pool_alloc (pool, count, sizeof *pairs->cells);
+  pairs->bounds = qn_pool_alloc (pool, MOST_ROWS * count, sizeof *pairs->bounds);
+  pairs->problem = (QnIpProblem){ .row_count = as->unknown_count,
+                                  .cell_count = (int32_t) count,
+                                  .bound_count = (int32_t) (MOST_ROWS * count),
+                                  .cells = pairs->cells,
+                                  .bounds = pairs->bounds };
+  qn_ip_step_init (&pairs->ip, &pairs->problem, tuning, pool);
+  qn_ip_vector_init (&pairs->near, &pairs->problem, pool);
+  pairs->w = qn_pool_alloc (pool, MOST_ROWS * count, sizeof *pairs->w);
+  pairs->slips = qn_pool_alloc (pool, count, sizeof *pairs->slips);
+  pairs->plastic = qn_pool_alloc (pool, 2 * count, sizeof *pairs->plastic);
+  pairs->rates = qn_pool_alloc (pool, 2 * count, sizeof *pairs->rates);
+  pairs->forces = qn_pool_alloc (pool, 2 * count, sizeof *pairs->forces);
+  qn_ip_inverse_init (&pairs->inverse, &pairs->problem, pool);
+  pairs->tangents = qn_pool_alloc (pool, 4 * count, sizeof *pairs->tangents);
   return !pool->failed;
 }
 
@@ -103,76 +80,70 @@ positive_root (double surplus, double product)
   return surplus >= 0 ? 0.5 * (surplus + root) : 2 * product / (root - surplus);
 }
 
+/* Friction without strength at any compression leaves no shear force, and is no row. */
 static void
 start_pair (QnCentralPairs *pairs, size_t p, double size)
 {
   const QnAssembly *as = pairs->assembly;
-  const QnSpring *spring = &as->springs[p].a;
+  const QnSpring *whole = &as->springs[p].a;
   const QnSpringMemory *memory = &as->committed[p].a;
-  QnCentralPack *e = &pairs->packs[p / QN_CENTRAL_WIDTH];
-  size_t i = p % QN_CENTRAL_WIDTH;
-  double stiffness = pairs->force / pairs->length;
-  double y[2] = { as->responses[p].force[0] / pairs->force,
-                  as->responses[p].force[1] / pairs->force };
-  Strengths strengths = sort_strengths (spring, memory);
+  const QnSpring now = qn_spring_now (whole, memory);
+  QnIpCell *cell = &pairs->cells[p];
+  double unit = pairs->length / pairs->force, *y = pairs->ip.at.y + 2 * p;
+  double *plastic = pairs->plastic + 2 * p, dilation[2];
+  double beyond = take_dilation (pairs, p, dilation);
+  QnStrengthRow rows[QN_STRENGTH_ROWS];
+  int count = qn_spring_strength (&now, rows);
 
-  pairs->products += 1 + 2 * strengths.shears + strengths.crushes;
-
-  e->has_tension[i] = -1;
-  e->has_shear[i] = strengths.shears ? -1 : 0;
-  e->has_compression[i] = strengths.crushes ? -1 : 0;
-  e->friction[i] = strengths.friction;
-  e->flexibility[0][i] = stiffness / spring->kn;
-  e->flexibility[1][i] = stiffness / spring->ks;
-  double dilation[2], beyond = take_dilation (pairs, p, dilation);
+  cell->quadratic[0] = 1 / (whole->kn * unit);
+  cell->quadratic[1] = 1 / (whole->ks * unit);
+  cell->no_shear = true;
+  plastic[0] = (memory->opening + beyond) / pairs->length;
+  plastic[1] = memory->slip / pairs->length;
   for (int k = 0; k < 2; k++)
-    e->dilatancy[k][i] = dilation[k];
-  e->plastic[0][i] = (memory->opening + beyond) / pairs->length;
-  e->plastic[1][i] = memory->slip / pairs->length;
-  e->tension[i] = strengths.tension / pairs->force;
-  e->cohesion[i] = strengths.cohesion / pairs->force;
-  e->compression[i] = strengths.compression / pairs->force;
-  for (int k = 0; k < 2; k++)
-    e->now.y[k][i] = y[k];
-
-  const double left[QN_CENTRAL_ROWS] = {
-    e->tension[i] - y[0],
-    e->cohesion[i] - (e->friction[i] * y[0] + y[1]),
-    e->cohesion[i] - (e->friction[i] * y[0] - y[1]),
-    e->compression[i] + y[0],
-  };
-  double opening = as->elongations[2 * p] / pairs->length - e->plastic[0][i]
-                   - e->flexibility[0][i] * y[0];
-  const double flows[QN_CENTRAL_ROWS] = { fmax (opening, 0), 0, 0, fmax (-opening, 0) };
-  const bool has[QN_CENTRAL_ROWS] = { true, strengths.shears, strengths.shears,
-                                      strengths.crushes };
-  for (int row = 0; row < QN_CENTRAL_ROWS; row++) {
-    if (!has[row])
+    y[k] = as->responses[p].force[k] / pairs->force;
+  double opening =
+    as->elongations[2 * p] / pairs->length - plastic[0] - cell->quadratic[0] * y[0];
+  for (const QnStrengthRow *row = rows; row < rows + count; row++) {
+    double limit = row->limit / pairs->force;
+    if (row->shear > 0 && row->normal <= 0 && row->limit <= 0)
       continue;
-    double surplus = fmax (left[row], 0) - flows[row] / size;
-    e->now.s[row][i] = positive_root (surplus, 1);
-    e->now.z[row][i] = size / e->now.s[row][i];
+    cell->no_shear &= row->shear == 0;
+    for (int way = 0; way < (row->shear > 0 ? 2 : 1); way++) {
+      double flow = row->shear > 0 ? 0 : fmax (row->normal * opening, 0);
+      int32_t i = cell->first_bound + cell->bound_count++;
+      pairs->bounds[i] =
+        (QnIpBound){ .normal = row->normal,
+                     .shear = way == 0 ? row->shear : -row->shear,
+                     .limit = limit,
+                     .opening = row->shear > 0 ? dilation[way] : row->normal };
+      double left = limit - (row->normal * y[0] + pairs->bounds[i].shear * y[1]);
+      pairs->ip.at.s[i] = positive_root (fmax (left, 0) - flow / size, 1);
+      pairs->ip.at.z[i] = size / pairs->ip.at.s[i];
+    }
   }
+  pairs->problem.bound_count += cell->bound_count;
 }
 
 void
 qn_central_pairs_start (QnCentralPairs *pairs, double size, bool again)
 {
-  for (size_t p = 0; p < pairs->assembly->pair_count && !again; p++)
+  size_t count = pairs->assembly->pair_count;
+
+  for (size_t p = 0; p < count && !again; p++)
     pairs->slips[p] = pairs->assembly->committed[p].a.slip;
   pairs->turned = false;
-  memset (pairs->packs, 0, pairs->count * sizeof *pairs->packs);
-  for (size_t k = 0; k < pairs->count; k++)
-    for (int row = 0; row < QN_CENTRAL_ROWS; row++)
-      for (int i = 0; i < QN_CENTRAL_WIDTH; i++)
-        pairs->packs[k].now.s[row][i] = 1;
-  pairs->products = 0;
   pairs->others = false;
-  for (size_t p = 0; p < pairs->assembly->pair_count; p++)
+  memset (pairs->ip.at.y, 0, 2 * count * sizeof (double));
+  memset (pairs->inverse.cells, 0, 4 * count * sizeof (double));
+  pairs->problem.bound_count = 0;
+  for (size_t p = 0; p < count; p++) {
+    pairs->cells[p] = (QnIpCell){ .first_bound = pairs->problem.bound_count };
     if (takes_part (pairs->assembly, p))
       start_pair (pairs, p, size);
     else
       pairs->others = true;
+  }
 }
 
 /* Forces and tangents of the pairs of other laws. */
@@ -182,18 +153,16 @@ evaluate_others (QnCentralPairs *pairs)
   QnAssembly *as = pairs->assembly;
 
   for (size_t p = 0; p < as->pair_count; p++) {
-    QnCentralPack *e = &pairs->packs[p / QN_CENTRAL_WIDTH];
     QnPairResponse *response = &as->responses[p];
-    size_t lane = p % QN_CENTRAL_WIDTH;
-    if (takes_part (as, p) || as->inactive[p])
+    if (pairs->cells[p].bound_count > 0 || as->inactive[p])
       continue;
     if (!qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
                            response))
       return false;
     for (int i = 0; i < 2; i++) {
-      e->now.y[i][lane] = response->force[i] / pairs->force;
+      pairs->ip.at.y[2 * p + i] = response->force[i] / pairs->force;
       for (int j = 0; j < 2; j++)
-        e->inverse[2 * i + j][lane] =
+        pairs->inverse.cells[4 * p + 2 * i + j] =
           response->tangent[i][j] * pairs->length / pairs->force;
     }
   }
@@ -203,49 +172,90 @@ evaluate_others (QnCentralPairs *pairs)
 bool
 qn_central_pairs_prepare (QnCentralPairs *pairs, QnCentralResiduals *residuals)
 {
+  QnIpStep *ip = &pairs->ip;
+  double shrink = 1 / pairs->length;
+
+  *residuals = (QnCentralResiduals){ 0 };
   if (pairs->others && !evaluate_others (pairs))
     return false;
-  *residuals = pairs->loops->prepare (pairs->packs, pairs->count,
-                                      pairs->assembly->elongations, 1 / pairs->length);
+  qn_ip_step_measure (ip);
+  residuals->strength = qn_largest (ip->rz, (size_t) pairs->problem.bound_count);
+  qn_ip_step_weights (ip, pairs->w);
+  for (size_t p = 0; p < pairs->assembly->pair_count; p++) {
+    const QnIpCell *cell = &pairs->cells[p];
+    for (size_t i = 0; i < 2; i++) {
+      size_t at = 2 * p + i;
+      double beyond = pairs->assembly->elongations[at] * shrink - pairs->plastic[at];
+      bool counts = cell->bound_count > 0;
+      ip->ry[at] = counts && !(cell->no_shear && i == 1)
+                     ? beyond - cell->quadratic[i] * ip->at.y[at]
+                     : 0;
+      if (counts) {
+        residuals->elongation = qn_larger (fabs (beyond), residuals->elongation);
+        residuals->force = qn_larger (fabs (ip->at.y[at]), residuals->force);
+      }
+    }
+    if (cell->bound_count > 0)
+      qn_ip_invert_cell (&pairs->inverse, &pairs->problem, (int32_t) p, pairs->w);
+  }
+  qn_ip_add_flows (&pairs->problem, ip->at.z, -1, ip->ry);
+  residuals->strain = qn_largest (ip->ry, 2 * pairs->assembly->pair_count);
   return true;
-}
-
-void
-qn_central_pairs_exchange_steps (QnCentralPairs *pairs)
-{
-  QnCentralState *steps = pairs->steps;
-
-  pairs->steps = pairs->kept;
-  pairs->kept = steps;
 }
 
 void
 qn_central_pairs_get_forces (QnCentralPairs *pairs)
 {
-  pairs->loops->forces (pairs->packs, pairs->count, pairs->force, pairs->forces);
+  for (size_t i = 0; i < 2 * pairs->assembly->pair_count; i++)
+    pairs->forces[i] = pairs->force * pairs->ip.at.y[i];
 }
 
 void
-qn_central_pairs_aim (QnCentralPairs *pairs, const QnCentralAim *aim)
+qn_central_pairs_aim (QnCentralPairs *pairs)
 {
-  pairs->loops->aim (pairs->packs, pairs->steps, pairs->count, aim, pairs->force,
-                     pairs->forces);
-  if (aim->target == QN_CENTRAL_CENTRE)
-    qn_central_pairs_exchange_steps (pairs);
+  for (size_t i = 0; i < 2 * pairs->assembly->pair_count; i++) {
+    const double *row = pairs->inverse.cells + 2 * i,
+                 *right = pairs->ip.right + (i & ~1UL);
+    pairs->forces[i] =
+      pairs->force * (pairs->ip.at.y[i] + (row[0] * right[0] + row[1] * right[1]));
+  }
+}
+
+void
+qn_central_pairs_complete (const QnCentralPairs *pairs, QnIpVector *step)
+{
+  double shrink = 1 / pairs->length;
+
+  memset (step->y, 0, 2 * pairs->assembly->pair_count * sizeof (double));
+  memset (step->s, 0, (size_t) pairs->problem.bound_count * sizeof (double));
+  for (size_t p = 0; p < pairs->assembly->pair_count; p++)
+    if (pairs->cells[p].bound_count > 0)
+      qn_ip_answer_cell (&pairs->inverse, &pairs->problem, (int32_t) p,
+                         pairs->rates[2 * p] * shrink + pairs->ip.right[2 * p],
+                         pairs->rates[2 * p + 1] * shrink + pairs->ip.right[2 * p + 1],
+                         step);
+}
+
+static void
+copy_state (const QnCentralPairs *pairs, const QnIpVector *from, QnIpVector *to)
+{
+  size_t bytes = (size_t) pairs->problem.bound_count * sizeof (double);
+
+  memcpy (to->y, from->y, 2 * pairs->assembly->pair_count * sizeof (double));
+  memcpy (to->s, from->s, bytes);
+  memcpy (to->z, from->z, bytes);
 }
 
 void
 qn_central_pairs_keep (QnCentralPairs *pairs)
 {
-  for (size_t k = 0; k < pairs->count; k++)
-    pairs->near[k] = pairs->packs[k].now;
+  copy_state (pairs, &pairs->ip.at, &pairs->near);
 }
 
 void
 qn_central_pairs_come_back (QnCentralPairs *pairs)
 {
-  for (size_t k = 0; k < pairs->count; k++)
-    pairs->packs[k].now = pairs->near[k];
+  copy_state (pairs, &pairs->near, &pairs->ip.at);
 }
 
 /* Part of the largest force that dilation beyond a corner may cause. */
@@ -274,25 +284,24 @@ static bool
 take_flow_of_pair (QnCentralPairs *pairs, size_t p)
 {
   QnAssembly *as = pairs->assembly;
-  const QnCentralPack *e = &pairs->packs[p / QN_CENTRAL_WIDTH];
+  const QnIpCell *cell = &pairs->cells[p];
   QnPairResponse *response = &as->responses[p];
-  size_t i = p % QN_CENTRAL_WIDTH;
-  const QnPackVector *z = e->now.z;
-  double dilation = e->dilatancy[0][i] * z[1][i] + e->dilatancy[1][i] * z[2][i];
-  const double flow[2] = { z[0][i] - z[3][i] + dilation, z[1][i] - z[2][i] };
-  double y[2], q[2];
+  const double *y = pairs->ip.at.y + 2 * p;
+  double flow[2] = { 0 }, q[2];
 
-  for (int k = 0; k < 2; k++) {
-    y[k] = e->now.y[k][i];
-    q[k] = pairs->length * (e->plastic[k][i] + flow[k] + e->flexibility[k][i] * y[k]);
+  for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
+    flow[0] += pairs->bounds[i].opening * pairs->ip.at.z[i];
+    flow[1] += pairs->bounds[i].shear * pairs->ip.at.z[i];
   }
+  for (int k = 0; k < 2; k++)
+    q[k] =
+      pairs->length * (pairs->plastic[2 * p + k] + flow[k] + cell->quadratic[k] * y[k]);
   bool ok = qn_pair_evaluate (&as->springs[p], &as->committed[p], q, response);
   for (int k = 0; k < 2; k++)
     response->force[k] = pairs->force * y[k];
-  if (e->has_shear[i] && !as->springs[p].a.associative) {
+  if (!cell->no_shear && !as->springs[p].a.associative) {
     QnSpringMemory *memory = &response->memory.a;
-    double slip =
-      as->elongations[2 * p + 1] - pairs->length * e->flexibility[1][i] * y[1];
+    double slip = as->elongations[2 * p + 1] - pairs->length * cell->quadratic[1] * y[1];
     memory->opening = qn_spring_risen (&as->springs[p].a, memory, slip);
     memory->slip = slip;
   }
@@ -306,7 +315,7 @@ qn_central_pairs_take_flow (QnCentralPairs *pairs)
   bool ok = true;
 
   for (size_t p = 0; p < as->pair_count; p++)
-    if (takes_part (as, p))
+    if (pairs->cells[p].bound_count > 0)
       ok &= take_flow_of_pair (pairs, p);
     else if (!as->inactive[p])
       ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,

@@ -1,30 +1,40 @@
-/* All contact pairs of a central path: see central-path.h. Their arithmetic is central-pack.h's. */
+/* All contact pairs of a central path as cells of the interior-point engine: see central-path.h. Pairs of
+ * other laws have no bounds, and a tangent in the place of their inverse. */
 #pragma once
 
 #include "core/assembly/assembly.h"
-#include "core/equilibrium/central-pack.h"
+#include "core/equilibrium/interior-point.h"
 
 typedef struct QnCentralPairs {
+  QnIpStep ip;          /* without residuals of balance, which are the caller's */
   QnPool pool;          /* of all that follows */
   QnAssembly *assembly; /* borrowed */
   double force, length; /* units, N and m */
-  double products;      /* number of products s z */
   bool others;          /* some pairs have other laws */
   bool turned;          /* some slip has passed a corner of the law's dilation */
   double *slips;        /* by pair: slip about which dilation is linearised, m */
-  const QnCentralLoops *loops;
-  size_t count; /* of packs; unused places of the last one are like pairs of other laws */
-  QnCentralPack *packs;
-  QnCentralState *steps; /* the direction */
-  QnCentralState *kept;  /* the best direction so far, during centring */
-  QnCentralState *near;  /* state saved by qn_central_pairs_keep() */
-  double *rates;         /* pairs x 2: elongations by a step */
-  double *forces;        /* pairs x 2, N; tangents: x 4, N/m */
+  QnIpProblem problem;
+  QnIpCell *cells;
+  QnIpBound *bounds; /* of a pair by rows: tension, friction both ways, compression */
+  double *plastic;   /* pairs x 2: plastic elongations q_p */
+  double *w;         /* z / s */
+  QnIpInverse inverse;
+  QnIpVector near; /* state saved by qn_central_pairs_keep() */
+  double *rates;   /* pairs x 2: elongations by a step, m */
+  double *forces;  /* pairs x 2, N; tangents: x 4, N/m */
   double *tangents;
 } QnCentralPairs;
 
+/* Maxima over all pairs in units of the path. */
+typedef struct QnCentralResiduals {
+  double strain, strength; /* residuals: q - q_p - flow z - y / k; h - G y - s */
+  double elongation;       /* q - q_p */
+  double force;
+} QnCentralResiduals;
+
 /* False when memory runs out; _clear is legal then. */
-bool qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *assembly);
+bool qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *assembly,
+                            const QnIpTuning *tuning);
 
 void qn_central_pairs_clear (QnCentralPairs *pairs);
 
@@ -36,13 +46,12 @@ void qn_central_pairs_start (QnCentralPairs *pairs, double size, bool again);
 /* Residuals and tangents at the last elongations; evaluates pairs of other laws, false if that failed. */
 bool qn_central_pairs_prepare (QnCentralPairs *pairs, QnCentralResiduals *residuals);
 
-/* Sets `forces` to the present ones; or to those of unmoved blocks at the aim (CENTRE keeps the present
- * direction). */
+/* Sets `forces` to the present ones; or to those that a step leads to if no block moves. */
 void qn_central_pairs_get_forces (QnCentralPairs *pairs);
-void qn_central_pairs_aim (QnCentralPairs *pairs, const QnCentralAim *aim);
+void qn_central_pairs_aim (QnCentralPairs *pairs);
 
-/* Exchanges the direction with the kept one. */
-void qn_central_pairs_exchange_steps (QnCentralPairs *pairs);
+/* Sets y and s = G y of a step from `rates`. */
+void qn_central_pairs_complete (const QnCentralPairs *pairs, QnIpVector *step);
 
 /* Saves the state; restores it, after which only qn_central_pairs_take_flow() is allowed. */
 void qn_central_pairs_keep (QnCentralPairs *pairs);

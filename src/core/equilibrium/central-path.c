@@ -22,7 +22,6 @@
 #define MOST_TURNS      4 /* central paths of a step, as dilation turns on the last one */
 
 #define HOLDING_VISCOSITY 1e-12 /* holds what touches nothing */
-#define LEAST_AIM         1e-6  /* of the mean product, in one iteration */
 #define TO_BOUNDARY       0.995 /* of the way to the boundary */
 #define PATIENCE          10    /* iterations in which complementarity has to halve */
 
@@ -30,23 +29,25 @@
  * twice as many steps turn back on a wall of 820 blocks, at a hundredth as many again. */
 #define PART_OF_MOTION 0.1
 
-/* Centrality correctors: at most so many, for steps shorter than LONG; products are brought
- * within CENTRAL times their mean either way; a corrector must gain GAIN. */
-#define CORRECTORS 2
-#define LONG       0.9
-#define CENTRAL    10.0
-#define GAIN       0.01
+static const QnIpTuning tuning = { .exponent = 3,
+                                   .least_aim = 1e-6,
+                                   .correctors = 2,
+                                   .full_step = 0.9,
+                                   .spread = 10,
+                                   .gain = 0.01 };
 
 struct QnCentralPath {
+  QnCentralPairs pairs;
   QnPool pool; /* of vectors */
   QnEquilibrium *eq;
   bool may_jump;    /* and then the path may turn back */
   bool together;    /* residuals go down with complementarity where a measure advances */
   double viscosity; /* of the step; 0: static */
-  QnCentralPairs pairs;
+  const QnTarget *target;
+  double target_gap; /* what the target lacks */
   double *near_u;    /* unknown_count: displacements of the best iterate, */
   double *begun;     /* where the last central path began, */
-  double *kept_step; /* and of the direction found so far */
+  double *kept;      /* and from where Newton's method sets out */
   double *lack;      /* out of balance at the iterate, where a part of it is to stay */
 };
 
@@ -60,52 +61,12 @@ has_joints (const QnAssembly *as)
   return false;
 }
 
-bool
-qn_central_path_new (QnEquilibrium *eq, bool together, QnCentralPath **made)
-{
-  const QnAssembly *as = &eq->assembly;
-  size_t n = (size_t) as->unknown_count;
-
-  *made = NULL;
-  if (!has_joints (as))
-    return true;
-  QnCentralPath *path = qn_alloc (1, sizeof *path);
-  if (path == NULL)
-    return false;
-  path->eq = eq;
-  path->may_jump = qn_assembly_may_jump (as);
-  path->together = path->may_jump && (together || !as->nonlinear);
-  path->kept_step = qn_pool_alloc (&path->pool, n, sizeof *path->kept_step);
-  path->begun = qn_pool_alloc (&path->pool, n, sizeof *path->begun);
-  path->near_u = qn_pool_alloc (&path->pool, n, sizeof *path->near_u);
-  path->lack = qn_pool_alloc (&path->pool, n, sizeof *path->lack);
-  if (qn_central_pairs_init (&path->pairs, &eq->assembly) && !path->pool.failed)
-    *made = path;
-  else
-    qn_central_path_free (path);
-  return *made != NULL;
-}
-
-void
-qn_central_path_free (QnCentralPath *path)
-{
-  if (path == NULL)
-    return;
-  qn_central_pairs_clear (&path->pairs);
-  qn_pool_clear (&path->pool);
-  free (path);
-}
-
 /* One solution in progress. */
 typedef struct {
   QnCentralPath *path;
-  const QnTarget *target;
   QnCentralResiduals residuals;
-  double gap;        /* mean of s z */
-  double elongation; /* the largest, at least 1 */
-  double target_gap; /* what the target lacks */
-  double multiplier_step;
-  QnCentralForecast reach;          /* of the direction */
+  double gap;                       /* mean of s z */
+  double elongation;                /* the largest, at least 1 */
   double complementarity;           /* asked for */
   double watched_gap;               /* when it had last halved, */
   int watched_since;                /* and that iteration */
@@ -125,7 +86,7 @@ prepare_path (Increment *increment)
   if (!qn_central_pairs_prepare (&path->pairs, &increment->residuals))
     return false;
   increment->elongation = fmax (1, increment->residuals.elongation);
-  increment->gap = increment->residuals.products / path->pairs.products;
+  increment->gap = path->pairs.ip.power / path->pairs.problem.bound_count;
   return true;
 }
 
@@ -143,146 +104,90 @@ balance (const QnCentralPath *path, double *residual)
   return scale;
 }
 
-/* Factorises the tangent, and overwrites b with its solution. The geometric stiffness is that of the forces on
- * the central path. */
+/* Factorises the tangent, and finds displacements per multiplier. The geometric stiffness is that of the forces
+ * on the central path. */
 static QnSolveStatus
-factorize_path (QnCentralPath *path, double *b)
+factorize_path (QnCentralPath *path)
 {
   QnEquilibrium *eq = path->eq;
+  QnAssembly *as = &eq->assembly;
   QnCentralPairs *pairs = &path->pairs;
-  double start = qn_clock_seconds ();
+  double start = qn_clock_seconds (), stiffness = pairs->force / pairs->length;
 
-  if (eq->assembly.nonlinear)
-    qn_central_pairs_get_forces (pairs);
-  for (size_t p = 0; eq->assembly.nonlinear && p < eq->assembly.pair_count; p++)
-    memcpy (eq->assembly.responses[p].force, pairs->forces + 2 * p,
-            sizeof eq->assembly.responses[p].force);
-  pairs->loops->tangents (pairs->packs, pairs->count, pairs->force / pairs->length,
-                          pairs->tangents);
-  qn_assembly_tangent_of (&eq->assembly, eq->multiplier,
-                          fmax (HOLDING_VISCOSITY, path->viscosity), pairs->tangents, 4);
+  for (size_t p = 0; as->nonlinear && p < as->pair_count; p++)
+    for (size_t k = 0; k < 2; k++)
+      as->responses[p].force[k] = pairs->force * pairs->ip.at.y[2 * p + k];
+  for (size_t i = 0; i < 4 * as->pair_count; i++)
+    pairs->tangents[i] = stiffness * pairs->inverse.cells[i];
+  qn_assembly_tangent_of (as, eq->multiplier, fmax (HOLDING_VISCOSITY, path->viscosity),
+                          pairs->tangents, 4);
   eq->statistics.assembly_seconds += qn_clock_seconds () - start;
   eq->factored = false; /* by Newton's method */
-  return qn_equilibrium_factor (eq, QN_LINSYS_ONCE, b);
+  memcpy (eq->live_step, as->live, (size_t) as->unknown_count * sizeof (double));
+  return qn_equilibrium_factor (eq, QN_LINSYS_ONCE, eq->live_step);
 }
 
-/* The direction that belongs to eq->step, a solution for what the pairs aim at: eq->step,
- * multiplier_step and the pairs' steps. */
+/* The linear system of a step: displacements from balance, forces from displacements. */
 static void
-complete_direction (Increment *increment, double part)
+solve_system (QnIpStep *ip, double share, QnIpVector *out)
 {
-  QnEquilibrium *eq = increment->path->eq;
-  QnCentralPairs *pairs = &increment->path->pairs;
-  const QnTarget *target = increment->target;
+  QnCentralPath *path = (QnCentralPath *) ip;
+  QnEquilibrium *eq = path->eq;
+  int32_t n = eq->assembly.unknown_count;
 
-  increment->multiplier_step = 0;
-  if (target->direction != NULL) {
+  qn_central_pairs_aim (&path->pairs);
+  balance (path, eq->step);
+  for (int32_t i = 0; share < 1 && i < n; i++)
+    eq->step[i] -= (1 - share) * path->lack[i];
+  qn_equilibrium_solve (eq, eq->step);
+  out->lambda = 0;
+  if (path->target->direction != NULL) {
     double along_live;
-    increment->multiplier_step = qn_equilibrium_complete_step (
-      eq, target, part * increment->target_gap, &along_live);
+    out->lambda = qn_equilibrium_complete_step (eq, path->target,
+                                                share * path->target_gap, &along_live);
     eq->slope = along_live != 0 ? 1 / along_live : 0;
   }
-  qn_assembly_elongation_rates (&eq->assembly, eq->step, pairs->rates);
-  increment->reach = pairs->loops->complete (pairs->packs, pairs->count, pairs->rates,
-                                             1 / pairs->length, pairs->steps);
+  memcpy (out->v, eq->step, (size_t) n * sizeof *out->v);
+  qn_assembly_elongation_rates (&eq->assembly, out->v, path->pairs.rates);
+  qn_central_pairs_complete (&path->pairs, out);
 }
 
-/* The direction that brings every s z to what is aimed at, and takes that part off all residuals. */
-static void
-find_path_direction (Increment *increment, const QnCentralAim *aim)
+bool
+qn_central_path_new (QnEquilibrium *eq, bool together, QnCentralPath **made)
 {
-  QnCentralPath *path = increment->path;
-  QnEquilibrium *eq = path->eq;
+  const QnAssembly *as = &eq->assembly;
+  size_t n = (size_t) as->unknown_count;
 
-  qn_central_pairs_aim (&path->pairs, aim);
-  balance (path, eq->step);
-  if (aim->part < 1)
-    for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-      eq->step[i] -= (1 - aim->part) * path->lack[i];
-  qn_equilibrium_solve (eq, eq->step);
-  complete_direction (increment, aim->part);
+  *made = NULL;
+  if (!has_joints (as))
+    return true;
+  QnCentralPath *path = qn_alloc (1, sizeof *path);
+  if (path == NULL)
+    return false;
+  path->eq = eq;
+  path->may_jump = qn_assembly_may_jump (as);
+  path->together = path->may_jump && (together || !as->nonlinear);
+  path->kept = qn_pool_alloc (&path->pool, n, sizeof *path->kept);
+  path->begun = qn_pool_alloc (&path->pool, n, sizeof *path->begun);
+  path->near_u = qn_pool_alloc (&path->pool, n, sizeof *path->near_u);
+  path->lack = qn_pool_alloc (&path->pool, n, sizeof *path->lack);
+  if (qn_central_pairs_init (&path->pairs, &eq->assembly, &tuning) && !path->pool.failed)
+    *made = path;
+  else
+    qn_central_path_free (path);
+  path->pairs.ip.at.v = eq->u;
+  path->pairs.ip.solve = solve_system;
+  return *made != NULL;
 }
 
-/* The same from a tangent that is not factorised yet, towards nothing. */
-static QnSolveStatus
-find_predictor (Increment *increment)
+void
+qn_central_path_free (QnCentralPath *path)
 {
-  QnCentralPath *path = increment->path;
-  QnEquilibrium *eq = path->eq;
-  bool bordered = increment->target->direction != NULL;
-
-  qn_central_pairs_aim (&path->pairs,
-                        &(QnCentralAim){ .target = QN_CENTRAL_NOTHING, .part = 1 });
-  balance (path, eq->step);
-  if (bordered)
-    memcpy (eq->live_step, eq->assembly.live,
-            (size_t) eq->assembly.unknown_count * sizeof (double));
-  QnSolveStatus status = factorize_path (path, bordered ? eq->live_step : eq->step);
-  if (status != QN_SOLVE_CONVERGED)
-    return status;
-  if (bordered)
-    qn_equilibrium_solve (eq, eq->step);
-  complete_direction (increment, 1);
-  return QN_SOLVE_CONVERGED;
-}
-
-/* Largest part of the direction, up to all of it, that leaves s and z at zero or above. */
-static double
-path_to_boundary (const Increment *increment)
-{
-  return 1 / qn_larger (increment->reach.boundary, 1);
-}
-
-/* Mehrotra: the predictor, which aims at nothing, says how far the mean of s z can be lowered. */
-static double
-mean_by_predictor (const Increment *increment)
-{
-  const QnCentralForecast *reach = &increment->reach;
-  double part = path_to_boundary (increment), products = increment->residuals.products;
-  double left = (products + part * (reach->first + part * reach->second)) / products;
-
-  return fmax (LEAST_AIM, left * left * left) * increment->gap;
-}
-
-/* Gondzio: corrects the direction, keeping what lengthens the step, which is returned. */
-static double
-centre_pairs (Increment *increment, double mean, double part, double step)
-{
-  QnCentralPath *path = increment->path;
-  QnEquilibrium *eq = path->eq;
-  size_t step_bytes = (size_t) eq->assembly.unknown_count * sizeof (double);
-
-  for (int corrector = 0; corrector < CORRECTORS && step < LONG; corrector++) {
-    double longer = fmin (1, 1.3 * step + 0.1),
-           multiplier_step = increment->multiplier_step;
-    memcpy (path->kept_step, eq->step, step_bytes);
-    find_path_direction (increment, &(QnCentralAim){ .target = QN_CENTRAL_CENTRE,
-                                                     .part = part,
-                                                     .mean = mean,
-                                                     .length = longer,
-                                                     .spread = CENTRAL });
-    double reached = path_to_boundary (increment);
-    if (reached < step + GAIN) {
-      qn_central_pairs_exchange_steps (&path->pairs);
-      memcpy (eq->step, path->kept_step, step_bytes);
-      increment->multiplier_step = multiplier_step;
-      break;
-    }
-    step = reached;
-  }
-  return step;
-}
-
-static void
-take_step (Increment *increment, double part)
-{
-  QnEquilibrium *eq = increment->path->eq;
-  QnCentralPairs *pairs = &increment->path->pairs;
-
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    eq->u[i] += part * eq->step[i];
-  eq->multiplier += part * increment->multiplier_step;
-  pairs->loops->go (pairs->packs, pairs->steps, pairs->count, part);
+  if (path == NULL)
+    return;
+  qn_central_pairs_clear (&path->pairs);
+  qn_pool_clear (&path->pool);
+  free (path);
 }
 
 /* Whether the iterate is an equilibrium but for this complementarity and lack of balance.
@@ -297,8 +202,8 @@ is_within (Increment *increment, double complementarity, double out_of_balance)
           <= fmax (BALANCE, QN_TOLERANCE_FORCE * increment->residuals.force)
         && increment->residuals.strain <= STRAIN * increment->elongation
         && increment->gap <= complementarity * increment->elongation
-        && fabs (increment->target_gap)
-             <= 0.5 * QN_TOLERANCE_TARGET * fabs (increment->target->advance)))
+        && fabs (increment->path->target_gap)
+             <= 0.5 * QN_TOLERANCE_TARGET * fabs (increment->path->target->advance)))
     return false;
 
   qn_central_pairs_get_forces (&path->pairs);
@@ -331,7 +236,8 @@ has_converged (Increment *increment)
 {
   const QnEquilibrium *eq = increment->path->eq;
 
-  increment->target_gap = qn_equilibrium_target_lack (eq, increment->target, eq->u);
+  increment->path->target_gap =
+    qn_equilibrium_target_lack (eq, increment->path->target, eq->u);
   keep_near (increment);
   return is_within (increment, increment->complementarity, BALANCE);
 }
@@ -345,12 +251,12 @@ finish (Increment *increment)
   double multiplier = eq->multiplier;
   QnSolveStatus status = QN_SOLVE_FAILED;
 
-  memcpy (increment->path->kept_step, eq->u, bytes);
+  memcpy (increment->path->kept, eq->u, bytes);
   if (qn_assembly_evaluate (&eq->assembly, eq->u))
-    status = qn_equilibrium_newton (eq, increment->target, increment->path->viscosity,
-                                    FINISH_BUDGET);
+    status = qn_equilibrium_newton (eq, increment->path->target,
+                                    increment->path->viscosity, FINISH_BUDGET);
   if (status == QN_SOLVE_FAILED) {
-    memcpy (eq->u, increment->path->kept_step, bytes);
+    memcpy (eq->u, increment->path->kept, bytes);
     eq->multiplier = multiplier;
     qn_assembly_update_kinematics (&eq->assembly, eq->u);
   }
@@ -369,12 +275,12 @@ adopt (Increment *increment)
     return QN_SOLVE_FAILED;
   eq->keeps_forces = true;
   QnSolveStatus status =
-    qn_equilibrium_newton (eq, increment->target, path->viscosity, 0);
+    qn_equilibrium_newton (eq, increment->path->target, path->viscosity, 0);
   if (status != QN_SOLVE_CONVERGED || eq->out_of_balance <= eq->tolerance)
     return status;
   /* The laws by themselves do not find these forces again. */
   return qn_central_pairs_take_flow (&path->pairs) ? qn_equilibrium_newton (
-           eq, increment->target, path->viscosity, QN_MEASURE_ONLY)
+           eq, increment->path->target, path->viscosity, QN_MEASURE_ONLY)
                                                    : QN_SOLVE_FAILED;
 }
 
@@ -405,41 +311,33 @@ makes_headway (Increment *increment, int iteration)
   return iteration - increment->watched_since < PATIENCE;
 }
 
-/* The part that the direction is to take off the residuals. Where a measure advances, or time, and the path
- * may turn back, they go down with the mean of s z, at one rate: if they vanish sooner, iterates leave
- * the path and get stuck between strengths where it does not turn back at all. Where the multiplier
- * is prescribed, fewer increments get through like that. In nonlinear geometry it is for the caller to say. */
-static double
-part_of_residuals (const Increment *increment, double mean)
-{
-  const QnCentralPath *path = increment->path;
-  bool moves = increment->target->direction != NULL || path->viscosity > 0;
-
-  return path->together && moves ? fmax (0, 1 - mean / increment->gap) : 1;
-}
-
-/* One iteration of the interior-point method. */
+/* One iteration. Where a measure advances, or time, and the path may turn back, residuals go down with the mean
+ * of s z, at one rate: if they vanish sooner, iterates leave the path and get stuck between strengths where it does
+ * not turn back at all. Where the multiplier is prescribed, fewer increments get through like that. In nonlinear
+ * geometry it is for the caller to say. */
 static QnSolveStatus
 improve (Increment *increment)
 {
-  QnEquilibrium *eq = increment->path->eq;
+  QnCentralPath *path = increment->path;
+  QnEquilibrium *eq = path->eq;
+  QnIpStep *ip = &path->pairs.ip;
+  double part;
 
   if (!qn_equilibrium_go_on (eq))
     return QN_SOLVE_CANCELLED;
-  QnSolveStatus status = find_predictor (increment);
+  ip->together =
+    path->together && (path->target->direction != NULL || path->viscosity > 0);
+  if (ip->together) {
+    qn_central_pairs_get_forces (&path->pairs);
+    balance (path, path->lack);
+  }
+  QnSolveStatus status = factorize_path (path);
   if (status != QN_SOLVE_CONVERGED)
     return status;
-  double mean = mean_by_predictor (increment);
-  double part = part_of_residuals (increment, mean);
-  if (part < 1) {
-    qn_central_pairs_get_forces (&increment->path->pairs);
-    balance (increment->path, increment->path->lack);
-  }
-  find_path_direction (
-    increment,
-    &(QnCentralAim){ .target = QN_CENTRAL_SECOND_ORDER, .part = part, .mean = mean });
-  double step = centre_pairs (increment, mean, part, path_to_boundary (increment));
-  take_step (increment, fmin (1, TO_BOUNDARY * step));
+  ip->at.lambda = eq->multiplier;
+  qn_ip_vector_add (&ip->at, TO_BOUNDARY * fmin (1, qn_ip_step_find (ip, &part)),
+                    &ip->step, ip->problem);
+  eq->multiplier = ip->at.lambda;
   return QN_SOLVE_CONVERGED;
 }
 
@@ -512,7 +410,7 @@ qn_central_path_solve (QnCentralPath *path, const QnTarget *target, double visco
                        int budget)
 {
   QnEquilibrium *eq = path->eq;
-  Increment increment = { .path = path, .target = target };
+  Increment increment = { .path = path };
   double size = expected_elongation (path, target);
 
   if (viscosity > 0)
@@ -524,5 +422,6 @@ qn_central_path_solve (QnCentralPath *path, const QnTarget *target, double visco
   if (target->direction == NULL)
     eq->multiplier = target->multiplier;
   path->viscosity = viscosity;
+  path->target = target;
   return follow_path (&increment, fmax (1, size), budget);
 }

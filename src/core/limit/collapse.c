@@ -10,12 +10,7 @@
 static const struct {
   double elastic; /* of the largest elastic force, the strength that is left at a start */
   double to_boundary; /* of the way to where some s or z vanishes, at least */
-  double exponent;    /* of what the predictor leaves of mu, for the mu aimed at */
-  double least_aim;   /* of mu, in one step */
-  int32_t correctors; /* of centrality, for steps shorter than `full_step` */
-  double full_step;
-  double spread;     /* of products about mu: correctors bring them within */
-  double gain;       /* of length, by a corrector that is worth another */
+  QnIpTuning steps;
   double short_step; /* a step shorter than this lowers the coupling, */
   double long_step;  /* a longer one than this raises it, */
   double less, more; /* by so much */
@@ -34,12 +29,12 @@ static const struct {
 } tuning = {
   .elastic = 0.3,
   .to_boundary = 0.9,
-  .exponent = 5,
-  .least_aim = 1e-6,
-  .correctors = 4,
-  .full_step = 0.9,
-  .spread = 5,
-  .gain = 0.01,
+  .steps = { .exponent = 5,
+             .least_aim = 1e-6,
+             .correctors = 4,
+             .full_step = 0.9,
+             .spread = 5,
+             .gain = 0.01 },
   .short_step = 0.1,
   .long_step = 0.3,
   .less = 0.1,
@@ -56,24 +51,31 @@ static const struct {
   .worst_solution = 1e-3,
 };
 
+/* The linear system of a step. */
+static void
+solve_system (QnIpStep *ip, double share, QnIpVector *out)
+{
+  QnCollapse *c = (QnCollapse *) ip;
+  const QnIpVector right = { .y = ip->right,
+                             .v = c->right_v,
+                             .lambda = share * c->r_lambda };
+
+  for (int32_t r = 0; r < c->problem->row_count; r++)
+    c->right_v[r] = share * c->rv[r];
+  qn_ip_kkt_solve (&c->kkt, &right, out);
+}
+
 QnStatus
 qn_collapse_init (QnCollapse *c, const QnIpProblem *p, QnDiag *diag)
 {
-  size_t cells = (size_t) p->cell_count, rows = (size_t) p->row_count,
-         bounds = (size_t) p->bound_count;
+  size_t rows = (size_t) p->row_count;
   QnPool *pool = &c->pool;
 
-  *c = (QnCollapse){ .problem = p };
-  c->w = qn_pool_alloc (pool, bounds, sizeof (double));
-  c->rz = qn_pool_alloc (pool, bounds, sizeof (double));
-  c->products = qn_pool_alloc (pool, bounds, sizeof (double));
-  c->ry = qn_pool_alloc (pool, 2 * cells, sizeof (double));
-  c->right.y = qn_pool_alloc (pool, 2 * cells, sizeof (double));
+  *c = (QnCollapse){ .ip = { .together = true, .solve = solve_system }, .problem = p };
+  qn_ip_step_init (&c->ip, p, &tuning.steps, pool);
+  c->w = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof (double));
   c->rv = qn_pool_alloc (pool, rows, sizeof (double));
-  c->right.v = qn_pool_alloc (pool, rows, sizeof (double));
-  qn_ip_vector_init (&c->at, p, pool);
-  qn_ip_vector_init (&c->step, p, pool);
-  qn_ip_vector_init (&c->trial, p, pool);
+  c->right_v = qn_pool_alloc (pool, rows, sizeof (double));
   if (qn_ip_kkt_init (&c->kkt, p) && !pool->failed)
     return QN_OK;
   qn_collapse_clear (c);
@@ -93,11 +95,11 @@ qn_collapse_centre (QnCollapse *c, double strength)
 {
   const QnIpProblem *p = c->problem;
 
-  qn_ip_apply_bounds (p, c->at.y, c->rz);
+  qn_ip_apply_bounds (p, c->ip.at.y, c->ip.rz);
   for (int32_t i = 0; i < p->bound_count; i++) {
-    double left = fmax (p->bounds[i].limit - c->rz[i], 0);
-    c->at.s[i] = 0.5 * (left + hypot (left, 2 * strength));
-    c->at.z[i] = strength / c->at.s[i];
+    double left = fmax (p->bounds[i].limit - c->ip.rz[i], 0);
+    c->ip.at.s[i] = 0.5 * (left + hypot (left, 2 * strength));
+    c->ip.at.z[i] = strength / c->ip.at.s[i];
   }
 }
 
@@ -111,12 +113,12 @@ qn_collapse_start (QnCollapse *c, const double *y, double lambda, double strengt
   c->least_coupling = coupling;
   c->excess = 0;
   c->least_multiplier = QN_COLLAPSE_LEAST;
-  memset (c->at.v, 0, (size_t) p->row_count * sizeof (double));
+  memset (c->ip.at.v, 0, (size_t) p->row_count * sizeof (double));
   if (y != NULL)
-    memcpy (c->at.y, y, size);
+    memcpy (c->ip.at.y, y, size);
   else
-    memset (c->at.y, 0, size);
-  c->at.lambda = lambda;
+    memset (c->ip.at.y, 0, size);
+  c->ip.at.lambda = lambda;
   qn_collapse_centre (c, strength);
 }
 
@@ -124,14 +126,14 @@ void
 qn_collapse_start_elastic (QnCollapse *c)
 {
   const QnIpProblem *p = c->problem;
-  double lambda = 0, residual, slack, *y = c->step.y;
+  double lambda = 0, residual, slack, *y = c->ip.step.y;
 
   qn_collapse_start (c, NULL, 0, 1, 1);
   for (int32_t i = 0; i < p->bound_count; i++) {
     c->w[i] = 1;
-    c->rz[i] = 0;
+    c->ip.rz[i] = 0;
   }
-  c->kkt.regularization = tuning.least_proximal;
+  c->kkt.inverse.regularization = tuning.least_proximal;
   if (!qn_ip_kkt_factorize (&c->kkt, c->w))
     return;
   qn_collapse_project (c, true, &lambda, y, &residual, &slack);
@@ -144,84 +146,31 @@ find_residuals (QnCollapse *c)
   const QnIpProblem *p = c->problem;
 
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
-    c->ry[i] = p->cells[i / 2].no_shear && i % 2 == 1
-                 ? 0
-                 : -p->cells[i / 2].quadratic[i % 2] * c->at.y[i];
-  qn_ip_add_rates (p, c->at.v, -1, c->ry);
-  qn_ip_add_flows (p, c->at.z, -1, c->ry);
-  qn_ip_balance (p, c->at.y, c->at.lambda, c->rv);
+    c->ip.ry[i] = p->cells[i / 2].no_shear && i % 2 == 1
+                    ? 0
+                    : -p->cells[i / 2].quadratic[i % 2] * c->ip.at.y[i];
+  qn_ip_add_rates (p, c->ip.at.v, -1, c->ip.ry);
+  qn_ip_add_flows (p, c->ip.at.z, -1, c->ip.ry);
+  qn_ip_balance (p, c->ip.at.y, c->ip.at.lambda, c->rv);
   for (int32_t r = 0; r < p->row_count; r++)
     c->rv[r] = -c->rv[r];
-  qn_ip_apply_bounds (p, c->at.y, c->rz);
-  for (int32_t i = 0; i < p->bound_count; i++)
-    c->rz[i] = p->bounds[i].limit - c->at.s[i] - c->rz[i];
-  c->power = qn_dot (c->at.s, c->at.z, (size_t) p->bound_count);
-  c->r_lambda =
-    p->load != NULL ? p->load_gain - qn_dot (p->load, c->at.v, (size_t) p->row_count) : 0;
-}
-
-/* Without dilatancy the flows of both directions in which an open joint may slip cancel: they may grow
- * together without end. A proximal term holds them: of a step it leaves itself times the change of a
- * flow in the strength of its row, G y + s - term z = h, and that vanishes as steps do. The end of a path
- * is found without: of 12 ends of seeded walls one had a state then that its forces do not have. */
-static double
-flow_term (const QnCollapse *c)
-{
-  return c->own_flow && c->holds_flows ? tuning.flow : 0;
-}
-
-static double
-yielding (const QnCollapse *c, int32_t i)
-{
-  return c->at.s[i] + flow_term (c) * c->at.z[i];
-}
-
-/* The direction that takes `share` off the residuals and has c->products as s dz + z ds. */
-static void
-solve_for_share (QnCollapse *c, double share, QnIpVector *out)
-{
-  const QnIpProblem *p = c->problem;
-  QnIpKktVector solution = { out->y, out->s, out->v, 0 };
-
-  for (int32_t i = 0; i < p->bound_count; i++)
-    out->z[i] = (c->products[i] - c->at.z[i] * share * c->rz[i]) / yielding (c, i);
-  for (int32_t i = 0; i < 2 * p->cell_count; i++)
-    c->right.y[i] = share * c->ry[i];
-  qn_ip_add_flows (p, out->z, -1, c->right.y);
-  for (int32_t r = 0; r < p->row_count; r++)
-    c->right.v[r] = share * c->rv[r];
-  c->right.lambda = share * c->r_lambda;
-  qn_ip_kkt_solve (&c->kkt, &c->right, &solution);
-  out->lambda = solution.lambda;
-  for (int32_t i = 0; i < p->bound_count; i++) {
-    double left = share * c->rz[i] - out->s[i];
-    out->z[i] = (c->products[i] - c->at.z[i] * left) / yielding (c, i);
-    out->s[i] = left + flow_term (c) * out->z[i];
-  }
-}
-
-/* How often the step can be made until some s or z vanishes. */
-static double
-way_to_boundary (const QnCollapse *c, const QnIpVector *step)
-{
-  double most = 1e-300;
-
-  for (int32_t i = 0; i < c->problem->bound_count; i++)
-    most = fmax (most, fmax (-step->s[i] / c->at.s[i], -step->z[i] / c->at.z[i]));
-  return 1 / most;
+  qn_ip_step_measure (&c->ip);
+  c->r_lambda = p->load != NULL
+                  ? p->load_gain - qn_dot (p->load, c->ip.at.v, (size_t) p->row_count)
+                  : 0;
 }
 
 bool
 qn_collapse_proves_infeasible (const QnCollapse *c, const QnIpProblem *p)
 {
-  double power = qn_dot (p->constant, c->at.v, (size_t) p->row_count);
-  double proof = power - qn_ip_limit_term (p, c->at.z), worst = 0;
+  double power = qn_dot (p->constant, c->ip.at.v, (size_t) p->row_count);
+  double proof = power - qn_ip_limit_term (p, c->ip.at.z), worst = 0;
 
   if (c->problem->load != NULL)
     worst = fabs (p->load_gain - c->r_lambda);
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
-    worst =
-      qn_worse (worst, fabs (c->ry[i] + p->cells[i / 2].quadratic[i % 2] * c->at.y[i]));
+    worst = qn_worse (
+      worst, fabs (c->ip.ry[i] + p->cells[i / 2].quadratic[i % 2] * c->ip.at.y[i]));
   return worst <= tuning.proof * proof;
 }
 
@@ -231,16 +180,16 @@ static bool
 proves_unbounded (const QnCollapse *c)
 {
   const QnIpProblem *p = c->problem;
-  double proof = c->at.lambda, worst = 0;
+  double proof = c->ip.at.lambda, worst = 0;
 
   if (p->load == NULL)
     return false;
   for (int32_t r = 0; r < p->row_count; r++)
     worst = qn_worse (worst, fabs (c->rv[r] + p->constant[r]));
   for (int32_t i = 0; i < p->bound_count; i++) /* Gy = -s + (h - rz), s >= 0 */
-    worst = qn_worse (worst, p->bounds[i].limit - c->rz[i]);
+    worst = qn_worse (worst, p->bounds[i].limit - c->ip.rz[i]);
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
-    worst = qn_worse (worst, fabs (p->cells[i / 2].quadratic[i % 2] * c->at.y[i]));
+    worst = qn_worse (worst, fabs (p->cells[i / 2].quadratic[i % 2] * c->ip.at.y[i]));
   return worst <= tuning.proof * proof;
 }
 
@@ -252,38 +201,19 @@ find_misfit (const QnCollapse *c, double tolerance)
 {
   const QnIpProblem *p = c->problem;
   double work = p->load != NULL
-                  ? p->load_gain * fmax (fabs (c->at.lambda), c->least_multiplier)
-                  : 1 + qn_ip_quadratic_term (p, c->at.y);
-  double forces = tuning.balance * fmax (1, qn_ip_largest (c->at.y, 2 * p->cell_count));
+                  ? p->load_gain * fmax (fabs (c->ip.at.lambda), c->least_multiplier)
+                  : 1 + qn_ip_quadratic_term (p, c->ip.at.y);
+  double forces =
+    tuning.balance * fmax (1, qn_ip_largest (c->ip.at.y, 2 * p->cell_count));
   double speed =
-    fmax (p->load != NULL ? 1e-300 : 1, qn_ip_largest (c->at.v, p->row_count));
+    fmax (p->load != NULL ? 1e-300 : 1, qn_ip_largest (c->ip.at.v, p->row_count));
   double misfit =
-    qn_worse (c->power / work, qn_ip_largest (c->ry, 2 * p->cell_count) / speed);
+    qn_worse (c->ip.power / work, qn_ip_largest (c->ip.ry, 2 * p->cell_count) / speed);
 
   if (p->load != NULL)
     misfit = qn_worse (misfit, fabs (c->r_lambda) / p->load_gain);
   misfit = qn_worse (misfit / tolerance, qn_ip_largest (c->rv, p->row_count) / forces);
-  return qn_worse (misfit, qn_ip_largest (c->rz, p->bound_count) / forces);
-}
-
-/* What has to be added to a product that would leave the neighbourhood of the target. */
-static double
-centre_collapse (double product, double target)
-{
-  double low = target / tuning.spread, high = target * tuning.spread;
-
-  if (product < low)
-    return low - product;
-  return product > high ? fmax (high - product, -high) : 0;
-}
-
-static void
-exchange (QnIpVector *a, QnIpVector *b)
-{
-  QnIpVector swap = *a;
-
-  *a = *b;
-  *b = swap;
+  return qn_worse (misfit, qn_ip_largest (c->ip.rz, p->bound_count) / forces);
 }
 
 /* What s'z is lowered to at least: products that vanish ahead of what is left out of the strengths hold
@@ -294,53 +224,15 @@ least_power (const QnCollapse *c)
   double excess = 0;
 
   for (int32_t i = 0; c->own_flow && i < c->problem->bound_count; i++)
-    excess += fabs (c->rz[i]) * c->at.z[i];
-  return fmin (c->power, c->excess * excess);
-}
-
-/* The step that lowers mu, as far as the predictor says. Returns how much of it may be gone until some
- * s or z vanishes; *part: what it leaves of residuals and mu. */
-static double
-find_step (QnCollapse *c, double *part)
-{
-  const QnIpProblem *p = c->problem;
-  QnIpVector *step = &c->step;
-  double left = 0;
-
-  for (int32_t i = 0; i < p->bound_count; i++)
-    c->products[i] = -c->at.s[i] * c->at.z[i];
-  solve_for_share (c, 1, step);
-  double whole = fmin (1, way_to_boundary (c, step));
-  for (int32_t i = 0; i < p->bound_count; i++)
-    left += (c->at.s[i] + whole * step->s[i]) * (c->at.z[i] + whole * step->z[i]);
-  *part =
-    fmax (tuning.least_aim, c->power > 0 ? pow (left / c->power, tuning.exponent) : 0);
-  double target = fmax (*part * c->power, least_power (c)) / p->bound_count;
-  for (int32_t i = 0; i < p->bound_count; i++)
-    c->products[i] = target - c->at.s[i] * c->at.z[i] - step->s[i] * step->z[i];
-  solve_for_share (c, 1 - *part, step);
-  double length = way_to_boundary (c, step);
-  for (int32_t k = 0; k < tuning.correctors && length < tuning.full_step; k++) {
-    double aim = fmin (1, 1.3 * length + 0.1);
-    for (int32_t i = 0; i < p->bound_count; i++)
-      c->products[i] += centre_collapse (
-        (c->at.s[i] + aim * step->s[i]) * (c->at.z[i] + aim * step->z[i]), target);
-    solve_for_share (c, 1 - *part, &c->trial);
-    double reached = way_to_boundary (c, &c->trial);
-    if (reached < length + tuning.gain)
-      break;
-    exchange (step, &c->trial);
-    length = reached;
-  }
-  return length;
+    excess += fabs (c->ip.rz[i]) * c->ip.at.z[i];
+  return fmin (c->ip.power, c->excess * excess);
 }
 
 /* Factorises for the iterate; false where the system has no solution. */
 static bool
 factorize_collapse (QnCollapse *c)
 {
-  for (int32_t i = 0; i < c->problem->bound_count; i++)
-    c->w[i] = c->at.z[i] / yielding (c, i);
+  qn_ip_step_weights (&c->ip, c->w);
   return qn_ip_kkt_factorize (&c->kkt, c->w);
 }
 
@@ -358,17 +250,17 @@ static void
 find_growth (QnCollapse *c)
 {
   const QnIpProblem *p = c->problem;
-  QnIpKktVector solution = { c->step.y, c->step.s, c->step.v, INFINITY };
+  const QnIpVector right = { .y = c->ip.right, .v = c->right_v };
 
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
-    c->right.y[i] = p->cells[i / 2].quadratic[i % 2] * c->at.y[i];
-  memset (c->right.v, 0, (size_t) p->row_count * sizeof (double));
-  c->right.lambda = 0;
-  bool exact = c->kkt.coupling == 1;
-  c->kkt.coupling = 1;
+    c->ip.right[i] = p->cells[i / 2].quadratic[i % 2] * c->ip.at.y[i];
+  memset (c->right_v, 0, (size_t) p->row_count * sizeof (double));
+  c->ip.step.lambda = INFINITY;
+  bool exact = c->kkt.inverse.coupling == 1;
+  c->kkt.inverse.coupling = 1;
   if (exact || factorize_collapse (c))
-    qn_ip_kkt_solve (&c->kkt, &c->right, &solution);
-  c->growth = solution.lambda;
+    qn_ip_kkt_solve (&c->kkt, &right, &c->ip.step);
+  c->growth = c->ip.step.lambda;
 }
 
 /* What the iterate is. */
@@ -387,15 +279,18 @@ judge_iterate (const QnCollapse *c, double misfit)
 static double
 step_on (QnCollapse *c, bool *ok)
 {
-  double part, length = find_step (c, &part);
+  double part;
+
+  c->ip.least_power = least_power (c);
+  double length = qn_ip_step_find (&c->ip, &part);
 
   if (c->kkt.error < tuning.worst_solution) {
     double reach = c->own_flow ? 0 : 1 - part;
-    qn_ip_vector_add (&c->at, fmin (1, fmax (tuning.to_boundary, reach) * length),
-                      &c->step, c->problem);
+    qn_ip_vector_add (&c->ip.at, fmin (1, fmax (tuning.to_boundary, reach) * length),
+                      &c->ip.step, c->problem);
   } else {
-    *ok = c->kkt.regularization < tuning.most_proximal;
-    c->kkt.regularization *= tuning.more_proximal;
+    *ok = c->kkt.inverse.regularization < tuning.most_proximal;
+    c->kkt.inverse.regularization *= tuning.more_proximal;
     length = tuning.short_step;
   }
   return length;
@@ -406,14 +301,19 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
                     bool (*go_on) (void *), void *data)
 {
   const QnIpProblem *p = c->problem;
-  double *coupling = &c->kkt.coupling, least = c->least_coupling, best = INFINITY;
+  double *coupling = &c->kkt.inverse.coupling, least = c->least_coupling, best = INFINITY;
   int32_t idle = 0;
   bool ok = true;
 
   c->own_flow = false;
   for (int32_t i = 0; i < p->bound_count; i++)
     c->own_flow |= p->bounds[i].normal != p->bounds[i].opening;
-  c->kkt.regularization = tuning.least_proximal;
+  /* Without dilatancy the flows of both directions in which an open joint may slip cancel: they may grow
+   * together without end. A proximal term holds them: of a step it leaves itself times the change of a
+   * flow in the strength of its row, and that vanishes as steps do. The end of a path is found without: of 12
+   * ends of seeded walls one had a state then that its forces do not have. */
+  c->ip.proximal = c->own_flow && c->holds_flows ? tuning.flow : 0;
+  c->kkt.inverse.regularization = tuning.least_proximal;
   *coupling = 1;
   for (int32_t iteration = 0; ok; iteration++) {
     find_residuals (c);
@@ -446,34 +346,34 @@ qn_collapse_project (QnCollapse *c, bool fixed, double *lambda, double *y,
                      double *residual, double *slack)
 {
   const QnIpProblem *p = c->problem;
+  const QnIpVector right = { .y = c->ip.right, .v = c->right_v };
+  QnIpVector *step = &c->ip.trial;
 
-  memcpy (y, c->at.y, 2 * (size_t) p->cell_count * sizeof *y);
+  memcpy (y, c->ip.at.y, 2 * (size_t) p->cell_count * sizeof *y);
   *residual = INFINITY;
   *slack = -INFINITY;
   if (!isfinite (c->kkt.error))
     return;
-  memset (c->right.y, 0, 2 * (size_t) p->cell_count * sizeof (double));
+  memset (c->ip.right, 0, 2 * (size_t) p->cell_count * sizeof (double));
   for (int32_t i = 0; i < p->bound_count; i++)
-    c->products[i] = c->w[i] * c->rz[i];
-  qn_ip_add_flows (p, c->products, 1, c->right.y);
-  c->right.lambda = 0;
+    c->ip.products[i] = c->w[i] * c->ip.rz[i];
+  qn_ip_add_flows (p, c->ip.products, 1, c->ip.right);
   c->kkt.bordered = p->load != NULL && !fixed;
   for (int round = 0;; round++) {
-    QnIpKktVector step = { c->trial.y, c->trial.s, c->trial.v, 0 };
-    qn_ip_balance (p, y, *lambda, c->right.v);
-    *residual = qn_ip_largest (c->right.v, p->row_count);
+    qn_ip_balance (p, y, *lambda, c->right_v);
+    *residual = qn_ip_largest (c->right_v, p->row_count);
     if (round > 0 && (*residual <= tuning.restored || round == tuning.rounds))
       break;
     for (int32_t r = 0; r < p->row_count; r++)
-      c->right.v[r] = -c->right.v[r];
-    qn_ip_kkt_solve (&c->kkt, &c->right, &step);
-    qn_ip_add_multiple (y, 1, step.y, 2 * p->cell_count);
-    *lambda += step.lambda;
-    memset (c->right.y, 0, 2 * (size_t) p->cell_count * sizeof (double));
+      c->right_v[r] = -c->right_v[r];
+    qn_ip_kkt_solve (&c->kkt, &right, step);
+    qn_ip_add_multiple (y, 1, step->y, 2 * p->cell_count);
+    *lambda += step->lambda;
+    memset (c->ip.right, 0, 2 * (size_t) p->cell_count * sizeof (double));
   }
   c->kkt.bordered = p->load != NULL;
-  qn_ip_apply_bounds (p, y, c->trial.s);
+  qn_ip_apply_bounds (p, y, step->s);
   *slack = INFINITY;
   for (int32_t i = 0; i < p->bound_count; i++)
-    *slack = fmin (*slack, p->bounds[i].limit - c->trial.s[i]);
+    *slack = fmin (*slack, p->bounds[i].limit - step->s[i]);
 }

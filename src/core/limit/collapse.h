@@ -42,10 +42,10 @@ typedef enum {
 } QnCollapseState;
 
 typedef struct QnCollapse {
+  QnIpStep ip;                /* its iterate: collapse, or certificate */
   QnPool pool;                /* of vectors */
   const QnIpProblem *problem; /* borrowed */
   QnIpKkt kkt;
-  QnIpVector at; /* the iterate: collapse, or certificate */
   double growth; /* of a collapse: d lambda / d log (1 / compliance) */
   double least_coupling;
   double least_multiplier; /* relative tolerances refer to at least this multiplier */
@@ -54,13 +54,10 @@ typedef struct QnCollapse {
   double
     excess; /* and how much of the power of flows on what exceeds the strength s'z keeps */
 
-  QnIpVector step, trial;
-  double *w;            /* z / s, less where a flow is large */
-  double *ry, *rv, *rz; /* residuals, minus the left-hand sides */
-  double r_lambda;      /* that of the work */
-  double power;         /* s'z */
-  double *products;     /* right-hand side of s dz + z ds */
-  QnIpKktRight right;
+  double *w;       /* z / s, less where a flow is large */
+  double *rv;      /* residual of balance, minus the left-hand side */
+  double r_lambda; /* that of the work */
+  double *right_v; /* right-hand side of balance */
 } QnCollapse;
 
 /* least_multiplier after a start. */

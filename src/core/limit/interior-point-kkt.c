@@ -115,11 +115,9 @@ qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem)
   size_t cells = (size_t) problem->cell_count, rows = (size_t) problem->row_count;
   QnPool *pool = &kkt->pool;
 
-  *kkt = (QnIpKkt){ .problem = problem, .coupling = 1, .error = INFINITY };
-  kkt->compliance = qn_pool_alloc (pool, 4 * cells, sizeof (double));
-  kkt->axes = qn_pool_alloc (pool, 2 * cells, sizeof (double));
+  *kkt = (QnIpKkt){ .problem = problem, .error = INFINITY };
+  qn_ip_inverse_init (&kkt->inverse, problem, pool);
   kkt->rates = qn_pool_alloc (pool, 2 * cells, sizeof (double));
-  kkt->turns = qn_pool_alloc (pool, (size_t) problem->bound_count, sizeof (double));
   kkt->residual_v = qn_pool_alloc (pool, rows, sizeof (double));
   kkt->border = qn_pool_alloc (pool, rows, sizeof (double));
   kkt->step_v = qn_pool_alloc (pool, rows, sizeof (double));
@@ -135,61 +133,15 @@ qn_ip_kkt_clear (QnIpKkt *kkt)
   *kkt = (QnIpKkt){ 0 };
 }
 
-/* What a row of G has of the normal force in the matrix. */
-static double
-row_normal (const QnIpKkt *kkt, const QnIpBound *bound)
-{
-  return bound->opening + kkt->coupling * (bound->normal - bound->opening);
-}
-
-/* The inverse of H of a cell, every term a sum without cancellation however different the weights:
- * the determinant by Cauchy and Binet, det = sum_{i<j} w_i w_j (f_i x f_j) (g_i x g_j), the
- * adjugate by turning rows and flows by a right angle, adj H = sum_j w_j g_j^ f_j^'. Q and the
- * regularisation count as rows along the axes. */
-static void
-invert_cell (QnIpKkt *kkt, int32_t c, const double *w)
-{
-  const QnIpCell *cell = &kkt->problem->cells[c];
-  const QnIpBound *bounds = kkt->problem->bounds + cell->first_bound;
-  double axis_n = cell->quadratic[0] + kkt->regularization;
-  double axis_t = cell->quadratic[1] + kkt->regularization;
-  double nn = axis_n, nt = 0.0, tn = 0.0, tt = axis_t, determinant = axis_n * axis_t;
-  double *compliance = kkt->compliance + 4 * (size_t) c;
-  double *turns = kkt->turns + cell->first_bound;
-
-  w += cell->first_bound;
-  for (int32_t i = 0; i < cell->bound_count; i++) {
-    const QnIpBound *b = &bounds[i];
-    double normal = row_normal (kkt, b);
-    nn += w[i] * b->opening * normal;
-    nt += w[i] * b->opening * b->shear;
-    tn += w[i] * b->shear * normal;
-    tt += w[i] * b->shear * b->shear;
-    determinant += w[i] * (b->opening * normal * axis_t + b->shear * b->shear * axis_n);
-    for (int32_t j = 0; j < i; j++)
-      determinant +=
-        w[i] * w[j] * (normal * bounds[j].shear - b->shear * row_normal (kkt, &bounds[j]))
-        * (b->opening * bounds[j].shear - b->shear * bounds[j].opening);
-  }
-  compliance[0] = cell->no_shear ? 1.0 / nn : tt / determinant;
-  compliance[1] = cell->no_shear ? 0.0 : -nt / determinant;
-  compliance[2] = cell->no_shear ? 0.0 : -tn / determinant;
-  compliance[3] = cell->no_shear ? 0.0 : nn / determinant;
-  kkt->axes[2 * c] = cell->no_shear ? 1.0 / nn : axis_t / determinant;
-  kkt->axes[2 * c + 1] = cell->no_shear ? 0.0 : axis_n / determinant;
-  for (int32_t i = 0; i < cell->bound_count; i++)
-    turns[i] = cell->no_shear ? 0.0 : w[i] / determinant;
-}
-
 bool
 qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w)
 {
   const QnIpProblem *p = kkt->problem;
 
   for (int32_t c = 0; c < p->cell_count; c++)
-    invert_cell (kkt, c, w);
+    qn_ip_invert_cell (&kkt->inverse, p, c, w);
   kkt->error = INFINITY;
-  if (!schur_factorize (&kkt->schur, kkt->compliance, kkt->regularization))
+  if (!schur_factorize (&kkt->schur, kkt->inverse.cells, kkt->inverse.regularization))
     return false;
   kkt->error = 0.0;
   kkt->bordered = p->load != NULL;
@@ -201,38 +153,10 @@ qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w)
   return true;
 }
 
-/* y += dy = (H+r)^-1 (normal, shear), g += G dy for one cell. A row's own part of dy is at right
- * angles to it and left out of its g. */
-static void
-answer_cell (const QnIpKkt *kkt, int32_t c, double normal, double shear,
-             QnIpKktVector *out)
-{
-  const QnIpCell *cell = &kkt->problem->cells[c];
-  const QnIpBound *bounds = kkt->problem->bounds + cell->first_bound;
-  const double *turns = kkt->turns + cell->first_bound;
-  double *g = out->g + cell->first_bound;
-  double axis_n = kkt->axes[2 * c] * normal, axis_t = kkt->axes[2 * c + 1] * shear;
-  double yn = axis_n, yt = axis_t;
-
-  for (int32_t i = 0; i < cell->bound_count; i++) {
-    const QnIpBound *b = &bounds[i];
-    double row = row_normal (kkt, b);
-    double turn = turns[i] * (b->opening * shear - b->shear * normal);
-    yn -= turn * b->shear;
-    yt += turn * row;
-    g[i] += row * axis_n + b->shear * axis_t;
-    for (int32_t j = 0; j < cell->bound_count; j++)
-      if (j != i)
-        g[j] += turn * (row * bounds[j].shear - b->shear * row_normal (kkt, &bounds[j]));
-  }
-  out->y[2 * c] += yn;
-  out->y[2 * c + 1] += yt;
-}
-
 /* Largest relative residual of the second and third block row; residual_v holds what
  * subtract_forces() has left. */
 static double
-relative_error (QnIpKkt *kkt, const QnIpKktRight *right, const QnIpKktVector *out)
+relative_error (QnIpKkt *kkt, const QnIpVector *right, const QnIpVector *out)
 {
   const QnIpProblem *p = kkt->problem;
   double error = 0.0;
@@ -254,8 +178,8 @@ relative_error (QnIpKkt *kkt, const QnIpKktRight *right, const QnIpKktVector *ou
 /* Lets the forces follow `sign` times the last correction of v (and ry, where given), and
  * measures the residuals of the second and third block row. */
 static double
-follow_rates (QnIpKkt *kkt, const QnIpKktRight *right, const double *ry, double sign,
-              QnIpKktVector *out)
+follow_rates (QnIpKkt *kkt, const QnIpVector *right, const double *ry, double sign,
+              QnIpVector *out)
 {
   const QnIpProblem *p = kkt->problem;
   double *e = kkt->residual_v, *rates = kkt->rates;
@@ -264,24 +188,25 @@ follow_rates (QnIpKkt *kkt, const QnIpKktRight *right, const double *ry, double 
     rates[i] = ry != NULL && !(p->cells[i / 2].no_shear && i % 2 == 1) ? ry[i] : 0.0;
   qn_ip_add_rates (p, kkt->step_v, -sign, rates);
   for (int32_t c = 0; c < p->cell_count; c++)
-    answer_cell (kkt, c, rates[2 * c], rates[2 * c + 1], out);
+    qn_ip_answer_cell (&kkt->inverse, p, c, rates[2 * c], rates[2 * c + 1], out);
   for (int32_t r = 0; r < p->row_count; r++)
     e[r] = right->v[r] - (kkt->bordered ? p->load[r] * out->lambda : 0.0)
-           + kkt->regularization * out->v[r];
+           + kkt->inverse.regularization * out->v[r];
   qn_ip_add_forces (p, out->y, -1, e);
   return relative_error (kkt, right, out);
 }
 
 /* residual_v -= B (H+r)^-1 ry: what the forces along v have to balance. */
 static void
-condense (QnIpKkt *kkt, const QnIpKktRight *right)
+condense (QnIpKkt *kkt, const QnIpVector *right)
 {
   const QnIpProblem *p = kkt->problem;
 
   memcpy (kkt->residual_v, right->v, (size_t) p->row_count * sizeof (double));
   kkt->residual_lambda = right->lambda;
   for (int32_t c = 0; c < p->cell_count; c++) {
-    const double *h = kkt->compliance + 4 * (size_t) c, *ry = right->y + 2 * (size_t) c;
+    const double *h = kkt->inverse.cells + 4 * (size_t) c,
+                 *ry = right->y + 2 * (size_t) c;
     double shear = p->cells[c].no_shear ? 0.0 : ry[1];
     kkt->rates[2 * c] = h[0] * ry[0] + h[1] * shear;
     kkt->rates[2 * c + 1] = h[2] * ry[0] + h[3] * shear;
@@ -291,7 +216,7 @@ condense (QnIpKkt *kkt, const QnIpKktRight *right)
 
 /* The change of v and lambda that removes the residuals. */
 static void
-correct (QnIpKkt *kkt, QnIpKktVector *out)
+correct (QnIpKkt *kkt, QnIpVector *out)
 {
   const QnIpProblem *p = kkt->problem;
   double *step = kkt->step_v;
@@ -312,7 +237,7 @@ correct (QnIpKkt *kkt, QnIpKktVector *out)
 
 /* Takes the last correction back. */
 static double
-undo (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out)
+undo (QnIpKkt *kkt, const QnIpVector *right, QnIpVector *out)
 {
   qn_ip_add_multiple (out->v, -1, kkt->step_v, kkt->problem->row_count);
   out->lambda -= kkt->step_lambda;
@@ -320,12 +245,12 @@ undo (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out)
 }
 
 void
-qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out)
+qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpVector *right, QnIpVector *out)
 {
   double last = INFINITY;
 
   memset (out->y, 0, 2 * (size_t) kkt->problem->cell_count * sizeof (double));
-  memset (out->g, 0, (size_t) kkt->problem->bound_count * sizeof (double));
+  memset (out->s, 0, (size_t) kkt->problem->bound_count * sizeof (double));
   memset (out->v, 0, (size_t) kkt->problem->row_count * sizeof (double));
   out->lambda = 0.0;
   condense (kkt, right);

@@ -19,7 +19,7 @@
  */
 #pragma once
 
-#include "core/limit/interior-point.h"
+#include "core/equilibrium/interior-point.h"
 #include "core/linalg/block-lu.h"
 
 /* The one matrix that is factorised,
@@ -46,20 +46,15 @@ typedef struct QnIpKkt {
   QnPool pool;                /* of all arrays */
   const QnIpProblem *problem; /* borrowed */
   QnIpSchur schur;
-  double *compliance; /* cell_count x 4: (H+r)^-1 by rows */
-  double *axes;       /* cell_count x 2 and … */
-  double *turns;      /* bound_count: factors of the same inverse as a sum without
-                         cancellation, (H+r)^-1 = diag (axes) + sum of turn g^ f^' */
-  double *rates;      /* scratch, cell_count x 2 */
+  QnIpInverse inverse; /* of H+r */
+  double *rates;       /* scratch, cell_count x 2 */
   double *residual_v;
   double residual_lambda;
   double *step_v; /* the last correction */
   double step_lambda;
-  bool bordered;         /* the multiplier is an unknown; set by _factorize() */
-  double *border;        /* M^-1 f, row_count */
-  double border_power;   /* f'M^-1 f */
-  double regularization; /* r */
-  double coupling;       /* G of the matrix is F' + coupling (G - F'); 1: exact */
+  bool bordered;       /* the multiplier is an unknown; set by _factorize() */
+  double *border;      /* M^-1 f, row_count */
+  double border_power; /* f'M^-1 f */
   double error; /* largest relative residual since _factorize(); INFINITY: it failed */
 } QnIpKkt;
 
@@ -69,22 +64,8 @@ bool qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem);
 /* Factorises for the weights w (bound_count); false where the matrix is singular. */
 bool qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w);
 
-/* A right-hand side of the system. */
-typedef struct QnIpKktRight {
-  double *y;     /* cell_count x 2; shear of cells without shear is ignored */
-  double *v;     /* row_count */
-  double lambda; /* ignored without a load */
-} QnIpKktRight;
-
-/* Its unknowns. */
-typedef struct QnIpKktVector {
-  double *y;     /* cell_count x 2 */
-  double *g;     /* bound_count: G y */
-  double *v;     /* row_count */
-  double lambda; /* 0 without a load */
-} QnIpKktVector;
-
-/* Solves for one right-hand side; `out` must not overlap it. */
-void qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpKktRight *right, QnIpKktVector *out);
+/* Solves for y (shear of cells without shear is ignored), v and lambda (ignored without a load) of a right-hand
+ * side; `out`, whose s becomes G y, must not overlap it. */
+void qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpVector *right, QnIpVector *out);
 
 void qn_ip_kkt_clear (QnIpKkt *kkt);

@@ -161,8 +161,9 @@ keep (Search *search, double compliance, QnDiag *diag)
 {
   const QnLimitProblem *limit = &search->limit;
   const QnCollapse *c = &search->collapse;
-  Collapse new = { .multiplier = fmin (qn_limit_problem_multiplier (limit, c->at.lambda),
-                                       search->interval->associative),
+  Collapse new = { .multiplier =
+                     fmin (qn_limit_problem_multiplier (limit, c->ip.at.lambda),
+                           search->interval->associative),
                    .growth = qn_limit_problem_multiplier (limit, c->growth) };
   int32_t place = 0;
 
@@ -184,8 +185,8 @@ keep (Search *search, double compliance, QnDiag *diag)
   }
   kept->multiplier = new.multiplier;
   kept->growth = new.growth;
-  qn_limit_problem_forces (limit, c->at.y, 1, kept->forces);
-  qn_limit_problem_velocities (limit, c->at.v, kept->velocities);
+  qn_limit_problem_forces (limit, c->ip.at.y, 1, kept->forces);
+  qn_limit_problem_velocities (limit, c->ip.at.v, kept->velocities);
   double scale =
     search->elastic ? search->flexibility * limit->force_unit / compliance : 1;
   for (size_t i = 0; i < limit->block_count * QN_DOF_COUNT; i++)
@@ -249,8 +250,8 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
   if (state != QN_COLLAPSE_FOUND)
     return QN_OK;
   const QnIpProblem *p = &search->limit.ip;
-  search->gives = compliance * qn_largest (c->at.y, 2 * (size_t) p->cell_count)
-                  / qn_largest (c->at.v, (size_t) p->row_count);
+  search->gives = compliance * qn_largest (c->ip.at.y, 2 * (size_t) p->cell_count)
+                  / qn_largest (c->ip.at.v, (size_t) p->row_count);
   *found = search->gives <= search_tuning.rigid;
   return keep (search, compliance, diag);
 }

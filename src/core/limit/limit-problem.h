@@ -12,7 +12,7 @@
 #pragma once
 
 #include "core/contact/contacts.h"
-#include "core/limit/interior-point.h"
+#include "core/equilibrium/interior-point.h"
 
 typedef struct QnLimitProblem {
   QnIpProblem ip; /* views of the arrays below */

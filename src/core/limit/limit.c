@@ -69,11 +69,11 @@ look_inside (LimitRun *run)
 {
   QnCollapse *engine = run->engine;
   Forces *last = &run->last, swap;
-  bool near = engine->power <= limit_tuning.near * run->limit->ip.load_gain;
+  bool near = engine->ip.power <= limit_tuning.near * run->limit->ip.load_gain;
 
   if (run->stands && !near)
     return;
-  take_forces (run, !near, near ? engine->at.lambda : 0);
+  take_forces (run, !near, near ? engine->ip.at.lambda : 0);
   if (!(last->slack >= 0 && last->residual <= limit_tuning.residual))
     return;
   run->stands |= !near || run->dead_only;
@@ -204,12 +204,12 @@ find_fall (LimitRun *run, bool *falls, QnDiag *diag)
   fall.load_gain = 0.0;
   QnStatus status = qn_collapse_init (&engine, &fall, diag);
   if (!status) {
-    double *v = run->engine->at.v;
+    double *v = run->engine->ip.at.v;
     qn_collapse_start_elastic (&engine);
     if (qn_collapse_follow (&engine, limit_tuning.fall, QN_COLLAPSE_BUDGET, go_on_limit,
                             run)
         == QN_COLLAPSE_FOUND) {
-      memcpy (v, engine.at.v, (size_t) limit->ip.row_count * sizeof *v);
+      memcpy (v, engine.ip.at.v, (size_t) limit->ip.row_count * sizeof *v);
       *falls |= qn_collapse_proves_infeasible (&engine, &limit->ip);
     }
     if (*falls)
@@ -298,10 +298,11 @@ take_optimum (LimitRun *run)
   QnLimitSolution *solution = run->solution;
   QnLimitCheck check;
   const Forces *proof = &run->inside;
-  double upper = upper_bound (run->limit, engine->at.v, engine->at.y, run->rates, &check);
+  double upper =
+    upper_bound (run->limit, engine->ip.at.v, engine->ip.at.y, run->rates, &check);
 
   look_inside (run);
-  take_forces (run, false, engine->at.lambda);
+  take_forces (run, false, engine->ip.at.lambda);
   double gain = run->last.lambda - run->inside.lambda;
   if (isinf (gain)
       || (run->last.slack >= -QN_TOLERANCE_STRENGTH
@@ -315,7 +316,7 @@ take_optimum (LimitRun *run)
   check.static_residual = proof->residual;
   check.gap = (upper - run->lower) / (1.0 + fabs (upper));
   solution->check = check;
-  qn_limit_problem_velocities (run->limit, engine->at.v, solution->velocities);
+  qn_limit_problem_velocities (run->limit, engine->ip.at.v, solution->velocities);
   qn_limit_problem_forces (run->limit, proof->y, 1, solution->forces);
 }
 
@@ -336,12 +337,12 @@ solve (LimitRun *run, QnDiag *diag)
   state = follow_program (run, 1);
   bool falls = state == QN_COLLAPSE_INFEASIBLE;
   if (state == QN_COLLAPSE_UNBOUNDED) {
-    qn_limit_problem_forces (limit, engine->at.y,
-                             qn_limit_problem_multiplier (limit, engine->at.lambda),
+    qn_limit_problem_forces (limit, engine->ip.at.y,
+                             qn_limit_problem_multiplier (limit, engine->ip.at.lambda),
                              solution->forces);
   } else if (state == QN_COLLAPSE_FOUND || state == QN_COLLAPSE_LOST) {
     take_optimum (run);
-    if (state == QN_COLLAPSE_FOUND && fabs (engine->at.lambda) < limit_tuning.small) {
+    if (state == QN_COLLAPSE_FOUND && fabs (engine->ip.at.lambda) < limit_tuning.small) {
       follow_program (run, QN_COLLAPSE_LEAST);
       take_optimum (run);
     }

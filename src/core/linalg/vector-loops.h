@@ -23,23 +23,15 @@ typedef int64_t Mask __attribute__ ((vector_size (8 * LANES), aligned (8), may_a
 #endif
 
 /* Where the numbers of a vector come from, of two: the even and the odd places of both, or every
- * second two of them; one of either in turn (ZIP), or two. */
+ * second two of them. */
 #if LANES == 2
-#define EVEN         0, 2
-#define ODD          1, 3
-#define ZIP_LOW      0, 2
-#define ZIP_HIGH     1, 3
-#define ZIP_TWO_LOW  0, 1
-#define ZIP_TWO_HIGH 2, 3
+#define EVEN 0, 2
+#define ODD  1, 3
 #else
-#define EVEN         0, 2, 4, 6
-#define ODD          1, 3, 5, 7
-#define ZIP_LOW      0, 4, 1, 5
-#define ZIP_HIGH     2, 6, 3, 7
-#define ZIP_TWO_LOW  0, 1, 4, 5
-#define ZIP_TWO_HIGH 2, 3, 6, 7
-#define TWO_EVEN     0, 1, 4, 5
-#define TWO_ODD      2, 3, 6, 7
+#define EVEN     0, 2, 4, 6
+#define ODD      1, 3, 5, 7
+#define TWO_EVEN 0, 1, 4, 5
+#define TWO_ODD  2, 3, 6, 7
 #endif
 
 /* Made part of its caller, where the numbers of vectors and columns are known. */

@@ -69,13 +69,13 @@ test_optimum (void)
 
   slider_init (&slider, 0.65, 0.1);
   g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_FOUND);
-  g_assert_cmpfloat_with_epsilon (engine.at.lambda, 0.75, 1e-8);
-  g_assert_cmpfloat_with_epsilon (engine.at.y[0], -1, 1e-8);
-  g_assert_cmpfloat_with_epsilon (fabs (engine.at.y[1]), 0.75, 1e-8);
+  g_assert_cmpfloat_with_epsilon (engine.ip.at.lambda, 0.75, 1e-8);
+  g_assert_cmpfloat_with_epsilon (engine.ip.at.y[0], -1, 1e-8);
+  g_assert_cmpfloat_with_epsilon (fabs (engine.ip.at.y[1]), 0.75, 1e-8);
   /* The mechanism slides and, flow being associative, lifts by the friction. */
-  g_assert_cmpfloat_with_epsilon (engine.at.v[0], 1, 1e-7);
-  g_assert_cmpfloat_with_epsilon (engine.at.v[1], 0.65, 1e-7);
-  g_assert_cmpfloat (engine.power, <, 1e-9);
+  g_assert_cmpfloat_with_epsilon (engine.ip.at.v[0], 1, 1e-7);
+  g_assert_cmpfloat_with_epsilon (engine.ip.at.v[1], 0.65, 1e-7);
+  g_assert_cmpfloat (engine.ip.power, <, 1e-9);
   qn_collapse_clear (&engine);
 }
 
@@ -90,11 +90,11 @@ test_infeasible (void)
   slider_init (&slider, 0.65, 0);
   slider.constant[1] = 2;
   g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_INFEASIBLE);
-  double power = slider.constant[1] * engine.at.v[1];
+  double power = slider.constant[1] * engine.ip.at.v[1];
   g_assert_cmpfloat (power, >, 0);
-  g_assert_cmpfloat_with_epsilon (engine.at.v[0] / engine.at.v[1], 0, 1e-6);
+  g_assert_cmpfloat_with_epsilon (engine.ip.at.v[0] / engine.ip.at.v[1], 0, 1e-6);
   rates[0] = rates[1] = 0;
-  qn_ip_add_rates (&slider.problem, engine.at.v, -1, rates);
+  qn_ip_add_rates (&slider.problem, engine.ip.at.v, -1, rates);
   g_assert_cmpfloat (rates[0], >, 0.65 * fabs (rates[1]));
   qn_collapse_clear (&engine);
 }
@@ -109,8 +109,8 @@ test_unbounded (void)
   slider.load[0] = 0.6;
   slider.load[1] = -1;
   g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_UNBOUNDED);
-  g_assert_cmpfloat_with_epsilon (engine.at.y[0] / engine.at.lambda, -1, 1e-6);
-  g_assert_cmpfloat_with_epsilon (engine.at.y[1] / engine.at.lambda, -0.6, 1e-6);
+  g_assert_cmpfloat_with_epsilon (engine.ip.at.y[0] / engine.ip.at.lambda, -1, 1e-6);
+  g_assert_cmpfloat_with_epsilon (engine.ip.at.y[1] / engine.ip.at.lambda, -0.6, 1e-6);
   qn_collapse_clear (&engine);
 }
 
@@ -128,8 +128,8 @@ test_no_bounds (void)
   slider.problem.load_gain = 0;
   slider.constant[0] = 3;
   g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_FOUND);
-  g_assert_cmpfloat_with_epsilon (engine.at.y[0], -1, 1e-7);
-  g_assert_cmpfloat_with_epsilon (engine.at.y[1], -3, 1e-7);
+  g_assert_cmpfloat_with_epsilon (engine.ip.at.y[0], -1, 1e-7);
+  g_assert_cmpfloat_with_epsilon (engine.ip.at.y[1], -3, 1e-7);
   qn_collapse_clear (&engine);
 }
 
@@ -164,8 +164,8 @@ test_quadratic (void)
   QnCollapse engine;
 
   g_assert_cmpint (solve (&engine, &problem), ==, QN_COLLAPSE_FOUND);
-  g_assert_cmpfloat_with_epsilon (engine.at.y[0], -0.75, 1e-6);
-  g_assert_cmpfloat_with_epsilon (engine.at.y[2], -0.25, 1e-6);
+  g_assert_cmpfloat_with_epsilon (engine.ip.at.y[0], -0.75, 1e-6);
+  g_assert_cmpfloat_with_epsilon (engine.ip.at.y[2], -0.25, 1e-6);
   qn_collapse_clear (&engine);
 }
 
@@ -183,10 +183,10 @@ test_empty_row (void)
   slider.problem.constant = constant;
   slider.problem.load = load;
   g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_FOUND);
-  g_assert_cmpfloat_with_epsilon (engine.at.lambda, 0.65, 1e-8);
+  g_assert_cmpfloat_with_epsilon (engine.ip.at.lambda, 0.65, 1e-8);
   constant[2] = 0.1;
   g_assert_cmpint (follow (&engine), ==, QN_COLLAPSE_INFEASIBLE);
-  g_assert_cmpfloat (engine.at.v[2] * constant[2], >, 0);
+  g_assert_cmpfloat (engine.ip.at.v[2] * constant[2], >, 0);
   qn_collapse_clear (&engine);
 }
 
@@ -204,7 +204,7 @@ test_redundant_row (void)
   slider.problem.constant = constant;
   slider.problem.load = load;
   g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_FOUND);
-  g_assert_cmpfloat_with_epsilon (engine.at.lambda, 0.65, 1e-8);
+  g_assert_cmpfloat_with_epsilon (engine.ip.at.lambda, 0.65, 1e-8);
   constant[2] = -2;
   g_assert_cmpint (follow (&engine), ==, QN_COLLAPSE_INFEASIBLE);
   qn_collapse_clear (&engine);
@@ -243,9 +243,9 @@ test_repeat (void)
   slider_init (&slider, 0.65, 0.1);
   solve (&a, &slider.problem);
   solve (&b, &slider.problem);
-  g_assert_true (a.at.lambda == b.at.lambda && a.at.v[0] == b.at.v[0]);
+  g_assert_true (a.ip.at.lambda == b.ip.at.lambda && a.ip.at.v[0] == b.ip.at.v[0]);
   follow (&a);
-  g_assert_true (a.at.lambda == b.at.lambda && a.at.v[0] == b.at.v[0]);
+  g_assert_true (a.ip.at.lambda == b.ip.at.lambda && a.ip.at.v[0] == b.ip.at.v[0]);
   qn_collapse_clear (&a);
   qn_collapse_clear (&b);
 }

@@ -136,7 +136,7 @@ collapse_at (QnLimitProblem *limit, double compliance, const double *start,
   g_assert_cmpint (qn_collapse_follow (&collapse, 1e-9, 200, always, NULL), ==,
                    QN_COLLAPSE_FOUND);
   *growth = collapse.growth;
-  double lambda = collapse.at.lambda;
+  double lambda = collapse.ip.at.lambda;
   qn_collapse_clear (&collapse);
   return lambda;
 }

@@ -1,5 +1,5 @@
-/* The problem that the interior-point engine (collapse.h) solves, and products with its matrices:
- * structures of rigid bodies joined by plane joints.
+/* The interior-point engine of limit analysis (core/limit/collapse.h) and of increments (central-path.h): the
+ * problem, products with its matrices, and the step. Bodies are joined by plane joints.
  *
  *     B y + lambda f + d = 0      equilibrium, one row per free degree of freedom
  *     G y + s = h,  s >= 0        strength
@@ -21,6 +21,11 @@
  *
  * Cells whose strength rows leave a direction free, redundant or empty equilibrium rows are
  * allowed. The caller scales: forces, lengths, f and d should be of the order of 1.
+ *
+ * Of an increment the engine knows cells and bounds alone; balance, large displacements and whatever has no
+ * strength are the assembly's.
+ *
+ * Steps: Mehrotra's predictor and corrector (Mehrotra 1992), Gondzio's centrality correctors (Gondzio 1996).
  */
 #pragma once
 
@@ -33,12 +38,12 @@
 
 /* One place where two bodies exchange a force (y_n, y_t). */
 typedef struct QnIpCell {
-  double map[QN_IP_GROUP_ROWS]
-            [2];       /* its columns of B; entries for absent rows are unused */
   double quadratic[2]; /* diagonal of Q, >= 0 */
   int32_t first_bound; /* into QnIpProblem.bounds */
   int32_t bound_count; /* >= 0 */
   bool no_shear;       /* y_t is identically 0 */
+  double map[QN_IP_GROUP_ROWS]
+            [2]; /* its columns of B; entries for absent rows are unused */
 } QnIpCell;
 
 typedef struct QnIpGroup {
@@ -75,6 +80,70 @@ typedef struct QnIpVector {
   double *z; /* bound_count */
   double lambda;
 } QnIpVector;
+
+/* What steers steps; parts. */
+typedef struct QnIpTuning {
+  double
+    exponent; /* of what the predictor leaves of the mean product, for the one aimed at */
+  double least_aim;   /* of the mean product, in one step */
+  int32_t correctors; /* of centrality, for steps shorter than `full_step` */
+  double full_step;
+  double spread; /* of products about their mean: correctors bring them within */
+  double gain;   /* of length, by a corrector that is worth another */
+} QnIpTuning;
+
+/* An iterate with what the next step is found from. */
+typedef struct QnIpStep QnIpStep;
+struct QnIpStep {
+  const QnIpProblem *problem; /* borrowed */
+  const QnIpTuning *tuning;
+  bool together;      /* residuals are lowered at the rate of the products */
+  double proximal;    /* term of flows in their strengths: G y + s - term dz = h */
+  double least_power; /* that a step aims at */
+  QnIpVector at, step, trial;
+  double *ry, *rz;  /* residuals, minus the left-hand sides */
+  double *products; /* right-hand side of s dz + z ds */
+  double *right;    /* that of the rates: share x ry less the flows of unchanged forces */
+  double power;     /* s'z */
+  /* Sets y, v, lambda of a step that takes `share` off the residuals, from `right`, and s = G y. */
+  void (*solve) (QnIpStep *, double share, QnIpVector *out);
+};
+
+/* Allocates the vectors, for the counts that the problem has now. */
+void qn_ip_step_init (QnIpStep *ip, const QnIpProblem *problem, const QnIpTuning *tuning,
+                      QnPool *pool);
+
+/* rz and the power of the iterate. */
+void qn_ip_step_measure (QnIpStep *ip);
+
+/* w (bound_count) = z / s, less with a proximal term. */
+void qn_ip_step_weights (const QnIpStep *ip, double *w);
+
+/* ip->step: lowers the products as far as the predictor says. Returns how much of it may be gone until some s
+ * or z vanishes; *part: what it leaves of the products. */
+double qn_ip_step_find (QnIpStep *ip, double *part);
+
+/* The inverse of H, cell by cell. */
+typedef struct QnIpInverse {
+  double *cells; /* cell_count x 4: by rows and … */
+  double *axes;  /* cell_count x 2 and … */
+  double
+    *turns; /* bound_count: factors of the same inverse as a sum without cancellation,
+                    diag (axes) + sum of turn g^ f^' */
+  double regularization; /* r, on the diagonal of H */
+  double coupling;       /* G in it is F' + coupling (G - F'); 1: exact */
+} QnIpInverse;
+
+void qn_ip_inverse_init (QnIpInverse *inverse, const QnIpProblem *problem, QnPool *pool);
+
+/* For the weights w (bound_count). */
+void qn_ip_invert_cell (QnIpInverse *inverse, const QnIpProblem *problem, int32_t cell,
+                        const double *w);
+
+/* y += dy = (H+r)^-1 (normal, shear), s += G dy for one cell. A row's own part of dy is at right
+ * angles to it and left out of its s. */
+void qn_ip_answer_cell (const QnIpInverse *inverse, const QnIpProblem *problem,
+                        int32_t cell, double normal, double shear, QnIpVector *out);
 
 /* From a pool. */
 void qn_ip_vector_init (QnIpVector *vector, const QnIpProblem *problem, QnPool *pool);
