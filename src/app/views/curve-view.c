@@ -14,6 +14,9 @@
 /* The plot's text over that of the window: the panel is narrow. */
 #define TEXT_SHARE 0.9
 
+/* m: beyond that motions are told in the units of the drawing, not in those of motions. */
+#define FAR 10.0
+
 /* Runs drawn over each other, the current one included. */
 #define MOST_CURVES 6
 
@@ -304,8 +307,10 @@ tell (gpointer data, const QnVec2 *at)
   if (self->series_count == 0 || !shown (self, 0)->runs_on)
     return NULL;
   const QnCurve *whole = &self->series[0].whole;
-  g_autofree char *far = qn_units_format_full (units_of_motion (), displacement (self),
-                                               whole->x[whole->count - 1], 3);
+  const double end = whole->x[whole->count - 1];
+  g_autofree char *far = qn_units_format_full (
+    fabs (end) < FAR ? units_of_motion () : qn_settings_get_units (), displacement (self),
+    end, 3);
   return g_strdup_printf (_ ("moves on to %s"), far);
 }
 

@@ -93,9 +93,32 @@ qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
   return dialog;
 }
 
+/* No larger than the screen, where what scrolls can be less. */
+static void
+fit_screen (GtkWidget *dialog)
+{
+  GtkWindow *window = GTK_WINDOW (dialog),
+            *parent = gtk_window_get_transient_for (window);
+  GdkSurface *surface =
+    parent != NULL ? gtk_native_get_surface (GTK_NATIVE (parent)) : NULL;
+  GdkRectangle screen;
+  int width, height, usual;
+  if (surface == NULL)
+    return;
+  GdkDisplay *display = gdk_surface_get_display (surface);
+  gdk_monitor_get_geometry (gdk_display_get_monitor_at_surface (display, surface),
+                            &screen);
+  gtk_window_get_default_size (window, &width, &height);
+  gtk_widget_measure (dialog, GTK_ORIENTATION_VERTICAL, width, NULL, &usual, NULL, NULL);
+  if (MAX (height, usual) > screen.height)
+    height = screen.height;
+  gtk_window_set_default_size (window, MIN (width, screen.width), height);
+}
+
 void
 qn_dialog_present (GtkWidget *dialog, GtkWidget *accept)
 {
+  fit_screen (dialog);
   gtk_window_present (GTK_WINDOW (dialog));
   gtk_widget_grab_focus (accept);
 }
