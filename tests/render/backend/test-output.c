@@ -3,6 +3,7 @@
 #include "render/drawing/text.h"
 #include "support/room.h"
 
+#include <gio/gio.h>
 #include <glib/gstdio.h>
 #include <math.h>
 #include <string.h>
@@ -119,10 +120,21 @@ test_metadata (void)
   g_assert_true (contains (png, "Wänd <1>"));
   g_assert_true (contains (svg, "<title>Wänd &lt;1&gt;</title>"));
 
-  g_autoptr (GBytes) pdf = encode (QN_FORMAT_PDF, false);
-  g_assert_true (contains (pdf, "/Keywords"));
-  g_assert_true (contains (pdf, "/Title"));
-  g_assert_false (contains (pdf, "/CreationDate"));
+  /* Cairo 1.18 compresses what a PDF says of itself. */
+  g_autoptr (GBytes) pdf = encode (QN_FORMAT_PDF, false), told = NULL;
+  g_autoptr (GError) error = NULL;
+  g_autoptr (GSubprocess) program =
+    g_subprocess_new (G_SUBPROCESS_FLAGS_STDIN_PIPE | G_SUBPROCESS_FLAGS_STDOUT_PIPE,
+                      &error, "pdfinfo", "-enc", "UTF-8", "-", NULL);
+  if (program == NULL) {
+    g_test_skip (error->message);
+    return;
+  }
+  g_assert_true (g_subprocess_communicate (program, pdf, NULL, &told, NULL, NULL));
+  g_assert_true (contains (told, "Wänd <1>"));
+  for (size_t i = 0; i < G_N_ELEMENTS (words); i++)
+    g_assert_true (contains (told, words[i]));
+  g_assert_false (contains (told, "CreationDate"));
 }
 
 static bool
