@@ -7,6 +7,9 @@
 #define RESOURCES "/io/github/quoin/Quoin/help/"
 #define PAGE_KEY  "quoin-help-page"
 
+/* px of a page that the list of pages leaves. */
+#define LEAST_PAGE 360
+
 /* In the order of the manual's own list, docs/manual/README.md. */
 static const char *const pages[] = {
   "first-wall",
@@ -218,16 +221,19 @@ qn_help_show (GtkWindow *parent, const char *page)
       gtk_stack_set_visible_child_name (GTK_STACK (stack), page);
     GtkWidget *sidebar = gtk_stack_sidebar_new ();
     gtk_stack_sidebar_set_stack (GTK_STACK_SIDEBAR (sidebar), GTK_STACK (stack));
-    GtkWidget *box = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 0);
-    gtk_box_append (GTK_BOX (box), sidebar);
-    gtk_box_append (GTK_BOX (box), stack);
+    GtkWidget *box = gtk_paned_new (GTK_ORIENTATION_HORIZONTAL);
+    gtk_paned_set_start_child (GTK_PANED (box), sidebar);
+    gtk_paned_set_resize_start_child (GTK_PANED (box), FALSE);
+    gtk_paned_set_end_child (GTK_PANED (box), stack);
+    gtk_paned_set_shrink_end_child (GTK_PANED (box), FALSE);
+    gtk_widget_set_size_request (stack, LEAST_PAGE, -1);
 
     /* One works while reading. */
     GtkWidget *window = qn_dialog_new (parent, _ ("Help"), 900, 720);
     gtk_window_set_modal (GTK_WINDOW (window), FALSE);
     gtk_window_set_child (GTK_WINDOW (window), box);
     qn_help_set_page (window, page);
-    gtk_window_present (GTK_WINDOW (window));
+    qn_dialog_present (window, sidebar);
     return;
   }
   g_autofree char *uri =
