@@ -177,7 +177,7 @@ test_lower_collapse (void)
     guint32 seed;
     int most;
     gboolean falls;
-  } walls[] = { { 251, 600, FALSE }, { 430, 200, TRUE } };
+  } walls[] = { { 251, 600, FALSE }, { 498, 200, TRUE } };
 
   for (gsize i = 0; i < G_N_ELEMENTS (walls); i++) {
     g_auto (QnProject) project;

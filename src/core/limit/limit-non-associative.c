@@ -8,25 +8,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Starts, in the order in which a collapse is sought. GO_ON: from where the one before was lost. */
-typedef enum {
-  REST,
-  NEAR_REST,
-  REST_AGAIN,
-  FORCES,
-  START_COUNT,
-  GO_ON = START_COUNT
-} Start;
+/* REST: from no forces; FORCES: from those that are given; GO_ON: from where the one before was lost. */
+typedef enum { REST, FORCES, GO_ON } Start;
 
-/* How collapses are sought. Measured on the six walls and 48 seeded walls of 20 to 600 blocks
+/* How collapses are sought. Measured on the six walls and seeded walls of 20 to 2,500 blocks
  * (docs/experiments/limit-analysis.md). */
 static const struct {
+  double strength[GO_ON + 1]; /* that joints have left at a start, in loads of a block */
+  double large;               /* free blocks; towards as many, growing as they do, */
   double
-    strength[GO_ON + 1]; /* that joints have left at the start, in loads of a block */
-  double coupling[START_COUNT]; /* least one (collapse.h): others find other walls */
-  double large; /* free blocks; from there on starts are from rest, have this coupling, */
-  double coupled;
-  double excess; /* and this share of the power on excess strength (collapse.h) */
+    coupled[2];  /* the least coupling (collapse.h) is that of few and of many blocks, */
+  double excess; /* and the share of the power on excess strength comes to this */
   double
     compliance; /* times the number of free blocks: what a tall wall gives grows with it */
   double softest; /* compliance of a few blocks */
@@ -37,19 +29,13 @@ static const struct {
   double tolerance; /* of one collapse, in tolerances of the multiplier */
   int stiffenings;  /* most, where joints give too much at once */
   int32_t budget;   /* factorisations of the first start, */
-  int32_t long_run; /* of that of a large structure, */
   int32_t again;    /* of each further one until there is a collapse, */
   int32_t stiff;    /* of all, as long as it does not stand still, */
   int32_t spare;    /* and until others are sought beside one that does */
 } search_tuning = {
-  .strength = { [REST] = 10,
-                [NEAR_REST] = 3,
-                [REST_AGAIN] = 10,
-                [FORCES] = 10,
-                [GO_ON] = 0.1 },
-  .coupling = { [REST] = 0.3, [NEAR_REST] = 0.7, [REST_AGAIN] = 0.6, [FORCES] = 0.5 },
+  .strength = { [REST] = 5, [FORCES] = 10, [GO_ON] = 0.1 },
   .large = 2000,
-  .coupled = 0.7,
+  .coupled = { 0.3, 0.7 },
   .excess = 0.5,
   .compliance = 0.03,
   .softest = 1e-3,
@@ -60,7 +46,6 @@ static const struct {
   .tolerance = 0.03,
   .stiffenings = 4,
   .budget = 200,
-  .long_run = 300,
   .again = 150,
   .stiff = 110,
   .spare = 38,
@@ -214,12 +199,10 @@ set_compliance (Search *search, double compliance)
   }
 }
 
-/* Whether iterations stall unless what is left out of the strengths holds the products back. */
-static bool
-is_large (const Search *search)
+static double
+free_blocks (const Search *search)
 {
-  return !search->elastic
-         && search->limit.ip.row_count > QN_DOF_COUNT * search_tuning.large;
+  return search->limit.ip.row_count / (double) QN_DOF_COUNT;
 }
 
 /* One start. A collapse in which joints give too much is none. */
@@ -232,16 +215,18 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
     search_tuning.tolerance * search->model->analysis.multiplier_tolerance;
 
   set_compliance (search, compliance);
-  bool rest = start != FORCES;
+  /* Elastic joints hold little back, whatever the size. */
+  double size =
+    search->elastic ? 0.5 : fmin (1, pow (free_blocks (search) / search_tuning.large, 2));
   if (start == GO_ON)
-    qn_collapse_centre (c, search_tuning.strength[GO_ON]);
+    qn_collapse_centre (c, search_tuning.strength[start]);
   else
-    qn_collapse_start (c, rest ? NULL : search->forces, rest ? 0 : search->multiplier,
-                       search_tuning.strength[start], search_tuning.coupling[start]);
-  if (is_large (search)) {
-    c->least_coupling = search_tuning.coupled;
-    c->excess = search_tuning.excess;
-  }
+    qn_collapse_start (c, start == FORCES ? search->forces : NULL,
+                       start == FORCES ? search->multiplier : 0,
+                       search_tuning.strength[start],
+                       search_tuning.coupled[0]
+                         + size * (search_tuning.coupled[1] - search_tuning.coupled[0]));
+  c->excess = search->elastic ? 0 : size * search_tuning.excess;
   QnCollapseState state = qn_collapse_follow (c, tolerance, budget, go_on_search, search);
   qn_limit_take_effort (c, &search->interval->solution.effort);
   search->cancelled = state == QN_COLLAPSE_CANCELLED;
@@ -256,39 +241,35 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
   return keep (search, compliance, diag);
 }
 
-/* From each start until there is a collapse, with stiffer joints where they give too much, then from
- * rest with softer ones; of a large structure from rest alone. After that with stiffer ones as long as
- * the least multiplier does not stand still; where it does at once, softer joints may lead to another
- * collapse. */
+/* From rest until there is a collapse, with stiffer joints where they give too much, else with softer ones.
+ * After that with stiffer ones as long as the least multiplier does not stand still; where it does at
+ * once, softer joints may lead to another collapse. */
 static QnStatus
 seek_all (Search *search, QnDiag *diag)
 {
   const QnStatistics *effort = &search->interval->solution.effort;
-  double blocks = search->limit.ip.row_count / (double) QN_DOF_COUNT;
-  double compliance = fmin (search_tuning.softest, search_tuning.compliance / blocks);
-  int32_t before = effort->factorizations;
-  bool found = false;
+  double compliance =
+    fmin (search_tuning.softest, search_tuning.compliance / free_blocks (search));
+  int32_t before = effort->factorizations, budget = search_tuning.budget;
+  bool found = false, once = search->known < INFINITY;
   QnStatus status = QN_OK;
-  int start = search->elastic ? FORCES : REST, again = search_tuning.stiffenings;
+  Start start = search->elastic ? FORCES : REST;
+  int left = once ? 1 : 2, stiffenings = search_tuning.stiffenings;
 
-  bool once = search->known < INFINITY;
-
-  for (; start <= (once ? REST : START_COUNT) && !found && !status && !search->cancelled;
-       start = is_large (search) && start == REST ? START_COUNT : start + 1) {
-    if (start == START_COUNT && !search->elastic)
-      compliance *= search_tuning.softer;
-    status = seek (search, start % START_COUNT, compliance,
-                   start != REST       ? search_tuning.again
-                   : is_large (search) ? search_tuning.long_run
-                                       : search_tuning.budget,
-                   &found, diag);
+  while (left > 0 && !found && !status && !search->cancelled) {
+    status = seek (search, start, compliance, budget, &found, diag);
+    budget = search_tuning.again;
     if (!found && !status && !search->cancelled && search->gives == 0 && !search->elastic
         && !once)
-      status = seek (search, GO_ON, compliance, search_tuning.again, &found, diag);
-    if (search->gives > search_tuning.rigid && again-- > 0) {
+      status = seek (search, GO_ON, compliance, budget, &found, diag);
+    if (search->gives > search_tuning.rigid && stiffenings-- > 0) {
       compliance *= 0.5 * search_tuning.rigid / search->gives;
-      start--;
+      continue;
     }
+    left--;
+    if (!found && !search->elastic)
+      compliance *= search_tuning.softer;
+    start = REST;
   }
   while (search->count > 0 && !status && !search->cancelled
          && is_of_interest (search, find_least (search))) {
@@ -298,12 +279,10 @@ seek_all (Search *search, QnDiag *diag)
     if (spent >= (still ? search_tuning.spare : search_tuning.stiff / 2)
         || (still && (search->elastic || once)))
       break;
+    compliance *= still ? search_tuning.softer : search_tuning.stiffer;
+    status = seek (search, REST, compliance, search_tuning.stiff - spent, &found, diag);
     if (still)
-      return seek (search, REST, search_tuning.softer * compliance,
-                   search_tuning.stiff - spent, &found, diag);
-    compliance *= search_tuning.stiffer;
-    status = seek (search, start++ % START_COUNT, compliance, search_tuning.stiff - spent,
-                   &found, diag);
+      break;
   }
   return status;
 }
