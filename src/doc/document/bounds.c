@@ -119,22 +119,11 @@ place_in_interval (double path, double least, double greatest)
   return g_strdup (_ ("It lies within the interval of the laws' own dilatancy."));
 }
 
-char *
-qn_bounds_dup_verdict (const GArray *bounds)
+/* A path below the associative bound, `share` of it. */
+static char *
+compare_to_bound (const GArray *bounds, double path, double least, double share)
 {
-  double path = qn_bounds_find (bounds, QN_BOUND_PATH);
-  double upper = qn_bounds_find (bounds, QN_BOUND_UPPER);
-  double least = qn_bounds_find (bounds, QN_BOUND_LEAST);
   double greatest = qn_bounds_find (bounds, QN_BOUND_GREATEST);
-  if (isnan (path) || isnan (upper))
-    return NULL;
-  double share = (upper - path) / fabs (upper);
-  if (share < -ALIKE)
-    return g_strdup_printf (
-      _ ("The path ends %.1f %% above the upper bound of rigid blocks: its joints or "
-         "displacements are not those of limit analysis, or its increments are too "
-         "large."),
-      -100.0 * share);
   if (share <= ALIKE)
     return g_strdup (_ ("The path reaches the bound of limit analysis to 1 %."));
   if (!isnan (least)) {
@@ -145,4 +134,26 @@ qn_bounds_dup_verdict (const GArray *bounds)
   return g_strdup_printf (_ ("The path ends %.1f %% below the associative bound. "
                              "Dilatancy below friction can be the cause."),
                           100.0 * share);
+}
+
+char *
+qn_bounds_dup_verdict (const GArray *bounds)
+{
+  double path = qn_bounds_find (bounds, QN_BOUND_PATH);
+  double upper = qn_bounds_find (bounds, QN_BOUND_UPPER);
+  double least = qn_bounds_find (bounds, QN_BOUND_LEAST);
+  if (isnan (path) || isnan (upper))
+    return NULL;
+  double share = (upper - path) / fabs (upper);
+  if (share < -ALIKE)
+    return g_strdup_printf (
+      _ ("The path ends %.1f %% above the upper bound of rigid blocks: its joints or "
+         "displacements are not those of limit analysis, or its increments are too "
+         "large."),
+      -100.0 * share);
+  g_autofree char *relation = compare_to_bound (bounds, path, least, share);
+  return g_strdup_printf (
+    _ ("%s To be used: %.4f, the least that was found with the laws "
+       "as they are."),
+    relation, fmin (upper, fmin (path, least))); /* without NaN */
 }

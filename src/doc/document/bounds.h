@@ -30,6 +30,6 @@ GArray *qn_bounds_collect (QnDocument *document);
 /* The value of a kind, NAN where there is none. */
 double qn_bounds_find (const GArray *bounds, QnBoundKind kind);
 
-/* How the numbers stand to each other, in a sentence; NULL where there is only one kind of
+/* How the numbers stand to each other, and which is to be used, in two sentences; NULL where there is only one kind of
  * analysis. The caller frees it. */
 char *qn_bounds_dup_verdict (const GArray *bounds);

@@ -74,6 +74,7 @@ test_agreement (void)
   g_assert_cmpuint (bounds->len, ==, 3); /* no first limit point apart from the last */
   g_autofree char *verdict = qn_bounds_dup_verdict (bounds);
   g_assert_nonnull (strstr (verdict, "reaches the bound"));
+  g_assert_nonnull (strstr (verdict, "To be used: "));
 }
 
 /* "Within the interval" is said of what lies in it, and of nothing else. */
