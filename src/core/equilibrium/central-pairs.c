@@ -33,7 +33,6 @@ qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as, const QnIpTuning *
                                   .cells = pairs->cells,
                                   .bounds = pairs->bounds };
   qn_ip_step_init (&pairs->ip, &pairs->problem, tuning, pool);
-  qn_ip_vector_init (&pairs->near, &pairs->problem, pool);
   pairs->w = qn_pool_alloc (pool, MOST_ROWS * count, sizeof *pairs->w);
   pairs->slips = qn_pool_alloc (pool, count, sizeof *pairs->slips);
   pairs->plastic = qn_pool_alloc (pool, 2 * count, sizeof *pairs->plastic);
@@ -234,28 +233,6 @@ qn_central_pairs_complete (const QnCentralPairs *pairs, QnIpVector *step)
                          pairs->rates[2 * p] * shrink + pairs->ip.right[2 * p],
                          pairs->rates[2 * p + 1] * shrink + pairs->ip.right[2 * p + 1],
                          step);
-}
-
-static void
-copy_state (const QnCentralPairs *pairs, const QnIpVector *from, QnIpVector *to)
-{
-  size_t bytes = (size_t) pairs->problem.bound_count * sizeof (double);
-
-  memcpy (to->y, from->y, 2 * pairs->assembly->pair_count * sizeof (double));
-  memcpy (to->s, from->s, bytes);
-  memcpy (to->z, from->z, bytes);
-}
-
-void
-qn_central_pairs_keep (QnCentralPairs *pairs)
-{
-  copy_state (pairs, &pairs->ip.at, &pairs->near);
-}
-
-void
-qn_central_pairs_come_back (QnCentralPairs *pairs)
-{
-  copy_state (pairs, &pairs->near, &pairs->ip.at);
 }
 
 /* Part of the largest force that dilation beyond a corner may cause. */

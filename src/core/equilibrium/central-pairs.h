@@ -19,9 +19,8 @@ typedef struct QnCentralPairs {
   double *plastic;   /* pairs x 2: plastic elongations q_p */
   double *w;         /* z / s */
   QnIpInverse inverse;
-  QnIpVector near; /* state saved by qn_central_pairs_keep() */
-  double *rates;   /* pairs x 2: elongations by a step, m */
-  double *forces;  /* pairs x 2, N; tangents: x 4, N/m */
+  double *rates;  /* pairs x 2: elongations by a step, m */
+  double *forces; /* pairs x 2, N; tangents: x 4, N/m */
   double *tangents;
 } QnCentralPairs;
 
@@ -52,10 +51,6 @@ void qn_central_pairs_aim (QnCentralPairs *pairs);
 
 /* Sets y and s = G y of a step from `rates`. */
 void qn_central_pairs_complete (const QnCentralPairs *pairs, QnIpVector *step);
-
-/* Saves the state; restores it, after which only qn_central_pairs_take_flow() is allowed. */
-void qn_central_pairs_keep (QnCentralPairs *pairs);
-void qn_central_pairs_come_back (QnCentralPairs *pairs);
 
 /* Writes present forces and their plastic elongations into the assembly's responses. False if a law has no
  * response there or some pair has turned. */

@@ -45,7 +45,7 @@ struct QnCentralPath {
   double viscosity; /* of the step; 0: static */
   const QnTarget *target;
   double target_gap; /* what the target lacks */
-  double *near_u;    /* unknown_count: displacements of the best iterate, */
+  QnIpVector near;   /* the best iterate that may stand if no better one comes */
   double *begun;     /* where the last central path began, */
   double *kept;      /* and from where Newton's method sets out */
   double *lack;      /* out of balance at the iterate, where a part of it is to stay */
@@ -65,13 +65,12 @@ has_joints (const QnAssembly *as)
 typedef struct {
   QnCentralPath *path;
   QnCentralResiduals residuals;
-  double gap;                       /* mean of s z */
-  double elongation;                /* the largest, at least 1 */
-  double complementarity;           /* asked for */
-  double watched_gap;               /* when it had last halved, */
-  int watched_since;                /* and that iteration */
-  bool is_near;                     /* there is an iterate that may stand, */
-  double near_gap, near_multiplier; /* its complementarity and multiplier */
+  double gap;             /* mean of s z */
+  double elongation;      /* the largest, at least 1 */
+  double complementarity; /* asked for */
+  double watched_gap;     /* when it had last halved, */
+  int watched_since;      /* and that iteration */
+  double near_gap;        /* complementarity of path->near, INFINITY without */
 } Increment;
 
 /* Everything at eq->u: residuals, tangents, the pairs of other laws. */
@@ -169,14 +168,15 @@ qn_central_path_new (QnEquilibrium *eq, bool together, QnCentralPath **made)
   path->together = path->may_jump && (together || !as->nonlinear);
   path->kept = qn_pool_alloc (&path->pool, n, sizeof *path->kept);
   path->begun = qn_pool_alloc (&path->pool, n, sizeof *path->begun);
-  path->near_u = qn_pool_alloc (&path->pool, n, sizeof *path->near_u);
   path->lack = qn_pool_alloc (&path->pool, n, sizeof *path->lack);
-  if (qn_central_pairs_init (&path->pairs, &eq->assembly, &tuning) && !path->pool.failed)
+  bool ok = qn_central_pairs_init (&path->pairs, &eq->assembly, &tuning);
+  qn_ip_vector_init (&path->near, &path->pairs.problem, &path->pool);
+  path->pairs.ip.at.v = eq->u;
+  path->pairs.ip.solve = solve_system;
+  if (ok && !path->pool.failed)
     *made = path;
   else
     qn_central_path_free (path);
-  path->pairs.ip.at.v = eq->u;
-  path->pairs.ip.solve = solve_system;
   return *made != NULL;
 }
 
@@ -218,16 +218,14 @@ static void
 keep_near (Increment *increment)
 {
   QnCentralPath *path = increment->path;
-  const QnAssembly *as = &path->eq->assembly;
+  QnIpVector *at = &path->pairs.ip.at;
 
-  if (path->may_jump || (increment->is_near && increment->gap >= increment->near_gap)
+  if (path->may_jump || increment->gap >= increment->near_gap
       || !is_within (increment, NEARLY, path->eq->tolerance))
     return;
-  increment->is_near = true;
   increment->near_gap = increment->gap;
-  increment->near_multiplier = path->eq->multiplier;
-  qn_central_pairs_keep (&path->pairs);
-  memcpy (path->near_u, path->eq->u, (size_t) as->unknown_count * sizeof *path->near_u);
+  at->lambda = path->eq->multiplier;
+  qn_ip_vector_copy (&path->near, at, &path->pairs.problem);
 }
 
 /* Whether the iterate is good enough for Newton's method to finish. */
@@ -291,11 +289,10 @@ fall_back (Increment *increment)
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
 
-  if (!increment->is_near)
+  if (isinf (increment->near_gap))
     return QN_SOLVE_FAILED;
-  qn_central_pairs_come_back (&path->pairs);
-  memcpy (eq->u, path->near_u, (size_t) eq->assembly.unknown_count * sizeof *eq->u);
-  eq->multiplier = increment->near_multiplier;
+  qn_ip_vector_copy (&path->pairs.ip.at, &path->near, &path->pairs.problem);
+  eq->multiplier = path->near.lambda;
   qn_assembly_update_kinematics (&eq->assembly, eq->u);
   return adopt (increment);
 }
@@ -393,7 +390,7 @@ follow_path (Increment *increment, double size, int budget)
   memcpy (path->begun, eq->u, bytes);
   for (int turn = 0;; turn++) {
     increment->complementarity = COMPLEMENTARITY;
-    increment->is_near = false;
+    increment->near_gap = INFINITY;
     qn_central_pairs_start (&path->pairs, size, turn > 0);
     QnSolveStatus status = iterate_path (increment, budget);
     if (status != QN_SOLVE_FAILED || !path->pairs.turned || turn == MOST_TURNS)

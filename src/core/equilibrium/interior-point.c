@@ -16,6 +16,16 @@ qn_ip_vector_init (QnIpVector *vector, const QnIpProblem *p, QnPool *pool)
 }
 
 void
+qn_ip_vector_copy (QnIpVector *to, const QnIpVector *from, const QnIpProblem *p)
+{
+  memcpy (to->y, from->y, 2 * (size_t) p->cell_count * sizeof (double));
+  memcpy (to->v, from->v, (size_t) p->row_count * sizeof (double));
+  memcpy (to->s, from->s, (size_t) p->bound_count * sizeof (double));
+  memcpy (to->z, from->z, (size_t) p->bound_count * sizeof (double));
+  to->lambda = from->lambda;
+}
+
+void
 qn_ip_vector_add (QnIpVector *to, double part, const QnIpVector *step,
                   const QnIpProblem *p)
 {

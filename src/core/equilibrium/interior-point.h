@@ -148,6 +148,9 @@ void qn_ip_answer_cell (const QnIpInverse *inverse, const QnIpProblem *problem,
 /* From a pool. */
 void qn_ip_vector_init (QnIpVector *vector, const QnIpProblem *problem, QnPool *pool);
 
+void qn_ip_vector_copy (QnIpVector *to, const QnIpVector *from,
+                        const QnIpProblem *problem);
+
 /* to += part * step */
 void qn_ip_vector_add (QnIpVector *to, double part, const QnIpVector *step,
                        const QnIpProblem *problem);

@@ -264,14 +264,15 @@ find_growth (QnCollapse *c)
 }
 
 /* What the iterate is. */
-static QnCollapseState
+static QnOutcome
 judge_iterate (const QnCollapse *c, double misfit)
 {
   if (misfit <= 1)
-    return QN_COLLAPSE_FOUND;
+    return QN_OUTCOME_COLLAPSE;
   if (!c->own_flow && qn_collapse_proves_infeasible (c, c->problem))
-    return QN_COLLAPSE_INFEASIBLE;
-  return !c->own_flow && proves_unbounded (c) ? QN_COLLAPSE_UNBOUNDED : QN_COLLAPSE_LOST;
+    return QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+  return !c->own_flow && proves_unbounded (c) ? QN_OUTCOME_UNBOUNDED
+                                              : QN_OUTCOME_NOT_CONVERGED;
 }
 
 /* Takes a step, or regularises more. Returns how much of the step may be gone; *ok is false where there
@@ -296,7 +297,7 @@ step_on (QnCollapse *c, bool *ok)
   return length;
 }
 
-QnCollapseState
+QnOutcome
 qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
                     bool (*go_on) (void *), void *data)
 {
@@ -318,16 +319,17 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
   for (int32_t iteration = 0; ok; iteration++) {
     find_residuals (c);
     double misfit = find_misfit (c, tolerance), length = 0;
-    QnCollapseState state = iteration > 0 ? judge_iterate (c, misfit) : QN_COLLAPSE_LOST;
-    if (state == QN_COLLAPSE_FOUND)
+    QnOutcome state =
+      iteration > 0 ? judge_iterate (c, misfit) : QN_OUTCOME_NOT_CONVERGED;
+    if (state == QN_OUTCOME_COLLAPSE)
       find_growth (c);
     idle = misfit < best ? 0 : idle + 1;
     best = fmin (best, misfit);
-    if (state != QN_COLLAPSE_LOST || iteration == budget || isnan (misfit)
+    if (state != QN_OUTCOME_NOT_CONVERGED || iteration == budget || isnan (misfit)
         || (!c->own_flow && idle == tuning.idle))
       return state;
     if (!go_on (data))
-      return QN_COLLAPSE_CANCELLED;
+      return QN_OUTCOME_CANCELLED;
     ok = factorize_collapse (c);
     if (ok && is_stable (c))
       length = step_on (c, &ok);
@@ -338,7 +340,7 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
     else if (length > tuning.long_step)
       *coupling = fmin (1, *coupling + tuning.more);
   }
-  return QN_COLLAPSE_LOST;
+  return QN_OUTCOME_NOT_CONVERGED;
 }
 
 void

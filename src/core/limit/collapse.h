@@ -32,14 +32,7 @@
 #pragma once
 
 #include "core/limit/interior-point-kkt.h"
-
-typedef enum {
-  QN_COLLAPSE_FOUND,
-  QN_COLLAPSE_INFEASIBLE, /* associative: v and z prove that no forces keep equilibrium */
-  QN_COLLAPSE_UNBOUNDED,  /* associative: y over lambda balances the live load alone */
-  QN_COLLAPSE_LOST,       /* budget spent, or rounding ended the progress */
-  QN_COLLAPSE_CANCELLED
-} QnCollapseState;
+#include "core/result/result.h"
 
 typedef struct QnCollapse {
   QnIpStep ip;                /* its iterate: collapse, or certificate */
@@ -87,10 +80,11 @@ void qn_collapse_centre (QnCollapse *collapse, double strength);
 void qn_collapse_start_elastic (QnCollapse *collapse);
 
 /* Iterates to a collapse with the compliance of the problem's cells and at most `budget` factorisations.
- * FOUND: relative error of the multiplier <= `tolerance`. go_on (data) is called once per iteration; false
- * cancels. */
-QnCollapseState qn_collapse_follow (QnCollapse *collapse, double tolerance,
-                                    int32_t budget, bool (*go_on) (void *), void *data);
+ * COLLAPSE: relative error of the multiplier <= `tolerance`. Associative: DEAD_LOAD_UNSTABLE where v and z prove
+ * that no forces keep equilibrium, UNBOUNDED where y over lambda balances the live load alone. NOT_CONVERGED:
+ * the budget is spent, or rounding ended the progress. go_on (data) is called once per iteration; false cancels. */
+QnOutcome qn_collapse_follow (QnCollapse *collapse, double tolerance, int32_t budget,
+                              bool (*go_on) (void *), void *data);
 
 /* Whether v and z of the iterate prove that no forces keep equilibrium under any multiplier: the dead
  * load does more power along v than the joints can dissipate, and the live load none. `problem`: that of

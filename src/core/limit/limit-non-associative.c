@@ -227,12 +227,12 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
                        search_tuning.coupled[0]
                          + size * (search_tuning.coupled[1] - search_tuning.coupled[0]));
   c->excess = search->elastic ? 0 : size * search_tuning.excess;
-  QnCollapseState state = qn_collapse_follow (c, tolerance, budget, go_on_search, search);
+  QnOutcome state = qn_collapse_follow (c, tolerance, budget, go_on_search, search);
   qn_limit_take_effort (c, &search->interval->solution.effort);
-  search->cancelled = state == QN_COLLAPSE_CANCELLED;
+  search->cancelled = state == QN_OUTCOME_CANCELLED;
   search->gives = 0;
   *found = false;
-  if (state != QN_COLLAPSE_FOUND)
+  if (state != QN_OUTCOME_COLLAPSE)
     return QN_OK;
   const QnIpProblem *p = &search->limit.ip;
   search->gives = compliance * qn_largest (c->ip.at.y, 2 * (size_t) p->cell_count)

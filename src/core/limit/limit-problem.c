@@ -16,20 +16,6 @@ typedef struct Strength {
     compression; /* largest normal forces, INFINITY where there is no limit */
 } Strength;
 
-/* Whether `loose` allows what `tight` does wherever the normal force is within its limits. */
-static bool
-dominates (const QnStrengthRow *tight, const QnStrengthRow *loose,
-           const Strength *strength)
-{
-  double cap = strength->tension, press = strength->compression;
-  bool pressed = isfinite (press) ? loose->limit + loose->normal * press
-                                      >= tight->limit + tight->normal * press
-                                  : loose->normal >= tight->normal;
-
-  return pressed
-         && loose->limit - loose->normal * cap >= tight->limit - tight->normal * cap;
-}
-
 /* The apex of a cone bounds tension as a cut-off does. */
 static void
 restrict_by_spring (Strength *strength, const QnSpring *spring)
@@ -48,10 +34,9 @@ restrict_by_spring (Strength *strength, const QnSpring *spring)
   }
 }
 
-/* Rows with a flow of their own are all kept, but those of one law once. */
+/* All rows of both springs, but those of one law once. */
 static Strength
-pair_strength (const QnLimitProblem *limit, const QnModel *model,
-               const QnContacts *contacts, QnId pair)
+pair_strength (const QnModel *model, const QnContacts *contacts, QnId pair)
 {
   QnPairSprings springs = qn_contacts_pair_springs (model, contacts, (size_t) pair);
   Strength strength = { .tension = INFINITY, .compression = INFINITY };
@@ -59,19 +44,6 @@ pair_strength (const QnLimitProblem *limit, const QnModel *model,
   restrict_by_spring (&strength, &springs.a);
   if (!springs.equal)
     restrict_by_spring (&strength, &springs.b);
-  if (!limit->own_flow) {
-    const Strength all = strength;
-
-    strength.cone_count = 0;
-    for (int j = 0; j < all.cone_count; j++) {
-      bool needed = true;
-      for (int i = 0; i < all.cone_count && needed; i++)
-        needed = i == j || !dominates (&all.cones[i], &all.cones[j], &all)
-                 || (i > j && dominates (&all.cones[j], &all.cones[i], &all));
-      if (needed)
-        strength.cones[strength.cone_count++] = all.cones[j];
-    }
-  }
   return strength;
 }
 
@@ -202,7 +174,7 @@ fill_faces (QnLimitProblem *limit, const QnModel *model, const QnContacts *conta
     limit->groups[ip->group_count++] = group;
     for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
       QnIpCell *cell = &limit->cells[ip->cell_count];
-      Strength strength = pair_strength (limit, model, contacts, p);
+      Strength strength = pair_strength (model, contacts, p);
 
       QnVec2 point = contacts->pairs[p].point;
       double (*on_b)[2] = cell->map + QN_DOF_COUNT;

@@ -126,20 +126,20 @@ qn_limit_take_effort (QnCollapse *engine, QnStatistics *effort)
   engine->kkt.schur.seconds = 0;
 }
 
-static QnCollapseState
+static QnOutcome
 follow_program (LimitRun *run, double least)
 {
   QnCollapse *engine = run->engine;
 
   engine->least_multiplier = least;
-  QnCollapseState state =
+  QnOutcome state =
     qn_collapse_follow (engine, QN_LIMIT_TOLERANCE, QN_COLLAPSE_BUDGET, follow_on, run);
   qn_limit_take_effort (engine, &run->solution->effort);
   return state;
 }
 
 /* The program of the dead load alone; its forces are not needed once some are inside the strength. */
-static QnCollapseState
+static QnOutcome
 follow_dead_load (LimitRun *run)
 {
   QnIpProblem *p = &run->limit->ip;
@@ -149,7 +149,7 @@ follow_dead_load (LimitRun *run)
   p->load_gain = 0;
   run->dead_only = true;
   qn_collapse_start_elastic (run->engine);
-  QnCollapseState state = follow_program (run, 1);
+  QnOutcome state = follow_program (run, 1);
   *p = whole;
   return state;
 }
@@ -208,7 +208,7 @@ find_fall (LimitRun *run, bool *falls, QnDiag *diag)
     qn_collapse_start_elastic (&engine);
     if (qn_collapse_follow (&engine, limit_tuning.fall, QN_COLLAPSE_BUDGET, go_on_limit,
                             run)
-        == QN_COLLAPSE_FOUND) {
+        == QN_OUTCOME_COLLAPSE) {
       memcpy (v, engine.ip.at.v, (size_t) limit->ip.row_count * sizeof *v);
       *falls |= qn_collapse_proves_infeasible (&engine, &limit->ip);
     }
@@ -330,36 +330,37 @@ solve (LimitRun *run, QnDiag *diag)
   QnLimitCheck *check = &solution->check;
   const QnLimitProblem *limit = run->limit;
   QnCollapse *engine = run->engine;
-  QnCollapseState state, dead = QN_COLLAPSE_FOUND;
+  QnOutcome state, dead = QN_OUTCOME_COLLAPSE;
   QnStatus status = QN_OK;
 
   qn_collapse_start_elastic (engine);
   state = follow_program (run, 1);
-  bool falls = state == QN_COLLAPSE_INFEASIBLE;
-  if (state == QN_COLLAPSE_UNBOUNDED) {
+  bool falls = state == QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+  if (state == QN_OUTCOME_UNBOUNDED) {
     qn_limit_problem_forces (limit, engine->ip.at.y,
                              qn_limit_problem_multiplier (limit, engine->ip.at.lambda),
                              solution->forces);
-  } else if (state == QN_COLLAPSE_FOUND || state == QN_COLLAPSE_LOST) {
+  } else if (state == QN_OUTCOME_COLLAPSE || state == QN_OUTCOME_NOT_CONVERGED) {
     take_optimum (run);
-    if (state == QN_COLLAPSE_FOUND && fabs (engine->ip.at.lambda) < limit_tuning.small) {
+    if (state == QN_OUTCOME_COLLAPSE
+        && fabs (engine->ip.at.lambda) < limit_tuning.small) {
       follow_program (run, QN_COLLAPSE_LEAST);
       take_optimum (run);
     }
     falls =
-      !run->stands && state == QN_COLLAPSE_FOUND && run->upper < -QN_LIMIT_TOLERANCE;
+      !run->stands && state == QN_OUTCOME_COLLAPSE && run->upper < -QN_LIMIT_TOLERANCE;
   }
   if (!run->stands && !falls && !run->cancelled)
     dead = follow_dead_load (run);
-  falls |= dead == QN_COLLAPSE_INFEASIBLE;
-  if (falls || dead == QN_COLLAPSE_LOST)
+  falls |= dead == QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+  if (falls || dead == QN_OUTCOME_NOT_CONVERGED)
     status = find_fall (run, &falls, diag);
   if (run->cancelled || falls || status) {
     solution->outcome =
       run->cancelled ? QN_OUTCOME_CANCELLED : QN_OUTCOME_DEAD_LOAD_UNSTABLE;
     return status;
   }
-  if (state == QN_COLLAPSE_UNBOUNDED) {
+  if (state == QN_OUTCOME_UNBOUNDED) {
     solution->outcome = QN_OUTCOME_UNBOUNDED;
     solution->lower_bound = solution->upper_bound = INFINITY;
     return QN_OK;
@@ -370,8 +371,8 @@ solve (LimitRun *run, QnDiag *diag)
     fabs (check->gap) <= limit_tuning.gap
     && fmax (check->static_residual, check->static_violation) <= limit_tuning.residual
     && check->kinematic_violation <= limit_tuning.residual;
-  solution->outcome =
-    state == QN_COLLAPSE_FOUND || proved ? QN_OUTCOME_COLLAPSE : QN_OUTCOME_NOT_CONVERGED;
+  solution->outcome = state == QN_OUTCOME_COLLAPSE || proved ? QN_OUTCOME_COLLAPSE
+                                                             : QN_OUTCOME_NOT_CONVERGED;
   return QN_OK;
 }
 

@@ -47,14 +47,14 @@ go_on (void *data)
   return true;
 }
 
-static QnCollapseState
+static QnOutcome
 follow (QnCollapse *engine)
 {
   qn_collapse_start (engine, NULL, 0, 1, 1);
   return qn_collapse_follow (engine, 1e-9, 100, go_on, NULL);
 }
 
-static QnCollapseState
+static QnOutcome
 solve (QnCollapse *engine, const QnIpProblem *problem)
 {
   g_assert_cmpint (qn_collapse_init (engine, problem, NULL), ==, QN_OK);
@@ -68,7 +68,7 @@ test_optimum (void)
   QnCollapse engine;
 
   slider_init (&slider, 0.65, 0.1);
-  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_FOUND);
+  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat_with_epsilon (engine.ip.at.lambda, 0.75, 1e-8);
   g_assert_cmpfloat_with_epsilon (engine.ip.at.y[0], -1, 1e-8);
   g_assert_cmpfloat_with_epsilon (fabs (engine.ip.at.y[1]), 0.75, 1e-8);
@@ -89,7 +89,7 @@ test_infeasible (void)
 
   slider_init (&slider, 0.65, 0);
   slider.constant[1] = 2;
-  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_INFEASIBLE);
+  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_OUTCOME_DEAD_LOAD_UNSTABLE);
   double power = slider.constant[1] * engine.ip.at.v[1];
   g_assert_cmpfloat (power, >, 0);
   g_assert_cmpfloat_with_epsilon (engine.ip.at.v[0] / engine.ip.at.v[1], 0, 1e-6);
@@ -108,7 +108,7 @@ test_unbounded (void)
   slider_init (&slider, 0.65, 0);
   slider.load[0] = 0.6;
   slider.load[1] = -1;
-  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_UNBOUNDED);
+  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_OUTCOME_UNBOUNDED);
   g_assert_cmpfloat_with_epsilon (engine.ip.at.y[0] / engine.ip.at.lambda, -1, 1e-6);
   g_assert_cmpfloat_with_epsilon (engine.ip.at.y[1] / engine.ip.at.lambda, -0.6, 1e-6);
   qn_collapse_clear (&engine);
@@ -127,7 +127,7 @@ test_no_bounds (void)
   slider.problem.load = NULL;
   slider.problem.load_gain = 0;
   slider.constant[0] = 3;
-  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_FOUND);
+  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat_with_epsilon (engine.ip.at.y[0], -1, 1e-7);
   g_assert_cmpfloat_with_epsilon (engine.ip.at.y[1], -3, 1e-7);
   qn_collapse_clear (&engine);
@@ -163,7 +163,7 @@ test_quadratic (void)
                           .constant = &constant };
   QnCollapse engine;
 
-  g_assert_cmpint (solve (&engine, &problem), ==, QN_COLLAPSE_FOUND);
+  g_assert_cmpint (solve (&engine, &problem), ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat_with_epsilon (engine.ip.at.y[0], -0.75, 1e-6);
   g_assert_cmpfloat_with_epsilon (engine.ip.at.y[2], -0.25, 1e-6);
   qn_collapse_clear (&engine);
@@ -182,10 +182,10 @@ test_empty_row (void)
   slider.problem.row_count = 3;
   slider.problem.constant = constant;
   slider.problem.load = load;
-  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_FOUND);
+  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat_with_epsilon (engine.ip.at.lambda, 0.65, 1e-8);
   constant[2] = 0.1;
-  g_assert_cmpint (follow (&engine), ==, QN_COLLAPSE_INFEASIBLE);
+  g_assert_cmpint (follow (&engine), ==, QN_OUTCOME_DEAD_LOAD_UNSTABLE);
   g_assert_cmpfloat (engine.ip.at.v[2] * constant[2], >, 0);
   qn_collapse_clear (&engine);
 }
@@ -203,10 +203,10 @@ test_redundant_row (void)
   slider.problem.row_count = 3;
   slider.problem.constant = constant;
   slider.problem.load = load;
-  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_COLLAPSE_FOUND);
+  g_assert_cmpint (solve (&engine, &slider.problem), ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat_with_epsilon (engine.ip.at.lambda, 0.65, 1e-8);
   constant[2] = -2;
-  g_assert_cmpint (follow (&engine), ==, QN_COLLAPSE_INFEASIBLE);
+  g_assert_cmpint (follow (&engine), ==, QN_OUTCOME_DEAD_LOAD_UNSTABLE);
   qn_collapse_clear (&engine);
 }
 
@@ -223,7 +223,7 @@ test_project (void)
   g_assert_cmpint (qn_collapse_init (&engine, &slider.problem, NULL), ==, QN_OK);
   qn_collapse_start (&engine, NULL, 0, 1, 1);
   g_assert_cmpint (qn_collapse_follow (&engine, 1e-9, 2, go_on, NULL), ==,
-                   QN_COLLAPSE_LOST);
+                   QN_OUTCOME_NOT_CONVERGED);
   qn_collapse_project (&engine, true, &lambda, y, &residual, &slack);
   g_assert_cmpfloat (residual, <, 1e-12);
   g_assert_cmpfloat (lambda, ==, 0.5);

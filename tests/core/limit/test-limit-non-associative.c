@@ -134,7 +134,7 @@ collapse_at (QnLimitProblem *limit, double compliance, const double *start,
     limit->cells[c].quadratic[0] = limit->cells[c].quadratic[1] = compliance;
   qn_collapse_start (&collapse, start, 0, 10, coupling);
   g_assert_cmpint (qn_collapse_follow (&collapse, 1e-9, 200, always, NULL), ==,
-                   QN_COLLAPSE_FOUND);
+                   QN_OUTCOME_COLLAPSE);
   *growth = collapse.growth;
   double lambda = collapse.ip.at.lambda;
   qn_collapse_clear (&collapse);
