@@ -11,7 +11,6 @@
  */
 #include "core/path/path-trace.h"
 #include "core/base/box.h"
-#include "core/base/memory.h"
 #include "core/base/tolerance.h"
 #include "core/check/second-order-work.h"
 #include "core/check/unlimited.h"
@@ -347,29 +346,6 @@ advance (QnPathTrace *trace)
 
 /* --- The whole path --------------------------------------------------------------------- */
 
-/* The mechanism is the motion of a later state, with other open joints. It is certain for the committed state
- * if no joint closes before the structure has moved as far again as so far, and by QN_PATH_COLLAPSED
- * characteristic lengths; joints whose normal stiffness is below QN_PATH_STEADY do not count. */
-static bool
-judge_mechanism (QnPathTrace *trace, const double *velocity)
-{
-  const QnAssembly *as = &trace->path->equilibrium.assembly;
-  double speed = qn_assembly_largest (as, velocity, NULL);
-  double far = fmax (trace->events.highest_displacement, QN_PATH_COLLAPSED * as->length);
-  double *rates = qn_alloc (2 * as->pair_count, sizeof *rates);
-
-  if (rates == NULL)
-    return false;
-  qn_assembly_elongation_rates (as, velocity, rates);
-  for (size_t p = 0; p < as->pair_count; p++)
-    if (rates[2 * p] < -QN_PATH_STEADY * speed
-        && as->responses[p].tangent[0][0] > QN_PATH_STEADY * as->springs[p].a.kn
-        && qn_assembly_gap (as, p) * speed < -rates[2 * p] * far)
-      trace->path->result->mechanism_uncertain = true;
-  free (rates);
-  return true;
-}
-
 /* How the structure moves on at its highest multiplier: as in the last step, where geometry is linear and
  * motion settles as it grows. In large displacements other joints slide and open as it falls, and the
  * first state below is nearest; where there is none, what relaxation has seen fall. */
@@ -493,14 +469,12 @@ conclude (QnPathTrace *trace)
   result->collapse_multiplier = multiplier;
   qn_path_add_solution (path, trace->measure.procedure,
                         path->origin + path->scale * multiplier);
-  bool ok = true;
-  if (trace->load_control && qn_path_trace_is_linear (trace))
-    ok = judge_mechanism (trace, velocity);
-  else if (trace->load_control && trace->stop == QN_STOP_FALL)
+  if (trace->load_control && !qn_path_trace_is_linear (trace)
+      && trace->stop == QN_STOP_FALL)
     settle_velocity (trace);
   if (trace->load_control)
     qn_path_events_take_mechanism (&trace->events, velocity);
-  return ok && qn_path_record_mechanism (path, velocity, NULL) == QN_OK;
+  return qn_path_record_mechanism (path, velocity, NULL) == QN_OK;
 }
 
 /* Load control in large displacements, after the path has turned down or no step converges: relaxes the
