@@ -164,8 +164,7 @@ wants_bound (const QnModel *model, const QnContacts *contacts, const QnResult *r
  * collapses below it that are proved. NO_MEMORY is the only error. */
 static QnStatus
 solve_rigid (const QnModel *model, const QnContacts *contacts, double known,
-             QnProgressFunc report, void *report_data, QnResult *found, QnResult *result,
-             QnDiag *diag)
+             QnBudget *budget, QnResult *found, QnResult *result, QnDiag *diag)
 {
   double start = qn_clock_seconds ();
   QnModel rigid = *model;
@@ -174,7 +173,7 @@ solve_rigid (const QnModel *model, const QnContacts *contacts, double known,
   rigid.analysis.flow = known < INFINITY ? QN_FLOW_NON_ASSOCIATIVE : QN_FLOW_ASSOCIATIVE;
   *found = (QnResult){ 0 };
   QnStatus status =
-    qn_limit_run (&rigid, contacts, known, report, report_data, found, NULL);
+    qn_limit_run (&rigid, contacts, known, qn_budget_go_on, budget, found, NULL);
   bool bounded = status == QN_OK && found->has_associative_bound;
   if (status == QN_OK && known < INFINITY)
     status = qn_result_prove (&rigid, contacts, found, NULL);
@@ -187,10 +186,12 @@ solve_rigid (const QnModel *model, const QnContacts *contacts, double known,
   return status == QN_ERROR_NO_MEMORY ? qn_diag_no_memory (diag) : QN_OK;
 }
 
-QnStatus
-qn_path_add_bound (const QnModel *model, const QnContacts *contacts,
-                   QnProgressFunc report, void *report_data, QnResult *result,
-                   bool *cancelled, QnDiag *diag)
+/* Adds the associative bound (the largest multiplier with forces in balance and within the strength of all
+ * joints, in the undeformed geometry), unless it is not asked for or limit analysis does not apply, and proved
+ * collapses below that of the path. */
+static QnStatus
+add_bound (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
+           QnResult *result, QnDiag *diag)
 {
   QnResult found;
   bool may_be_lower =
@@ -202,10 +203,9 @@ qn_path_add_bound (const QnModel *model, const QnContacts *contacts,
     return QN_OK;
   QnStatus status =
     solve_rigid (model, contacts, may_be_lower ? result->collapse_multiplier : INFINITY,
-                 report, report_data, &found, result, diag);
+                 budget, &found, result, diag);
   result->has_associative_bound = found.has_associative_bound;
   result->associative_bound = found.has_associative_bound ? found.associative_bound : 0;
-  *cancelled = found.outcome == QN_OUTCOME_CANCELLED;
   for (int32_t i = 0; may_be_lower && i < found.solution_count; i++)
     if (found.solutions[i].multiplier < result->collapse_multiplier)
       qn_result_add_solution (result, found.solutions[i]);
@@ -231,8 +231,7 @@ add_broken_bound (const QnModel *model, const QnContacts *contacts, QnBudget *bu
   memcpy (dry.laws, model->laws, model->law_count * sizeof *dry.laws);
   for (size_t i = 0; i < model->law_count; i++)
     qn_law_break_bond (&dry.laws[i]);
-  QnStatus status =
-    solve_rigid (&dry, contacts, INFINITY, qn_budget_go_on, budget, &found, result, diag);
+  QnStatus status = solve_rigid (&dry, contacts, INFINITY, budget, &found, result, diag);
   bool collapses = found.outcome == QN_OUTCOME_COLLAPSE;
   result->has_broken_bound = collapses || found.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE;
   result->broken_bound = collapses ? found.collapse_multiplier : 0;
@@ -401,7 +400,7 @@ static QnStatus
 run (const QnModel *model, const QnContacts *contacts, QnBudget *budget, QnResult *result,
      QnDiag *diag)
 {
-  bool softens, cancelled;
+  bool softens;
 
   if (model->analysis.procedure == QN_PROCEDURE_LIMIT) {
     QnStatus status =
@@ -417,8 +416,7 @@ run (const QnModel *model, const QnContacts *contacts, QnBudget *budget, QnResul
   if (status == QN_OK && is_unbounded (model, result))
     result->outcome = QN_OUTCOME_UNBOUNDED;
   if (status == QN_OK && result->has_collapse_multiplier)
-    status = qn_path_add_bound (model, contacts, qn_budget_go_on, budget, result,
-                                &cancelled, diag);
+    status = add_bound (model, contacts, budget, result, diag);
   if (status == QN_OK && result->has_collapse_multiplier)
     status = hold_at_lower (model, contacts, budget, result, diag);
   return status == QN_OK && result->has_collapse_multiplier

@@ -172,28 +172,3 @@ qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status)
   }
   return status != QN_SOLVE_NO_MEMORY;
 }
-
-bool
-qn_path_end_at_bound (QnPathTrace *trace)
-{
-  QnPath *path = trace->path;
-  QnEquilibrium *eq = &path->equilibrium;
-  QnResult *result = path->result;
-  bool cancelled = false;
-
-  if (result->outcome != QN_OUTCOME_NOT_CONVERGED || !may_end_on_plateau (trace))
-    return true;
-  QnStatus status = qn_path_add_bound (path->model, eq->assembly.contacts, eq->report,
-                                       eq->report_data, result, &cancelled, NULL);
-  if (cancelled)
-    qn_path_end_finish (trace, QN_OUTCOME_CANCELLED, QN_STOP_CANCELLED);
-  if (!result->has_associative_bound)
-    return status == QN_OK;
-  double least = (1 - path->settings->multiplier_tolerance) * result->associative_bound;
-  result->has_associative_bound = least > 0 && trace->events.highest >= least;
-  if (result->has_associative_bound) {
-    qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
-    result->mechanism_uncertain = true;
-  }
-  return status == QN_OK;
-}

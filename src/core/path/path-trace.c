@@ -437,7 +437,7 @@ conclude (QnPathTrace *trace)
   QnResult *result = path->result;
   double *velocity = eq->motion;
 
-  if (!qn_path_hold_beyond (trace) || !qn_path_end_at_bound (trace))
+  if (!qn_path_hold_beyond (trace))
     return false;
   find_velocity (trace, velocity);
   /* A stage that has only taken its loads back, against which they have worked, has no highest multiplier of

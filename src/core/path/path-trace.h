@@ -108,10 +108,6 @@ void qn_path_end_check (QnPathTrace *trace);
  * below return false when memory runs out. */
 bool qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status);
 
-/* A path without other conclusion ends with collapse, mechanism unknown, if its highest multiplier is the
- * associative bound within multiplier_tolerance. */
-bool qn_path_end_at_bound (QnPathTrace *trace);
-
 /* Whether the multiplier rose by at most this part of itself while the motion doubled last. If the multiplier
  * follows collapse - constant / motion, the remaining gain is as large. */
 bool qn_path_end_creeps (const QnPathTrace *trace, double part);

@@ -94,11 +94,3 @@ QnStatus qn_path_record_mechanism (QnPath *path, const double *velocity, QnDiag 
  * is set and nothing recorded if the multiplier must fall to reach the control target: the driven loads do
  * negative work in the first step, or positive work leads away from the target. */
 QnStatus qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag);
-
-/* Adds the associative bound (the largest multiplier with forces in balance and within the strength of all
- * joints, in the undeformed geometry) to the result of a path in linear geometry. Adds nothing if
- * analysis.bound asks for none, the result has one, or limit analysis does not apply or does not converge.
- * *cancelled: `report` returned false. NO_MEMORY is the only error. */
-QnStatus qn_path_add_bound (const QnModel *model, const QnContacts *contacts,
-                            QnProgressFunc report, void *report_data, QnResult *result,
-                            bool *cancelled, QnDiag *diag);
