@@ -15,13 +15,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Bounds agree to this, relative to 1 + multiplier. */
-#define AGREE 1e-5
-
-/* A rate turns away from what a joint carries where it does so by more than this part of the largest
- * velocity: rounding of a linear program. */
-#define AWAY 1e-6
-
 enum { MOST_SIDES = 4 * QN_STRENGTH_ROWS };
 
 /* A side of a strength: a . f <= b. */
@@ -119,7 +112,7 @@ kinematic_multiplier (QnCheck *check)
     double away;
     dissipated += dissipation (&as->springs[p], rates + 2 * p,
                                QN_CHECK_STATE * 1e-6 * check->scale, &away);
-    if (away > AWAY * largest)
+    if (away > QN_CHECK_TOLERANCE * largest)
       return NAN;
     dissipated += away * hypot (pair->normal_force, pair->shear_force);
   }
@@ -132,7 +125,7 @@ kinematic_multiplier (QnCheck *check)
 static bool
 agree (double stated, double found)
 {
-  return qn_check_agrees (stated, found, AGREE * (1 + fabs (found)));
+  return qn_check_agrees (stated, found, QN_CHECK_FORCES * (1 + fabs (found)));
 }
 
 /* The solution that a path has met is its collapse, with the displacement of a step of that multiplier. */
@@ -144,7 +137,7 @@ is_met (const QnCheck *check, const QnSolution *solution)
   for (size_t i = 0; i < result->step_count; i++) {
     double moved = qn_result_motion (result, 0, i);
     if (agree (result->steps[i].multiplier, solution->multiplier)
-        && qn_check_agrees (solution->displacement, moved, AGREE * moved))
+        && qn_check_agrees (solution->displacement, moved, QN_CHECK_FORCES * moved))
       return agree (solution->multiplier, result->collapse_multiplier);
   }
   return false;
@@ -197,8 +190,8 @@ check_solutions (QnCheck *check)
   if (fixed_points && !agree (limit->upper_bound, greatest))
     tell_interval (check, limit->upper_bound, greatest);
   if (result->has_associative_bound
-      && !(greatest
-           <= result->associative_bound + AGREE * (1 + fabs (result->associative_bound))))
+      && !(greatest <= result->associative_bound
+                         + QN_CHECK_FORCES * (1 + fabs (result->associative_bound))))
     tell_interval (check, greatest, result->associative_bound);
 }
 
@@ -280,7 +273,8 @@ check_fall (QnCheck *check)
     slowest = fmin (slowest, speed);
   }
   /* A path takes the larger of shift and turn for the speed. */
-  if (!(named >= 0.5 * fastest && slowest > QN_UNSTABLE_RIGID * fastest * (1 - AGREE)))
+  if (!(named >= 0.5 * fastest
+        && slowest > QN_UNSTABLE_RIGID * fastest * (1 - QN_CHECK_FORCES)))
     qn_check_tell_model (check, QN_CLAIM_OUTCOME, QN_NONE, NAN, NAN);
   qn_assembly_set_loads (as, none, none);
   memset (check->u, 0, (size_t) as->unknown_count * sizeof *check->u);

@@ -6,10 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Depth of a corner in another block that no contact has to answer for, over the size of the smallest
- * block. */
-#define NO_DEPTH 1e-6
-
 static bool
 is_side (const QnSides *sides, const QnFoundContact *contact)
 {
@@ -194,8 +190,8 @@ qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag)
   for (size_t i = 0; i < follow->count; i++) {
     const QnFoundContact *c = &follow->found[i];
     if (follow->active[i] && !stated[i]
-        && is_within (follow, c, until, NO_DEPTH * smallest)
-        && is_within (follow, c, rows, NO_DEPTH * smallest))
+        && is_within (follow, c, until, QN_CHECK_TOLERANCE * smallest)
+        && is_within (follow, c, rows, QN_CHECK_TOLERANCE * smallest))
       qn_check_tell (check, QN_CLAIM_FORCES, (QnId) step, QN_ENTITY_BLOCK, c->other, 0,
                      qn_contact_follow_place (follow, c, rows).apart);
   }

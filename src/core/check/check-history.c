@@ -8,9 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Steps and rows of the history that fall together, in lengths of a row. */
-#define SAME_TIME 1e-6
-
 /* Rows are as far apart as the first two, but for the last, which comes before the end or with it; that is the
  * last step's. */
 static void
@@ -19,16 +16,16 @@ check_times (QnCheck *check)
   const QnHistory *h = &check->result->history;
   double end = check->result->steps[check->result->step_count - 1].time;
   double apart = h->row_count > 1 ? h->rows[h->width] - h->rows[0] : 0;
-  bool in_order = qn_check_agrees (h->end, end, SAME_TIME * end);
+  bool in_order = qn_check_agrees (h->end, end, QN_CHECK_TOLERANCE * end);
 
   for (size_t i = 1; i < h->row_count; i++) {
     const double *row = h->rows + i * h->width;
     double time = row[QN_HISTORY_TIME];
     in_order = in_order
-               && (i + 1 < h->row_count
-                     ? qn_check_agrees (time, apart * (double) i, SAME_TIME * apart)
-                     : time > (row - h->width)[QN_HISTORY_TIME]
-                         && time <= end + SAME_TIME * apart);
+               && (i + 1 < h->row_count ? qn_check_agrees (time, apart * (double) i,
+                                                           QN_CHECK_TOLERANCE * apart)
+                                        : time > (row - h->width)[QN_HISTORY_TIME]
+                                            && time <= end + QN_CHECK_TOLERANCE * apart);
   }
   if (!in_order)
     qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_ANALYSIS, QN_NONE, h->end,
@@ -74,7 +71,7 @@ find_row (const QnCheck *check, size_t step)
       || !(place >= 0 && place < (double) h->row_count))
     return NULL;
   const double *row = h->rows + (size_t) place * h->width;
-  return fabs (row[QN_HISTORY_TIME] - time) <= SAME_TIME * apart ? row : NULL;
+  return fabs (row[QN_HISTORY_TIME] - time) <= QN_CHECK_TOLERANCE * apart ? row : NULL;
 }
 
 /* Unknowns from the velocities of bodies; supports have none, and nodes on blocks ride with them. */

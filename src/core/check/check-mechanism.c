@@ -10,9 +10,6 @@
  * structure begins to move. */
 #define RATE 0.02
 
-/* A strength is reached within this part of the largest force. */
-#define LITTLE 1e-2
-
 /* Rates at which a pair may part and slide when it has this force. */
 typedef struct {
   bool opens, closes,
@@ -83,7 +80,7 @@ check_joint (QnCheck *check, size_t p, const double rate[2], double none)
                             pair != NULL ? pair->shear_force : found->shear };
   const QnPairSprings *springs = &as->springs[p];
   QnStrengthRow rows[QN_STRENGTH_ROWS];
-  double little = LITTLE * check->scale;
+  double little = QN_CHECK_LITTLE * check->scale;
 
   /* Laws without strength rows are not checked. */
   if (qn_spring_strength (&springs->a, rows) == 0
@@ -129,7 +126,7 @@ check_beams (QnCheck *check, double none)
     bool flows = fabs (rate[0]) <= none;
     for (int end = 0; end < 2; end++) {
       double moment = beams->responses[e].force[1 + end], turn = rate[1 + end];
-      bool yields = fabs (moment) >= (1 - LITTLE) * p->moments[end];
+      bool yields = fabs (moment) >= (1 - QN_CHECK_LITTLE) * p->moments[end];
       flows = flows
               && (p->moments[end] == 0 || fabs (turn) * p->length <= none
                   || (yields && turn * moment > 0));
@@ -300,7 +297,7 @@ qn_check_mechanism (QnCheck *check)
   for (size_t p = 0; p < as->pair_count; p++)
     if (!as->inactive[p])
       check_joint (check, p, rates + 2 * p, none);
-  check_tie_rates (check, none, LITTLE * check->scale);
+  check_tie_rates (check, none, QN_CHECK_LITTLE * check->scale);
   if (!as->nonlinear)
     check_beams (check, none);
 }

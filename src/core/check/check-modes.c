@@ -5,13 +5,6 @@
 
 #include <math.h>
 
-/* What is left of the stiffness against a buckling mode where stability is lost: the multiplier is
- * resolved to 1e-7 of itself, and stiffness is lost at least like the root of what is missing. */
-#define LEFT 1e-2
-
-/* A critical multiplier is next to that of the last stable step by this part of the tolerance. */
-#define NEXT 1e-3
-
 static QnStatus
 check_vibration (QnCheck *check, size_t step, QnDiag *diag)
 {
@@ -70,14 +63,15 @@ check_stability (QnCheck *check, size_t step, QnDiag *diag)
     check->stiffness_at_rest = find_stiffness (check);
   if (!ends)
     return QN_OK;
-  double tolerance = NEXT * check->model->analysis.multiplier_tolerance * fabs (lost);
+  double tolerance =
+    QN_CHECK_STRAIN * check->model->analysis.multiplier_tolerance * fabs (lost);
   if (!(lost >= at && lost - at <= tolerance))
     qn_check_tell_model (check, QN_CLAIM_FIRST_LIMIT, (QnId) step, lost, at);
   if (result->mechanism == NULL)
     qn_check_tell_model (check, QN_CLAIM_MODE, (QnId) step, NAN, NAN);
   else if (step > 0 && !result->mechanism_uncertain) {
     double stiffness = find_stiffness (check);
-    if (!(stiffness <= LEFT * check->stiffness_at_rest))
+    if (!(stiffness <= QN_CHECK_LITTLE * check->stiffness_at_rest))
       qn_check_tell_model (check, QN_CLAIM_MODE, (QnId) step,
                            stiffness / check->stiffness_at_rest, 0);
   }

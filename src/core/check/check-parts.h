@@ -6,11 +6,13 @@
 #include "core/contact/contact-follow.h"
 #include "core/linalg/inertia.h"
 
-/* Tolerance of balance and strength over the largest force; at least 10 x the project's residual tolerance. */
+/* Tolerance of balance and strength over the largest force, at least 10 x the project's residual tolerance; of
+ * corners within blocks over the smallest block; of times over the length of a row of the history; of rates that
+ * turn away from what a joint carries over the largest velocity (rounding of a linear program). */
 #define QN_CHECK_TOLERANCE 1e-6
 
 /* Tolerance of forces computed from displacements, over the largest force: the central path leaves small
- * forces in open joints. */
+ * forces in open joints; of multipliers of bounds, over 1 + multiplier. */
 #define QN_CHECK_FORCES 1e-5
 
 /* Rounding of displacements, relative to the largest. */
@@ -20,8 +22,13 @@
 #define QN_CHECK_DIGITS 5e-8
 
 /* Tolerance of elongations computed from forces and flow (residual of the central path), over the largest
- * change of an elongation in the step. */
+ * change of an elongation in the step; of a critical multiplier, over the multiplier tolerance. */
 #define QN_CHECK_STRAIN 1e-3
+
+/* In a mechanism a strength is reached within this part of the largest force. Where stability is lost so much
+ * is left of the stiffness against the mode: the multiplier is resolved to 1e-7 of itself, and stiffness is
+ * lost at least like the root of what is missing. */
+#define QN_CHECK_LITTLE 1e-2
 
 /* Zero forces and reached strengths are judged to this part of the largest force. */
 #define QN_CHECK_STATE 1e-4

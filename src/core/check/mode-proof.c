@@ -6,9 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Squares of frequencies that differ by less than this part are taken for one. */
-#define APART 1e-6
-
 QnStatus
 qn_mode_proof_init (QnModeProof *proof, QnAssembly *as, double multiplier, bool sliding,
                     QnDiag *diag)
@@ -99,7 +96,7 @@ count_below (QnModeProof *proof, double square, int32_t *count)
 bool
 qn_mode_proof_count (QnModeProof *proof, double square, int32_t *below, int32_t *up_to)
 {
-  double apart = APART * fabs (square) + QN_MODE_ZERO * proof->largest;
+  double apart = QN_MODE_RESIDUAL * fabs (square) + QN_MODE_ZERO * proof->largest;
 
   return count_below (proof, square - apart, below)
          && count_below (proof, square + apart, up_to);

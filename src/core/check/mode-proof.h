@@ -9,7 +9,8 @@
 #include "core/assembly/assembly.h"
 #include "core/linalg/inertia.h"
 
-/* Tolerance of a mode's residual over |K| |x|, and of orthonormality in the metric of M. */
+/* Tolerance of a mode's residual over |K| |x|, of orthonormality in the metric of M, and of squares of
+ * frequencies that are taken for one. */
 #define QN_MODE_RESIDUAL 1e-6
 
 /* Squares of frequencies below this part of the largest stiffness over mass are rounding. */

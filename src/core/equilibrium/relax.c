@@ -14,9 +14,9 @@
 
 /* Tuning. A step that converges within QUICK iterations lets the next one be LONGER times as long, one that
  * fails is repeated SHORTER times as short. */
-#define NEWTON_BUDGET   12 /* of a viscous step; more means that it is too long */
+#define NEWTON_BUDGET                                                                    \
+  12 /* of a viscous step; more: it is too long; as many: the next is half as long */
 #define QUICK           6
-#define SLOW            12 /* then the next one is half as long */
 #define LONGER          4
 #define SHORTER         8
 #define FIRST_VISCOSITY 0.01 /* soft enough to cross a small jump at once */
@@ -240,7 +240,7 @@ growth (Relaxation *relaxation, int iterations)
                   && relaxation->viscosity / LONGER <= relaxation->failed;
 
   relaxation->waits -= relaxation->waits > 0;
-  if (iterations >= SLOW)
+  if (iterations >= NEWTON_BUDGET)
     return 0.5;
   return iterations <= QUICK && !may_fail ? LONGER : 1;
 }

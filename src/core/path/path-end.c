@@ -41,7 +41,7 @@ may_move_on (QnPathTrace *trace, double motion)
   qn_assembly_update_kinematics (as, last_u);
   qn_equilibrium_note_gaps (eq);
   qn_assembly_update_kinematics (as, eq->u);
-  return !qn_equilibrium_is_closing (eq, QN_PATH_STEADY
+  return !qn_equilibrium_is_closing (eq, QN_PATH_NONE
                                            * qn_assembly_largest (as, eq->u, last_u))
          && !qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
 }

@@ -127,7 +127,7 @@ qn_path_events_observe (QnPathEvents *events, bool jumped, bool *snap)
   events->energy += (events->highest - 0.5 * (from + to))
                     * qn_equilibrium_live_work (eq, eq->committed.u);
   if (!qn_path_events_climbs (events)) {
-    events->below = events->below || to < (1 - QN_PATH_DIP) * events->highest;
+    events->below = events->below || to < (1 - QN_PATH_PLATEAU) * events->highest;
     return true;
   }
   if ((events->below || jumped) && events->highest > events->least) {

@@ -69,7 +69,7 @@ find_motion (QnPath *path, double *diagonal)
     diagonal[i] = as->ax[as->diagonal[i]];
     low = fmin (low, -2 * fabs (diagonal[i]));
   }
-  for (int k = 0; k < QN_PATH_EIGENVALUE; k++) {
+  for (int k = 0; k < QN_PATH_BISECTIONS; k++) {
     double middle = 0.5 * (low + high);
     for (int32_t i = 0; i < as->unknown_count; i++)
       as->ax[as->diagonal[i]] = diagonal[i] - middle;

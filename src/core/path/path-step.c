@@ -92,8 +92,7 @@ solve_statically (QnPathTrace *trace, const QnTarget *target)
   trace->means = QN_FOUND_BY_NEWTON;
   trace->straight = false;
   if (qn_path_predictor_go (&trace->predictor, eq, target->advance)) {
-    status =
-      refuse_unstable (trace, qn_equilibrium_newton (eq, target, 0, QN_PREDICTED_BUDGET));
+    status = refuse_unstable (trace, qn_equilibrium_newton (eq, target, 0, QN_PATH_EASY));
     if (status != QN_SOLVE_FAILED)
       return status;
     qn_equilibrium_restore (eq);
@@ -110,7 +109,7 @@ solve_statically (QnPathTrace *trace, const QnTarget *target)
   trace->means = QN_FOUND_BY_CENTRAL_PATH;
   eq->orientation =
     trace->orientation; /* should Newton's method find nothing left to do */
-  status = qn_central_path_solve (trace->central, target, 0, QN_CENTRAL_BUDGET);
+  status = qn_central_path_solve (trace->central, target, 0, QN_PATH_TRIED);
   return qn_path_trace_is_linear (trace) ? status : refuse_unstable (trace, status);
 }
 
@@ -231,8 +230,7 @@ is_across (const QnPathTrace *trace)
   size_t n = (size_t) as->unknown_count;
 
   return fabs (qn_dot (live, motion, n))
-         <= QN_PATH_SAME_BRANCH
-              * sqrt (qn_dot (live, live, n) * qn_dot (motion, motion, n));
+         <= QN_PATH_NONE * sqrt (qn_dot (live, live, n) * qn_dot (motion, motion, n));
 }
 
 /* Whether the structure can stay at the equilibrium just solved under its loads; or MECHANISM, with
@@ -252,7 +250,7 @@ look_across (QnPathTrace *trace)
   return status;
 }
 
-/* Whether the distance to the last unstable equilibrium is at most QN_PATH_SAME_BRANCH of the motion. */
+/* Whether the distance to the last unstable equilibrium is at most QN_PATH_NONE of the motion. */
 static bool
 is_same_branch (const QnPathTrace *trace)
 {
@@ -260,7 +258,7 @@ is_same_branch (const QnPathTrace *trace)
   const QnAssembly *as = &eq->assembly;
   double moved = qn_assembly_largest (as, eq->u, trace->events.rest);
 
-  return qn_assembly_largest (as, eq->u, eq->anchor.u) <= QN_PATH_SAME_BRANCH * moved;
+  return qn_assembly_largest (as, eq->u, eq->anchor.u) <= QN_PATH_NONE * moved;
 }
 
 /* Where the branch of a path that climbs loses its stability within a step, *step on entry: CONVERGED with
@@ -289,7 +287,7 @@ find_end_of_branch (QnPathTrace *trace, double *step)
       from = eq->multiplier;
     } else
       break; /* stable after all */
-    if (k == QN_PATH_MOST_BISECTIONS || to - from <= tolerance * fabs (to)) {
+    if (k == QN_PATH_BISECTIONS || to - from <= tolerance * fabs (to)) {
       status = probe (trace, low);
       if (status != QN_SOLVE_CONVERGED || !is_same_branch (trace))
         break;
@@ -348,10 +346,9 @@ solve_nonlinear (QnPathTrace *trace, double *step)
     bool smallest = fabs (*step) <= QN_PATH_SMALLEST_STEP * trace->largest;
     trace->refused = false;
     QnSolveStatus status =
-      relaxes
-        ? qn_equilibrium_relax (eq, NULL, &target, far, NULL,
-                                smallest ? QN_RELAX_BUDGET_HELD : QN_RELAX_BUDGET_HINT)
-        : solve_statically (trace, &target);
+      relaxes ? qn_equilibrium_relax (eq, NULL, &target, far, NULL,
+                                      smallest ? QN_RELAX_BUDGET_HELD : QN_PATH_TRIED)
+              : solve_statically (trace, &target);
     if (relaxes)
       trace->means = QN_FOUND_BY_RELAXATION;
     bool judged = looks && status == QN_SOLVE_CONVERGED;

@@ -45,7 +45,7 @@ growth (const QnPathTrace *trace)
   if (!trace->load_control)
     return QN_PATH_GROWTH; /* the states between are part of the answer */
   if (!trace->may_jump)
-    return QN_PATH_GROWTH_SURE;
+    return 1 / QN_PATH_CUT;
   bool steady = qn_path_trace_is_linear (trace) && trace->central != NULL
                 && trace->measure.procedure == QN_PROCEDURE_WORK
                 && turn_of_motion (trace) < QN_PATH_TURN;

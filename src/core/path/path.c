@@ -74,7 +74,7 @@ qn_path_follow_contacts (QnPath *path, bool *changed, QnDiag *diag)
 
   qn_equilibrium_restore (eq);
   QnStatus status = qn_moving_contacts_update (
-    &path->moving, eq, QN_PATH_LIST_CONTACTS * eq->assembly.length,
+    &path->moving, eq, 2 * QN_PATH_LARGEST_MOTION * eq->assembly.length,
     (double) path->result->step_count, path->result, changed, diag);
   if (status != QN_OK || !*changed)
     return status;
@@ -168,7 +168,7 @@ find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
       || (qn_assembly_may_jump (&eq->assembly) ? !stands || !qn_path_slips (&eq->assembly)
                                                : solve != QN_SOLVE_FAILED))
     return solve;
-  solve = qn_central_path_solve (central, &target, 0, QN_CENTRAL_BUDGET);
+  solve = qn_central_path_solve (central, &target, 0, QN_PATH_TRIED);
   if (solve != QN_SOLVE_FAILED || !stands)
     return solve;
   qn_equilibrium_restore (eq);
@@ -198,7 +198,7 @@ let_settle (QnEquilibrium *eq, QnCentralPath *central)
     qn_equilibrium_save (eq, &eq->anchor);
   if (linear && qn_assembly_may_jump (&eq->assembly)) {
     qn_equilibrium_restore (eq);
-    solve = qn_central_path_solve (central, &target, 0, QN_CENTRAL_BUDGET);
+    solve = qn_central_path_solve (central, &target, 0, QN_PATH_TRIED);
     if (solve != QN_SOLVE_FAILED) {
       eq->assembly.commits = commits; /* the motion is undone */
       return solve;

@@ -1,23 +1,22 @@
 /* Parameters of the path. Numbers without a unit are ratios. Effects of other values: docs/experiments. */
 #pragma once
 
-/* Newton iterations: limit of a step; limit from a predicted state; limit of an easy step, after which the
- * next one is longer. */
-#define QN_NEWTON_BUDGET    20
-#define QN_PREDICTED_BUDGET 6
-#define QN_PATH_EASY        6
+/* Newton iterations: limit of a step; limit of an easy step, after which the next one is longer, and from a
+ * predicted state. */
+#define QN_NEWTON_BUDGET 20
+#define QN_PATH_EASY     6
 
-#define QN_CENTRAL_BUDGET    40    /* factorisations of one increment */
-#define QN_RELAX_BUDGET_HINT 40    /* viscous steps before a step is cut */
+/* Before a step is cut: factorisations along the central path, and viscous steps. */
+#define QN_PATH_TRIED        40
 #define QN_RELAX_BUDGET_HELD 10000 /* viscous steps of the shortest step, measure held */
 #define QN_PATH_FALL_TOLD    50 /* viscous steps under dead load to find falling blocks */
 
 /* After an easy step the next one is GROWTH times longer; STEADY times if the direction of motion changed by
- * less than TURN; SURE times if the structure cannot jump. Long steps may cause slip that is not on the path. */
+ * less than TURN; 1 / CUT times if the structure cannot jump. Long steps may cause slip that is not on the
+ * path. */
 #define QN_PATH_GROWTH        1.5
 #define QN_PATH_GROWTH_STEADY 2
 #define QN_PATH_TURN          0.25
-#define QN_PATH_GROWTH_SURE   4
 
 /* First load step, x the multiplier at which the largest live load on a block equals the largest dead load,
  * regardless of `increments`; after failures it is cut to LEAST_START of itself. */
@@ -25,10 +24,9 @@
 #define QN_PATH_LEAST_START (1.0 / 256)
 
 /* Longest step: LARGEST_STEP first steps in displacement control; LARGEST_MOTION characteristic lengths in
- * large displacements. Corners within LIST_CONTACTS characteristic lengths are listed: two such steps. */
+ * large displacements. Corners within two such steps are listed. */
 #define QN_PATH_LARGEST_STEP   4
 #define QN_PATH_LARGEST_MOTION 0.05
-#define QN_PATH_LIST_CONTACTS  0.1
 
 /* A step that fails or jumps is cut by CUT: in linear geometry MOST_CUTS times before relaxation; in large
  * displacements by Newton's method down to CUT^MOST_CUTS, by relaxation to SMALLEST_STEP of the largest step.
@@ -45,12 +43,11 @@
 
 #define QN_PATH_LEAN 0.01 /* first motion from an unstable equilibrium / allowed motion */
 
-/* Plateau of non-associative joints: the multiplier changes by at most PLATEAU while the motion grows
- * PLATEAU_GROWTH times; if no further step converges, by at most LEAST_GAIN while the motion doubled. */
+/* Plateau of non-associative joints: the multiplier changes by at most PLATEAU, as it does where it does not
+ * dip, while the motion grows PLATEAU_GROWTH times; if no further step converges, by at most LEAST_GAIN while the motion doubled. */
 #define QN_PATH_PLATEAU        1e-4
 #define QN_PATH_PLATEAU_GROWTH 10
 #define QN_PATH_LEAST_GAIN     0.02
-#define QN_PATH_STEADY         1e-2 /* largest closing of joints on it / motion */
 
 /* Motion beyond eq->runaway is collapse where so much is left to gain: where it may jump, and in tolerances. */
 #define QN_PATH_NEARLY_SETTLED 5e-3
@@ -83,19 +80,17 @@
 #define QN_PATH_COLLAPSED  0.1
 #define QN_PATH_MOST_ABOVE 4
 
-/* End of a branch: unstable equilibria examined; bisections; ratio below which displacements are equal and the
- * load is orthogonal to the motion. */
-#define QN_PATH_MOST_LOOKS      5
-#define QN_PATH_MOST_BISECTIONS 40
-#define QN_PATH_SAME_BRANCH     1e-2
+/* End of a branch: unstable equilibria examined; bisections, of the lowest eigenvalue too; ratio below which
+ * displacements are equal, the load is orthogonal to the motion, and joints do not close on a plateau. */
+#define QN_PATH_MOST_LOOKS 5
+#define QN_PATH_BISECTIONS 30
+#define QN_PATH_NONE       1e-2
 
 #define QN_PATH_RESOLUTION  1e-3 /* of the critical multiplier, in multiplier tolerances */
-#define QN_PATH_EIGENVALUE  30   /* bisections of the lowest eigenvalue */
-#define QN_PATH_EIGENVECTOR 8    /* inverse iterations from there */
+#define QN_PATH_EIGENVECTOR 8    /* inverse iterations from the lowest eigenvalue */
 
 #define QN_PATH_FARTHEST_FIRST 1e3 /* largest first step, elastic displacements */
 #define QN_PATH_LEAST_STATES   2   /* earlier equilibria that the predictor needs */
-#define QN_PATH_DIP            1e-4 /* fall of the multiplier / its maximum that counts as a dip */
 #define QN_PATH_FELT           100 /* residual tolerances below which a jump is rounding */
 #define QN_PATH_LITTLE         1e-5 /* force of an open joint / largest one, at collapse */
 #define QN_PATH_MOST_STEPS     100000
