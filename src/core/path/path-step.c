@@ -1,7 +1,6 @@
 /* One step of the trace.
  *
- * Every step climbs the same ladder. Newton's method; the last step continued; then the central path,
- * which takes the step as a whole, where there are joints for it; then a shorter step. What is left
+ * Every step climbs the same ladder. Newton's method; then the central path, which takes the step as a whole, where there are joints for it; then a shorter step. What is left
  * is a jump with the measure held: the structure moves until it rests, by viscous relaxation. That
  * comes last because under damping joints slide that would not otherwise: it rests below the path,
  * and Newton's method fails from there again.
@@ -56,30 +55,6 @@ qn_path_last_advance (const QnPathTrace *trace)
   return advanced;
 }
 
-/* On as in the last step. In linear geometry the path is straight until a joint changes state: also on
- * the plateau of a mechanism, where the tangent is singular and Newton's method finds nothing. FAILED,
- * and nothing has moved, where it bends. */
-static QnSolveStatus
-go_straight_on (QnPathTrace *trace, const QnTarget *target)
-{
-  QnEquilibrium *eq = &trace->path->equilibrium;
-  const double *last = trace->measure.last_u, *now = eq->committed.u;
-  QnSolveStatus status = QN_SOLVE_FAILED;
-  double advanced = qn_path_trace_is_linear (trace) ? qn_path_last_advance (trace) : 0;
-
-  if (advanced == 0)
-    return QN_SOLVE_FAILED;
-  double times = target->advance / advanced;
-  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    eq->u[i] += times * (now[i] - last[i]);
-  eq->multiplier += times * (eq->multiplier - trace->last_multiplier);
-  if (qn_assembly_evaluate (&eq->assembly, eq->u))
-    status = qn_equilibrium_newton (eq, target, 0, 0);
-  if (status == QN_SOLVE_FAILED)
-    qn_equilibrium_restore (eq);
-  return status;
-}
-
 /* By Newton's method, or else along the central path. Stability counts where the branch that is
  * lost leads elsewhere: in linear geometry what the central path finds goes on to the same plateau,
  * and what relaxation would find instead may not. */
@@ -90,7 +65,6 @@ solve_statically (QnPathTrace *trace, const QnTarget *target)
   QnSolveStatus status;
 
   trace->means = QN_FOUND_BY_NEWTON;
-  trace->straight = false;
   if (qn_path_predictor_go (&trace->predictor, eq, target->advance)) {
     status = refuse_unstable (trace, qn_equilibrium_newton (eq, target, 0, QN_PATH_EASY));
     if (status != QN_SOLVE_FAILED)
@@ -102,10 +76,6 @@ solve_statically (QnPathTrace *trace, const QnTarget *target)
   if (status != QN_SOLVE_FAILED || trace->central == NULL)
     return status;
   qn_equilibrium_restore (eq);
-  status = go_straight_on (trace, target);
-  trace->straight = status == QN_SOLVE_CONVERGED;
-  if (status != QN_SOLVE_FAILED)
-    return status;
   trace->means = QN_FOUND_BY_CENTRAL_PATH;
   eq->orientation =
     trace->orientation; /* should Newton's method find nothing left to do */
@@ -444,8 +414,7 @@ qn_path_step_was_easy (const QnPathTrace *trace, int32_t iterations)
    * the branch depends on them, which matters where what lies between is to be seen. */
   bool may_grow = qn_path_trace_is_linear (trace) || trace->load_control;
 
-  return trace->means == QN_FOUND_BY_RELAXATION || trace->straight
-         || iterations <= QN_PATH_EASY
+  return trace->means == QN_FOUND_BY_RELAXATION || iterations <= QN_PATH_EASY
          || (trace->means == QN_FOUND_BY_CENTRAL_PATH && may_grow);
 }
 

@@ -42,7 +42,6 @@ typedef struct QnPathTrace {
   bool ends_branch; /* stability is lost just beyond the solved step */
   int orientation;  /* QnEquilibrium.orientation at the start; 0: unknown */
   QnFoundBy means;
-  bool straight; /* the last step had the direction of the one before */
   double above;  /* the load held next exceeds the highest one by so many tolerances */
   bool sought;   /* `direct` has been computed */
   QnLimitSolution direct;
