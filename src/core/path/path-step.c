@@ -83,20 +83,13 @@ solve_statically (QnPathTrace *trace, const QnTarget *target)
   return qn_path_trace_is_linear (trace) ? status : refuse_unstable (trace, status);
 }
 
-/* Whether a step that was solved came farther than it may (`most`; 0: unknown), and not much less far than a
- * longer one did (`before`; 0: unknown): that is a jump. */
-static bool
-is_too_far (double moved, double most, double before)
-{
-  return most > 0 && moved > most && moved > QN_PATH_JUMP_STAYS * before;
-}
-
 /* Whether a step moved JUMP times farther than the pace of the steps before it predicts. */
 static bool
-is_jump (const QnPathTrace *trace, double step, double before)
+is_jump (const QnPathTrace *trace, double step)
 {
-  return is_too_far (qn_equilibrium_motion (&trace->path->equilibrium),
-                     QN_PATH_JUMP * trace->pace * fabs (step), before);
+  return trace->pace > 0
+         && qn_equilibrium_motion (&trace->path->equilibrium)
+              > QN_PATH_JUMP * trace->pace * fabs (step);
 }
 
 /* In nonlinear geometry: how far the state just solved is from where the last step, of the measure by `last`,
@@ -126,18 +119,17 @@ static QnSolveStatus
 solve_linear (QnPathTrace *trace, double *step)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
-  double before = 0; /* motion in the step before it was cut; 0: unknown */
   QnSolveStatus status;
   QnTarget target;
 
+  trace->jumped = false;
   for (int cut = 0;; cut++) {
     target = target_of (trace, *step);
     status = solve_statically (trace, &target);
-    trace->jumped = status == QN_SOLVE_CONVERGED && is_jump (trace, *step, before);
-    if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY
-        || (status == QN_SOLVE_CONVERGED && (!trace->jumped || cut == QN_PATH_MOST_CUTS)))
+    trace->jumped =
+      trace->may_soften && status == QN_SOLVE_CONVERGED && is_jump (trace, *step);
+    if (status != QN_SOLVE_FAILED && (!trace->jumped || cut == QN_PATH_MOST_CUTS))
       return status;
-    before = trace->jumped ? qn_equilibrium_motion (eq) : 0;
     qn_equilibrium_restore (eq);
     if (cut == QN_PATH_MOST_CUTS)
       break;
@@ -146,7 +138,7 @@ solve_linear (QnPathTrace *trace, double *step)
   trace->means = QN_FOUND_BY_RELAXATION;
   status =
     qn_equilibrium_relax (eq, trace->central, &target, INFINITY, NULL, QN_RELAX_BUDGET);
-  trace->jumped = status == QN_SOLVE_CONVERGED && is_jump (trace, *step, 0);
+  trace->jumped = status == QN_SOLVE_CONVERGED && is_jump (trace, *step);
   return status;
 }
 
@@ -335,7 +327,8 @@ solve_nonlinear (QnPathTrace *trace, double *step)
       status = leave_unstable (trace, &target);
     bool solved = status == QN_SOLVE_CONVERGED;
     double most = 0, away = solved ? departure (trace, *step, last, &most) : 0;
-    trace->jumped = is_too_far (away, most, before);
+    /* Another branch, if a longer step departed as far. */
+    trace->jumped = most > 0 && away > most && away > QN_PATH_JUMP_STAYS * before;
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY
         || (solved && !trace->jumped) || (smallest && (solved || relaxes)))
       return status;
@@ -402,7 +395,7 @@ qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy)
   trace->jumped = false;
   if (status == QN_SOLVE_CONVERGED)
     status = qn_path_judge_stability (trace->path, NULL, false);
-  *easy = status == QN_SOLVE_CONVERGED && !is_jump (trace, increment, 0)
+  *easy = status == QN_SOLVE_CONVERGED && !is_jump (trace, increment)
           && !(trace->may_soften && breaks_bond (eq));
   return status;
 }
