@@ -109,14 +109,6 @@ choose_next_step (QnPathTrace *trace, double step, bool easy)
   trace->step =
     copysign (fmin (trace->step, largest_next_step (trace)), trace->measure.first);
   qn_path_step_aim (trace, step);
-  trace->to_fall -= fabs (step);
-  if (trace->to_fall <= 0)
-    trace->to_fall = INFINITY; /* beyond it the structure stands again */
-  /* Half of the way to where it falls; the rest of it once that is short. */
-  double until = trace->to_fall > QN_PATH_SMALLEST_STEP * trace->largest
-                   ? trace->to_fall / 2
-                   : trace->to_fall;
-  trace->step = copysign (fmin (fabs (trace->step), until), trace->step);
   trace->slope = trace->path->equilibrium.slope;
 }
 
@@ -299,8 +291,7 @@ advance (QnPathTrace *trace)
   if (again)
     return true;
   if (status == QN_SOLVE_MECHANISM && falls_too_far (trace, step)) {
-    trace->step = step * (isfinite (trace->to_fall) ? 0.5 : QN_PATH_CUT);
-    trace->to_fall = fabs (step);
+    trace->step = QN_PATH_CUT * step;
     qn_equilibrium_restore (eq);
     return true;
   }
@@ -519,7 +510,6 @@ hold_load (QnPathTrace *trace)
   qn_path_measure_keep_last (&trace->measure);
   trace->measure.procedure = QN_PROCEDURE_LOAD;
   trace->step = trace->largest = more;
-  trace->to_fall = INFINITY;
   trace->pace = 0;
   qn_path_end_check (trace);
   return true;
@@ -647,7 +637,6 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
   QnPathTrace trace = { .path = path,
                         .above = 1,
                         .looks = QN_PATH_MOST_LOOKS,
-                        .to_fall = INFINITY,
                         .reverses = reverses,
                         .unit = live > 0 ? dead / live : 0,
                         .load_control = path->settings->procedure == QN_PROCEDURE_LOAD,

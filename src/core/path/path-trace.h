@@ -33,7 +33,6 @@ typedef struct QnPathTrace {
     unit; /* multiplier at which the largest live load on a block equals the dead load */
   double step;    /* next step */
   double largest; /* step so far */
-  double to_fall; /* shortest step known to end in a fall; INFINITY: none */
   double pace;    /* motion per unit of the measure in the last smooth step; 0: unknown */
   double slope;   /* of the multiplier over the measure after the last step; 0: unknown */
   double *buckling; /* unstable motion of an unstable equilibrium */
