@@ -200,9 +200,6 @@ void qn_equilibrium_note_gaps (QnEquilibrium *eq);
 bool qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step,
                                 double horizon);
 
-/* Whether a closed joint has closed by more than `least` since then, m. */
-bool qn_equilibrium_is_closing (const QnEquilibrium *eq, double least);
-
 /* Largest motion of a body since the committed state, m (qn_assembly_largest()). */
 double qn_equilibrium_motion (const QnEquilibrium *eq);
 

@@ -129,19 +129,6 @@ qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step, double hor
   return false;
 }
 
-bool
-qn_equilibrium_is_closing (const QnEquilibrium *eq, double least)
-{
-  const QnAssembly *as = &eq->assembly;
-
-  for (size_t p = 0; p < as->pair_count; p++) {
-    double gap = qn_assembly_gap (as, p);
-    if (!as->inactive[p] && gap <= 0 && eq->gaps[p] - gap > least)
-      return true;
-  }
-  return false;
-}
-
 double
 qn_equilibrium_motion (const QnEquilibrium *eq)
 {

@@ -28,8 +28,7 @@ is_gone (const QnPathTrace *trace, double motion)
              || left <= QN_PATH_SETTLED * tolerance);
 }
 
-/* Whether the motion of the last step may continue up to eq->runaway: no closed joint is compressed further,
- * and no open one will close. */
+/* Whether the motion of the last step may continue up to eq->runaway: no open joint will close. */
 static bool
 may_move_on (QnPathTrace *trace, double motion)
 {
@@ -41,9 +40,7 @@ may_move_on (QnPathTrace *trace, double motion)
   qn_assembly_update_kinematics (as, last_u);
   qn_equilibrium_note_gaps (eq);
   qn_assembly_update_kinematics (as, eq->u);
-  return !qn_equilibrium_is_closing (eq, QN_PATH_NONE
-                                           * qn_assembly_largest (as, eq->u, last_u))
-         && !qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
+  return !qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
 }
 
 bool
@@ -162,11 +159,9 @@ qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status)
     break;
   case QN_SOLVE_FAILED:
   case QN_SOLVE_NO_MEMORY:
-    if (may_end_on_plateau (trace)
-        && (motion > eq->runaway || qn_path_end_creeps (trace, QN_PATH_LEAST_GAIN))) {
+    if (may_end_on_plateau (trace) && motion > eq->runaway)
       qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
-      trace->path->result->mechanism_uncertain = motion <= eq->runaway;
-    } else
+    else
       qn_path_end_finish (trace, QN_OUTCOME_NOT_CONVERGED, QN_STOP_STEP_TOO_SMALL);
     break;
   }
