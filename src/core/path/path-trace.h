@@ -41,8 +41,8 @@ typedef struct QnPathTrace {
   bool ends_branch; /* stability is lost just beyond the solved step */
   int orientation;  /* QnEquilibrium.orientation at the start; 0: unknown */
   QnFoundBy means;
-  double above;  /* the load held next exceeds the highest one by so many tolerances */
-  bool sought;   /* `direct` has been computed */
+  double above; /* the load held next exceeds the highest one by so many tolerances */
+  bool sought;  /* `direct` has been computed */
   QnLimitSolution direct;
   double last_multiplier;                    /* before the last accepted step */
   double plateau_multiplier, plateau_motion; /* at the begin of the present plateau */
