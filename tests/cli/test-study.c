@@ -478,8 +478,10 @@ longest_line (const char *svg)
   for (guint i = 0; lines[i] != NULL; i++) {
     const char *path = strstr (lines[i], " d=\"M");
     guint pieces = 0;
-    if (path == NULL || strstr (lines[i], "fill:none") == NULL
-        || strstr (lines[i], "stroke-linejoin:round") == NULL)
+    /* One style in Cairo 1.16, attributes in 1.18. */
+    if (path == NULL
+        || !g_regex_match_simple ("fill[:=]\"?none.*stroke-linejoin[:=]\"?round",
+                                  lines[i], 0, 0))
       continue;
     for (const char *c = path; *c != '\0' && *c != '>'; c++) {
       pieces = *c == 'M' ? 0 : pieces + (*c == 'L');

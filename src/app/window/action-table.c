@@ -185,8 +185,7 @@ add_shortcut (GtkGrid *grid, int row, const char *label, const char *accelerator
     gtk_widget_add_css_class (keycap, "keycap");
     gtk_box_append (GTK_BOX (keycaps), keycap);
   }
-  GtkWidget *words = gtk_label_new (label);
-  gtk_widget_set_halign (words, GTK_ALIGN_START);
+  GtkWidget *words = g_object_new (GTK_TYPE_LABEL, "label", label, "xalign", 0.0, NULL);
   gtk_grid_attach (grid, keycaps, 0, row, 1, 1);
   gtk_grid_attach (grid, words, 1, row, 1, 1);
 }
@@ -199,9 +198,12 @@ qn_action_show_shortcuts (GtkWindow *parent)
     [QN_GROUP_TOOLS] = N_ ("Tools"), [QN_GROUP_ANALYSIS] = N_ ("Analysis"),
     [QN_GROUP_VIEW] = N_ ("View"),   [QN_GROUP_GENERAL] = N_ ("General"),
   };
-  GtkWidget *dialog = qn_dialog_new (parent, _ ("Keyboard shortcuts"), 1100, 680);
-  GtkWidget *scrolled = gtk_scrolled_window_new ();
+  GtkWidget *dialog = qn_dialog_new (parent, _ ("Keyboard shortcuts"), -1, -1);
   GtkWidget *columns = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 36);
+  /* The focus is for the keys that scroll. */
+  GtkWidget *scrolled =
+    g_object_new (GTK_TYPE_SCROLLED_WINDOW, "child", columns, "propagate-natural-width",
+                  TRUE, "propagate-natural-height", TRUE, "focusable", TRUE, NULL);
   GtkGrid *grid = NULL;
   gtk_widget_add_css_class (columns, "shortcuts");
   for (int group = QN_GROUP_FILES, row = 0; group < QN_GROUP_COUNT; group++) {
@@ -209,9 +211,9 @@ qn_action_show_shortcuts (GtkWindow *parent)
       grid = GTK_GRID (gtk_grid_new ());
       gtk_box_append (GTK_BOX (columns), GTK_WIDGET (grid));
     }
-    GtkWidget *title = gtk_label_new (_ (titles[group]));
+    GtkWidget *title =
+      g_object_new (GTK_TYPE_LABEL, "label", _ (titles[group]), "xalign", 0.0, NULL);
     gtk_widget_add_css_class (title, "heading");
-    gtk_widget_set_halign (title, GTK_ALIGN_START);
     gtk_grid_attach (grid, title, 0, row++, 2, 1);
     for (int i = 0; group == QN_GROUP_TOOLS && qn_tools[i] != NULL; i++)
       add_shortcut (grid, row++, _ (qn_tools[i]->label), qn_tools[i]->accel);
@@ -219,8 +221,6 @@ qn_action_show_shortcuts (GtkWindow *parent)
       if ((int) qn_action_rows[i].group == group)
         add_shortcut (grid, row++, _ (qn_action_rows[i].label), qn_action_rows[i].keys);
   }
-  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scrolled), columns);
-  gtk_widget_set_focusable (scrolled, TRUE); /* for the keys that scroll */
   gtk_window_set_child (GTK_WINDOW (dialog), scrolled);
-  gtk_window_present (GTK_WINDOW (dialog));
+  qn_dialog_present (dialog, scrolled);
 }
