@@ -330,10 +330,10 @@ encode_report (const QuoinFigure *figure, GError **cause)
     if (done)
       runs[i] = qn_report_item_get_run (&items[i], run->project, run->contacts);
   }
-  GBytes *bytes =
-    done ? qn_report_encode_runs (&figure->model->project, &figure->model->contacts,
-                                  &figure->plan, runs, count, NULL, NULL, cause)
-         : NULL;
+  GBytes *bytes = done ? qn_report_encode_runs (
+                    &figure->model->project, &figure->model->contacts, &figure->plan,
+                    runs, count, QN_UNITS_REPORT, NULL, NULL, cause)
+                       : NULL;
   for (guint i = 0; i < read; i++)
     qn_report_item_clear (&items[i]);
   return bytes;

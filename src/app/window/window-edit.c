@@ -161,6 +161,25 @@ join (QnWindow *self, GVariant *parameter)
   edit_blocks (self, _ ("Join Blocks"), qn_edit_join_blocks);
 }
 
+/* Each body of the mechanism that is shown becomes one block, whose corners can be dragged. */
+static void
+join_bodies (QnWindow *self, GVariant *parameter)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  QnMechanism mechanism = { 0 };
+  QnDraft draft;
+  if (run->result.mechanism == NULL || qn_document_is_stale (self->document, run)
+      || qn_mechanism_of_result (&mechanism, &run->model, &run->contacts, &run->result,
+                                 NULL)
+           != QN_OK)
+    qn_canvas_tell (self->canvas,
+                    _ ("The chosen result has no mechanism of the drawing"));
+  else if (qn_canvas_begin_edit (self->canvas, &draft))
+    qn_canvas_end_edit (self->canvas, &draft, _ ("Make Mechanism"), NULL,
+                        qn_edit_join_bodies (draft.model, &mechanism, &draft.error));
+  qn_mechanism_clear (&mechanism);
+}
+
 static void
 mirror (QnWindow *self, GVariant *parameter)
 {
@@ -565,6 +584,7 @@ const QnWindowAction qn_window_edit_actions[] = {
   { "rotate", "d", rotate, QN_NEEDS_PARTS },
   { "duplicate", NULL, duplicate, QN_NEEDS_COPYABLE },
   { "join", NULL, join, QN_NEEDS_TWO_BLOCKS },
+  { "join-bodies", NULL, join_bodies, QN_NEEDS_RUN },
   { "array", "(iddd)", array, QN_NEEDS_PARTS },
   { "nudge", "(dd)", nudge, QN_NEEDS_MOVABLE },
   { "align", "s", align, QN_NEEDS_PARTS },

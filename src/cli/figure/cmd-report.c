@@ -69,9 +69,9 @@ write_report (const ReportOptions *options, const QnInput *input, const Item *it
   QnTerminalProgress progress;
   qn_terminal_progress_begin (&progress, FALSE);
   use_numbers_of_words ();
-  g_autoptr (GBytes) bytes =
-    qn_report_encode_runs (&input->project, &input->contacts, plan, runs, count,
-                           qn_terminal_progress_update, &progress, QN_TROUBLE);
+  g_autoptr (GBytes) bytes = qn_report_encode_runs (
+    &input->project, &input->contacts, plan, runs, count, QN_UNITS_REPORT,
+    qn_terminal_progress_update, &progress, QN_TROUBLE);
   setlocale (LC_NUMERIC, "C");
   qn_terminal_progress_done (&progress);
   if (g_error_matches (qn_cli_trouble, G_IO_ERROR, G_IO_ERROR_CANCELLED))

@@ -265,6 +265,32 @@ qn_edit_join_blocks (QnModel *model, QnBlockSet set, GError **error)
   return fine;
 }
 
+gboolean
+qn_edit_join_bodies (QnModel *model, const QnMechanism *mechanism, GError **error)
+{
+  /* Numbers of blocks change as some are joined, the names of those that are left stay. */
+  const QnId *body = mechanism->body_of_block;
+  g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
+  for (gsize b = 0; b < mechanism->block_count; b++)
+    g_ptr_array_add (names, g_strdup (model->blocks[b].name));
+  for (guint first = 0; first < names->len; first++) {
+    g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
+    const QnId lead = qn_model_find_block (model, names->pdata[first]);
+    for (guint b = first; lead != QN_NONE && body[first] != QN_NONE && b < names->len;
+         b++) {
+      const QnId id = qn_model_find_block (model, names->pdata[b]);
+      if (id != QN_NONE && body[b] == body[first]
+          && model->blocks[id].thickness == model->blocks[lead].thickness
+          && model->blocks[id].unit_weight == model->blocks[lead].unit_weight)
+        g_array_append_val (ids, id);
+    }
+    const QnBlockSet set = { (QnId *) ids->data, ids->len };
+    if (ids->len > 1 && !qn_edit_join_blocks (model, set, error))
+      return FALSE;
+  }
+  return TRUE;
+}
+
 /* ---- corners ---- */
 
 gboolean

@@ -5,6 +5,7 @@
  * application. Lengths in m. */
 #pragma once
 
+#include "core/result/mechanism.h"
 #include "doc/edit/edit.h"
 #include "stereotomy/ring.h"
 
@@ -18,6 +19,11 @@ gboolean qn_edit_cut_blocks (QnModel *model, QnBlockSet set, QnVec2 a, QnVec2 b,
 
 /* Makes one block of several that hang together; it takes everything else from the first. */
 gboolean qn_edit_join_blocks (QnModel *model, QnBlockSet set, GError **error);
+
+/* Makes one block of each body of a mechanism that was found in this model; of blocks that differ in thickness
+ * or weight one each. */
+gboolean qn_edit_join_bodies (QnModel *model, const QnMechanism *mechanism,
+                              GError **error);
 
 /* Moves every corner at a place to another one, so that joints stay closed. Corners of the set
  * only, or of all blocks where it is empty. */

@@ -1,5 +1,6 @@
 /* A wall that is listed course by course, read as a bonded wall with openings in it. */
 #include "doc/edit/edit-masonry.h"
+#include "doc/masonry/masonry-shape.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -288,13 +289,7 @@ qn_model_wall_at (const QnModel *model, QnVec2 at)
 {
   for (gsize i = model->wall_count; i > 0; i--) {
     const QnWall *wall = &model->walls[i - 1];
-    double width = 0.0;
-    for (int32_t course = 0, entry = 0; course < wall->course_count; course++) {
-      double length = 0.0;
-      for (; entry < wall->course_ends[course]; entry++)
-        length += fabs (wall->lengths[entry]) * wall->unit.x;
-      width = MAX (width, length);
-    }
+    double width = qn_wall_listed_length (wall) * wall->unit.x;
     double height = wall->course_count * wall->unit.y;
     QnVec2 p = qn_vec2_sub (at, wall->origin);
     if (p.x >= 0.0 && p.x <= width && p.y >= 0.0 && p.y <= height)

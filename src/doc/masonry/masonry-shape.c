@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Least size that dragging leaves, m. */
 #define LEAST_SIZE 1e-3
@@ -28,8 +29,8 @@ qn_masonry_to_local (const QnMasonry *masonry, QnVec2 point)
                          -sin (masonry->rotation));
 }
 
-static double
-listed_length (const QnWall *listed)
+double
+qn_wall_listed_length (const QnWall *listed)
 {
   double longest = 0.0;
   for (int32_t course = 0, entry = 0; course < listed->course_count; course++) {
@@ -49,7 +50,7 @@ qn_masonry_wall_size (const QnMasonry *masonry)
     return qn_vec2 (0.0, 0.0);
   const QnLeaf *leaf = &wall->leaves[0];
   if (leaf->bond == QN_BOND_CUSTOM)
-    return qn_vec2 (leaf->unit.x * listed_length (&wall->courses),
+    return qn_vec2 (leaf->unit.x * qn_wall_listed_length (&wall->courses),
                     leaf->unit.y * wall->courses.course_count);
   double length = 0.0;
   for (gsize i = 0; i < wall->leaf_count; i++)
@@ -351,7 +352,7 @@ qn_masonry_drag (QnMasonry *masonry, int opening, QnHandleKind handle, QnVec2 fr
 /* ---- handles ---- */
 
 static guint
-opening_handles (const QnMasonry *masonry, const QnOpening *o, QnHandle *handles)
+opening_handles (const QnOpening *o, QnHandle *handles)
 {
   double x0 = o->at.x, x1 = x0 + o->width, xm = 0.5 * (x0 + x1);
   double y0 = o->at.y, y1 = y0 + o->height, ym = 0.5 * (y0 + y1);
@@ -362,20 +363,17 @@ opening_handles (const QnMasonry *masonry, const QnOpening *o, QnHandle *handles
     { QN_HANDLE_TOP_LEFT, { x0, y1 } },     { QN_HANDLE_LEFT, { x0, ym } },
     { QN_HANDLE_MIDDLE, { xm, ym } },       { QN_HANDLE_RISE, { x1, y1 - o->rise } },
   };
-  guint count =
-    o->head == QN_HEAD_SEGMENTAL ? G_N_ELEMENTS (local) : G_N_ELEMENTS (local) - 1;
-  for (guint i = 0; i < count; i++)
-    handles[i] = (QnHandle){ local[i].kind, qn_masonry_to_model (masonry, local[i].at) };
-  return count;
+  memcpy (handles, local, sizeof local);
+  return G_N_ELEMENTS (local) - (o->head != QN_HEAD_SEGMENTAL);
 }
 
 guint
 qn_masonry_get_handles (const QnMasonry *masonry, int opening, QnHandle *handles)
 {
-  if (opening != QN_NO_OPENING)
-    return opening_handles (masonry, &masonry->wall.openings[opening], handles);
   guint count = 0;
-  if (masonry->kind == QN_MASONRY_WALL) {
+  if (opening != QN_NO_OPENING) {
+    count = opening_handles (&masonry->wall.openings[opening], handles);
+  } else if (masonry->kind == QN_MASONRY_WALL) {
     /* The lengths of a listed wall are in its courses. */
     if (masonry->wall.leaves[0].bond == QN_BOND_CUSTOM)
       return 0;

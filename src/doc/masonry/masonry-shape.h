@@ -33,6 +33,9 @@ typedef struct QnHandle {
 QnVec2 qn_masonry_to_model (const QnMasonry *masonry, QnVec2 local);
 QnVec2 qn_masonry_to_local (const QnMasonry *masonry, QnVec2 point);
 
+/* The longest course of a wall that is listed, in units. */
+double qn_wall_listed_length (const QnWall *listed);
+
 /* Length and height of a wall; in custom bond those of its courses. */
 QnVec2 qn_masonry_wall_size (const QnMasonry *masonry);
 

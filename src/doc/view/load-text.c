@@ -17,11 +17,18 @@ quantity_of (QnDof dof)
   return dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH;
 }
 
+/* With its unit. */
+static char *
+in_full (QnUnits units, QnQuantity quantity, double value)
+{
+  return qn_units_format_full (units, quantity, value, 4);
+}
+
 static char *
 dup_vector (QnUnits units, QnQuantity quantity, QnVec2 v)
 {
   g_autofree char *x = qn_units_format (units, quantity, v.x, 4);
-  g_autofree char *y = qn_units_format_full (units, quantity, v.y, 4);
+  g_autofree char *y = in_full (units, quantity, v.y);
   return g_strdup_printf ("%s; %s", x, y);
 }
 
@@ -30,7 +37,7 @@ static char *
 dup_range (QnUnits units, QnQuantity quantity, const double ends[2])
 {
   g_autofree char *from = qn_units_format (units, quantity, ends[0], 4);
-  g_autofree char *to = qn_units_format_full (units, quantity, ends[1], 4);
+  g_autofree char *to = in_full (units, quantity, ends[1]);
   return ends[0] == ends[1] ? g_steal_pointer (&to)
                             : g_strdup_printf (_ ("%s to %s"), from, to);
 }
@@ -62,18 +69,15 @@ dup_edge_text (const QnModel *model, const QnLoad *load, QnUnits units)
 static char *
 dup_limit (QnUnits units, double at)
 {
-  return isfinite (at) ? qn_units_format_full (units, QN_QUANTITY_LENGTH, at, 4) : NULL;
+  return isfinite (at) ? in_full (units, QN_QUANTITY_LENGTH, at) : NULL;
 }
 
 static char *
 dup_surcharge_text (const QnLoad *load, QnUnits units)
 {
-  g_autofree char *pressure =
-    qn_units_format_full (units, QN_QUANTITY_PRESSURE, load->pressure, 4);
-  g_autofree char *weight =
-    qn_units_format_full (units, QN_QUANTITY_UNIT_WEIGHT, load->unit_weight, 4);
-  g_autofree char *level =
-    qn_units_format_full (units, QN_QUANTITY_LENGTH, load->level, 4);
+  g_autofree char *pressure = in_full (units, QN_QUANTITY_PRESSURE, load->pressure);
+  g_autofree char *weight = in_full (units, QN_QUANTITY_UNIT_WEIGHT, load->unit_weight);
+  g_autofree char *level = in_full (units, QN_QUANTITY_LENGTH, load->level);
   g_autofree char *from = dup_limit (units, load->span[0]);
   g_autofree char *to = dup_limit (units, load->span[1]);
   GString *text = g_string_new (NULL);
@@ -93,10 +97,8 @@ dup_surcharge_text (const QnLoad *load, QnUnits units)
 static char *
 dup_backfill_text (const QnLoad *load, QnUnits units)
 {
-  g_autofree char *weight =
-    qn_units_format_full (units, QN_QUANTITY_UNIT_WEIGHT, load->unit_weight, 4);
-  g_autofree char *pressure =
-    qn_units_format_full (units, QN_QUANTITY_PRESSURE, load->pressure, 4);
+  g_autofree char *weight = in_full (units, QN_QUANTITY_UNIT_WEIGHT, load->unit_weight);
+  g_autofree char *pressure = in_full (units, QN_QUANTITY_PRESSURE, load->pressure);
   g_autofree char *k =
     qn_units_format (units, QN_QUANTITY_NUMBER, qn_load_earth_coefficient (load), 4);
   g_autofree char *from = dup_limit (units, load->span[0]);
@@ -119,14 +121,11 @@ dup_backfill_text (const QnLoad *load, QnUnits units)
 static char *
 dup_fill_text (const QnLoad *load, QnUnits units)
 {
-  g_autofree char *weight =
-    qn_units_format_full (units, QN_QUANTITY_UNIT_WEIGHT, load->unit_weight, 4);
-  g_autofree char *from =
-    qn_units_format_full (units, QN_QUANTITY_LENGTH, load->surface[0].x, 4);
-  g_autofree char *to = qn_units_format_full (
-    units, QN_QUANTITY_LENGTH, load->surface[load->surface_count - 1].x, 4);
-  g_autofree char *angle =
-    qn_units_format_full (units, QN_QUANTITY_ANGLE, load->friction_angle, 4);
+  g_autofree char *weight = in_full (units, QN_QUANTITY_UNIT_WEIGHT, load->unit_weight);
+  g_autofree char *from = in_full (units, QN_QUANTITY_LENGTH, load->surface[0].x);
+  g_autofree char *to =
+    in_full (units, QN_QUANTITY_LENGTH, load->surface[load->surface_count - 1].x);
+  g_autofree char *angle = in_full (units, QN_QUANTITY_ANGLE, load->friction_angle);
   g_autofree char *part =
     qn_units_format (units, QN_QUANTITY_NUMBER, load->mobilisation, 3);
   GString *text = g_string_new (NULL);
@@ -140,8 +139,7 @@ dup_fill_text (const QnLoad *load, QnUnits units)
 static char *
 dup_vehicle_text (const QnModel *model, const QnLoad *load, QnUnits units)
 {
-  g_autofree char *at =
-    qn_units_format_full (units, QN_QUANTITY_LENGTH, load->position, 4);
+  g_autofree char *at = in_full (units, QN_QUANTITY_LENGTH, load->position);
   GString *text = g_string_new (NULL);
   g_string_append_printf (
     text,

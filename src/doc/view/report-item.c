@@ -59,20 +59,18 @@ qn_report_item_parse (QnReportItem *item, const char *text, gsize length,
 GBytes *
 qn_report_encode_runs (const QnProject *project, const QnContacts *contacts,
                        const QnReportTemplate *plan, const QnReportRun *runs,
-                       size_t count, QnProgressFunc progress, void *progress_data,
-                       GError **error)
+                       size_t count, QnUnits units, QnProgressFunc progress,
+                       void *progress_data, GError **error)
 {
-  QnReport report = { .project = project,
-                      .contacts = contacts,
-                      .runs = runs,
-                      .run_count = count,
-                      .plan = *plan,
-                      .units = QN_UNITS_SI,
-                      .generator = "quoin " QN_VERSION,
-                      .progress = progress,
-                      .progress_data = progress_data };
-  report.units.force = QN_FORCE_KN;
-  report.units.stress = QN_STRESS_MPA;
+  const QnReport report = { .project = project,
+                            .contacts = contacts,
+                            .runs = runs,
+                            .run_count = count,
+                            .plan = *plan,
+                            .units = units,
+                            .generator = "quoin " QN_VERSION,
+                            .progress = progress,
+                            .progress_data = progress_data };
   return qn_report_encode (&report, error);
 }
 
@@ -132,17 +130,9 @@ encode (ReportWork *work, QnReportItem *items, QnProject *projects, GError **err
     g_set_error_literal (error, G_IO_ERROR, G_IO_ERROR_FAILED, _ ("not enough memory"));
     done = FALSE;
   }
-  const QnReport report = { .project = &work->project,
-                            .contacts = &contacts,
-                            .runs = runs,
-                            .run_count = work->runs->len,
-                            .plan = work->plan,
-                            .units = work->units,
-                            .generator = "quoin " QN_VERSION,
-                            .progress = may_go_on,
-                            .progress_data = work };
   if (done)
-    bytes = qn_report_encode (&report, error);
+    bytes = qn_report_encode_runs (&work->project, &contacts, &work->plan, runs,
+                                   work->runs->len, work->units, may_go_on, work, error);
   qn_contacts_clear (&contacts);
   return bytes;
 }

@@ -27,12 +27,14 @@ gboolean qn_report_item_parse (QnReportItem *item, const char *text, gsize lengt
 QnReportRun qn_report_item_get_run (const QnReportItem *item, const QnProject *project,
                                     const QnContacts *contacts);
 
-/* The report on these runs as a file, with the units that the command line has: kN, MPa. `progress`
- * (nullable) as in QnReport. */
+/* The units that reports of the command line have. */
+#define QN_UNITS_REPORT ((QnUnits){ QN_LENGTH_M, QN_FORCE_KN, QN_STRESS_MPA })
+
+/* The report on these runs as a file. `progress` (nullable) as in QnReport. */
 GBytes *qn_report_encode_runs (const QnProject *project, const QnContacts *contacts,
                                const QnReportTemplate *plan, const QnReportRun *runs,
-                               size_t count, QnProgressFunc progress, void *progress_data,
-                               GError **error);
+                               size_t count, QnUnits units, QnProgressFunc progress,
+                               void *progress_data, GError **error);
 
 void qn_report_item_clear (QnReportItem *item);
 

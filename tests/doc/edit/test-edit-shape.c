@@ -119,9 +119,37 @@ test_corner (void)
   g_assert_cmpfloat_with_epsilon (contacts->faces[0].length, hypot (0.2, 1.1), 1e-12);
 }
 
+static gboolean
+join_bodies (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_join_bodies (model, data, error);
+}
+
+/* The wall of a façade that turns about its foot becomes one block with its tie, and the same multiplier. */
+static void
+test_bodies (void)
+{
+  g_autoptr (QnDocument) document = open_example ("47-gable-with-tie.quoin");
+  const QnRun *run = solve_example (document);
+  const double found = run->result.collapse_multiplier;
+  QnMechanism mechanism;
+  g_assert_cmpint (
+    qn_mechanism_of_result (&mechanism, &run->model, &run->contacts, &run->result, NULL),
+    ==, QN_OK);
+  g_assert_cmpuint (mechanism.body_count, ==, 1);
+  const QnModel *model = edit (document, join_bodies, &mechanism);
+  g_assert_cmpuint (model->block_count, ==,
+                    1 + 1 + 4); /* the courses of the gable differ */
+  g_assert_cmpuint (model->tie_count, ==, 1);
+  qn_mechanism_clear (&mechanism);
+  g_assert_cmpfloat_with_epsilon (solve_example (document)->result.collapse_multiplier,
+                                  found, 1e-6);
+}
+
 QN_TESTS
 {
   g_test_add_func ("/doc/edit-shape/cut", test_cut);
+  g_test_add_func ("/doc/edit-shape/bodies", test_bodies);
   g_test_add_func ("/doc/edit-shape/crossing", test_crossing);
   g_test_add_func ("/doc/edit-shape/join", test_join);
   g_test_add_func ("/doc/edit-shape/corner", test_corner);
