@@ -5,7 +5,6 @@
 #include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "core/path/analysis.h"
-#include "core/result/first-limit.h"
 #include "io/exchange/table-csv.h"
 #include "io/text/file-writer.h"
 #include "io/text/mechanism-text.h"

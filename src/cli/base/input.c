@@ -8,6 +8,7 @@
 #include "io/text/outcome-text.h"
 
 #include <glib/gi18n.h>
+#include <string.h>
 
 /* Both lists, one after the other, for the rest of the program; NULL where both are. */
 static char **
@@ -205,4 +206,27 @@ qn_input_load_or_solve (const char *path, const char *result,
   QnInput *input = qn_input_load (path, options);
   qn_input_solve (input, options);
   return input;
+}
+
+QnSheetRun *
+qn_input_load_runs (char **arguments, gsize count, const QnInputOptions *options)
+{
+  QnSheetRun *runs = qn_cli_keep (g_new0 (QnSheetRun, count));
+  for (gsize i = 0; i < count; i++) {
+    const char *argument = arguments[i], *equals = strrchr (argument, '=');
+    const char *name = equals != NULL ? equals + 1 : argument;
+    const char *slash = strrchr (name, G_DIR_SEPARATOR);
+    if (g_file_test (argument, G_FILE_TEST_EXISTS))
+      equals = NULL;
+    g_autofree char *model = equals != NULL
+                               ? g_strndup (argument, (gsize) (equals - argument))
+                               : g_strdup (argument);
+    const QnInput *input =
+      qn_input_load_or_solve (model, equals != NULL ? equals + 1 : NULL, options);
+    runs[i] = (QnSheetRun){ .project = &input->project,
+                            .contacts = &input->contacts,
+                            .result = &input->file.result,
+                            .name = slash != NULL ? slash + 1 : name };
+  }
+  return runs;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/base/exit-code.h"
-#include "io/project/project.h"
+#include "doc/view/sheet.h"
 #include "io/result/result-file.h"
 
 /* How a MODEL is read: options that all subcommands which read one take alike. */
@@ -87,3 +87,9 @@ void qn_input_solve (QnInput *input, const QnInputOptions *options);
 /* Reads a project with the result of that name, or solves it where `result` is NULL. */
 QnInput *qn_input_load_or_solve (const char *path, const char *result,
                                  const QnInputOptions *options);
+
+/* Loads count arguments of the form MODEL[=RESULT], or solves those without a result. An argument that is
+ * itself the name of a file is taken as that, "=" or not. The runs, for the rest of the program, are named
+ * by their results. */
+QnSheetRun *qn_input_load_runs (char **arguments, gsize count,
+                                const QnInputOptions *options);

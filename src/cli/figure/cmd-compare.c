@@ -1,8 +1,7 @@
+#include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/subcommand.h"
-#include "cli/figure/sheet-input.h"
-#include "doc/view/sheet.h"
 
 #include <glib/gi18n.h>
 
@@ -35,7 +34,7 @@ run_compare (const QnSubcommand *self, int argc, char **argv)
     qn_cli_usage_error (_ ("--columns must be positive"));
   qn_picture_or_table (&options.picture);
   gsize count = (gsize) argc - 1;
-  const QnSheetRun *runs = qn_sheet_runs_load (argv + 1, count, &options.input);
+  const QnSheetRun *runs = qn_input_load_runs (argv + 1, count, &options.input);
   qn_cli_must (qn_comparison_export (runs, count, MAX (options.columns, 0), options.title,
                                      options.picture.monochrome, options.picture.path,
                                      &options.picture.output, QN_TROUBLE));

@@ -1,8 +1,7 @@
+#include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/subcommand.h"
-#include "cli/figure/sheet-input.h"
-#include "doc/view/sheet.h"
 
 #include <glib/gi18n.h>
 
@@ -60,7 +59,7 @@ run_curve (const QnSubcommand *self, int argc, char **argv)
   g_autofree QnReferenceLine *references = g_new (QnReferenceLine, lines);
   for (gsize i = 0; i < lines; i++)
     references[i] = parse_reference (options.references[i]);
-  const QnSheetRun *runs = qn_sheet_runs_load (argv + 1, count, &options.input);
+  const QnSheetRun *runs = qn_input_load_runs (argv + 1, count, &options.input);
   const QnCurveSheet sheet = { .title = options.title,
                                .until = options.until,
                                .whole = options.whole,

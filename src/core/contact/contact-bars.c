@@ -1,6 +1,5 @@
 #include "core/contact/contact-bars.h"
 
-#include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "core/base/tolerance.h"
 #include "core/model/bar.h"
@@ -18,13 +17,13 @@ qn_bar_search_init (QnBarSearch *search, const QnModel *model, QnDiag *diag)
 
   for (size_t i = 0; i < model->bar_count; i++)
     count += qn_bar_line_count (&model->bars[i]);
-  QnBox *boxes = qn_alloc (count, sizeof *boxes);
-  *search = (QnBarSearch){ .near = qn_alloc (count, sizeof *search->near),
-                           .bars = qn_alloc (count, sizeof *search->bars),
-                           .lines = qn_alloc (count, sizeof *search->lines),
-                           .used = qn_alloc (model->bar_count, sizeof *search->used) };
-  bool room = boxes != NULL && search->near != NULL && search->bars != NULL
-              && search->lines != NULL && search->used != NULL;
+  *search = (QnBarSearch){ 0 };
+  QnBox *boxes = qn_pool_alloc (&search->pool, count, sizeof *boxes);
+  search->near = qn_pool_alloc (&search->pool, count, sizeof *search->near);
+  search->bars = qn_pool_alloc (&search->pool, count, sizeof *search->bars);
+  search->lines = qn_pool_alloc (&search->pool, count, sizeof *search->lines);
+  search->used = qn_pool_alloc (&search->pool, model->bar_count, sizeof *search->used);
+  bool room = !search->pool.failed;
 
   for (size_t i = 0; room && i < model->bar_count; i++)
     for (size_t k = 0; k < qn_bar_line_count (&model->bars[i]); k++, n++) {
@@ -35,7 +34,6 @@ qn_bar_search_init (QnBarSearch *search, const QnModel *model, QnDiag *diag)
       search->lines[n] = (int32_t) k;
     }
   room = room && qn_box_tree_init (&search->tree, boxes, count);
-  free (boxes);
   return room ? QN_OK : qn_diag_no_memory (diag);
 }
 
@@ -43,10 +41,7 @@ void
 qn_bar_search_clear (QnBarSearch *search)
 {
   qn_box_tree_clear (&search->tree);
-  free (search->near);
-  free (search->bars);
-  free (search->lines);
-  free (search->used);
+  qn_pool_clear (&search->pool);
 }
 
 static int

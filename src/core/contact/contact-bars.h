@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/base/box-tree.h"
+#include "core/base/memory.h"
 #include "core/contact/contacts.h"
 
 /* Stiffness across a bar / stiffness along it: keeps the pair's tangent regular. */
@@ -13,6 +14,7 @@
 
 /* The bars of a model, line by line: found by their boxes, since each crosses few of many faces. */
 typedef struct QnBarSearch {
+  QnPool pool; /* of all but the tree */
   QnBoxTree tree;
   QnId *near;     /* lines at one face, in their own order */
   QnId *bars;     /* bar of each line */

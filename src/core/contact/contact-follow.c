@@ -1,6 +1,5 @@
 #include "core/contact/contact-follow.h"
 
-#include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "core/contact/contact-search.h"
 #include "core/model/support.h"
@@ -18,12 +17,12 @@ qn_contact_follow_init (QnContactFollow *follow, const QnModel *model,
   size_t blocks = model->block_count;
 
   *follow = (QnContactFollow){ .model = model, .drawn = drawn };
-  follow->sizes = qn_alloc (blocks, sizeof *follow->sizes);
-  follow->reach = qn_alloc (blocks, sizeof *follow->reach);
-  follow->left = qn_alloc (drawn->face_count, sizeof *follow->left);
-  follow->at_search = qn_alloc (blocks * QN_DOF_COUNT, sizeof *follow->at_search);
-  if (follow->sizes == NULL || follow->reach == NULL || follow->left == NULL
-      || follow->at_search == NULL
+  follow->sizes = qn_pool_alloc (&follow->pool, blocks, sizeof *follow->sizes);
+  follow->reach = qn_pool_alloc (&follow->pool, blocks, sizeof *follow->reach);
+  follow->left = qn_pool_alloc (&follow->pool, drawn->face_count, sizeof *follow->left);
+  follow->at_search =
+    qn_pool_alloc (&follow->pool, blocks * QN_DOF_COUNT, sizeof (double));
+  if (follow->pool.failed
       || !qn_sides_init (&follow->sides, model, qn_contact_lengths (model).tolerance))
     return qn_diag_no_memory (diag);
   for (size_t b = 0; b < blocks; b++) {
@@ -40,12 +39,9 @@ void
 qn_contact_follow_clear (QnContactFollow *follow)
 {
   qn_sides_clear (&follow->sides);
-  free (follow->sizes);
-  free (follow->reach);
-  free (follow->left);
   free (follow->found);
   free (follow->active);
-  free (follow->at_search);
+  qn_pool_clear (&follow->pool);
   *follow = (QnContactFollow){ 0 };
 }
 

@@ -27,6 +27,7 @@
 #pragma once
 
 #include "core/base/box-tree.h"
+#include "core/base/memory.h"
 #include "core/contact/contact-side.h"
 #include "core/contact/contacts.h"
 
@@ -51,6 +52,7 @@ typedef struct QnCornerPlace {
 } QnCornerPlace;
 
 typedef struct QnContactFollow {
+  QnPool pool; /* of numbers of blocks and faces */
   const QnModel *model;
   const QnContacts *drawn;
   QnSides sides;

@@ -1,6 +1,5 @@
 #include "doc/document/bounds.h"
 
-#include "core/result/first-limit.h"
 #include <glib/gi18n-lib.h>
 #include <math.h>
 

@@ -1,6 +1,5 @@
 #include "doc/document/run.h"
 
-#include "core/result/first-limit.h"
 #include "doc/text/explain.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"

@@ -1,7 +1,6 @@
 #include "doc/text/explain.h"
 
 #include "core/contact/plausible.h"
-#include "core/result/first-limit.h"
 #include "io/project/project.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"

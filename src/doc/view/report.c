@@ -1,7 +1,6 @@
 #include "doc/view/report-parts.h"
 
 #include "core/result/curve-motion.h"
-#include "core/result/first-limit.h"
 #include "doc/text/explain.h"
 #include "io/text/outcome-text.h"
 #include "render/drawing/text.h"

@@ -3,7 +3,6 @@
 #include "core/contact/contact-bars.h"
 #include "core/model/bar.h"
 #include "core/result/curve-motion.h"
-#include "core/result/first-limit.h"
 #include "core/result/result-contact.h"
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"

@@ -2,7 +2,6 @@
 #include "core/contact/pair-abscissae.h"
 #include "core/model/support.h"
 #include "core/path/path.h"
-#include "core/result/first-limit.h"
 #include "io/text/fault-text.h"
 #include "io/text/text-format.h"
 

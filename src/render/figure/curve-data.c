@@ -1,5 +1,4 @@
 /* Curves read off results. */
-#include "core/result/first-limit.h"
 #include "render/figure/curve-plot.h"
 
 #include <glib.h>

@@ -1,7 +1,6 @@
 /* Paths whose joints part, bend or break: what stays of a branch, and what of it is told. */
 #include "core/path/analysis.h"
 #include "core/path/stability.h"
-#include "core/result/first-limit.h"
 #include "support/models.h"
 #include "support/room.h"
 #include "support/run.h"

@@ -1,6 +1,5 @@
 #include "core/path/analysis.h"
 #include "core/path/stability.h"
-#include "core/result/first-limit.h"
 #include "support/models.h"
 #include "support/room.h"
 #include "support/run.h"

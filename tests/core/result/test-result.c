@@ -1,4 +1,3 @@
-#include "core/result/first-limit.h"
 #include "core/result/result.h"
 #include "support/auto-clear.h"
 #include "support/room.h"
