@@ -377,6 +377,21 @@ qn_member_array (const QnJsonValue *object, const char *key, QnNeed need,
 }
 
 gboolean
+qn_member_points (const QnJsonValue *object, const char *key, QnNeed need, int32_t most,
+                  QnVec2 *points, int32_t *count)
+{
+  QnJsonValue list, point = { 0 };
+  if (!qn_member_array (object, key, need, &list))
+    return FALSE;
+  for (*count = 0; qn_json_value_next (&list, &point); ++*count)
+    if (*count == most)
+      return qn_json_value_failf (&list, _ ("expected up to %d points"), most);
+    else if (!qn_json_value_vec2 (&point, &points[*count]))
+      return FALSE;
+  return TRUE;
+}
+
+gboolean
 qn_member_string (const QnJsonValue *object, const char *key, QnNeed need,
                   const char **string)
 {

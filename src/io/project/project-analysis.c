@@ -185,7 +185,7 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
   if (place.json != NULL
       && !(qn_members_read (&place, analysis_members, model, settings)
            && read_control (&place, analysis_control, model, settings)
-           && qn_read_each (&place, "stages", QN_OPTIONAL, read_stage, model)
+           && qn_read_list (&place, &qn_stage_list, QN_OPTIONAL, model)
            && qn_read_dynamic (&place, model)))
     return FALSE;
   warn_of_idle_sets (root, model);
@@ -210,14 +210,11 @@ qn_project_stage_entry (const QnModel *model, gsize index)
   return entry;
 }
 
-static int32_t
-append_stage (GString *json, const QnModel *model, size_t entry)
+static void
+append_stage (GString *json, const QnModel *model, size_t index)
 {
   QnStage usual = { 0 };
   gboolean any = FALSE;
-  gsize index = entry;
-  while (qn_project_stage_entry (model, index) < entry)
-    index++;
   const QnStage *stage = &model->stages[index];
   QnStage shown = *stage;
   shown.has_target = stage->has_target && stage->leg == 0;
@@ -245,8 +242,17 @@ append_stage (GString *json, const QnModel *model, size_t entry)
     qn_json_begin_member (json, "cycles");
     g_string_append_printf (json, "%zu", cycles);
   }
-  return stage->note;
 }
+
+/* The first leg stands for the others of its protocol. */
+static bool
+is_further_leg (const QnModel *model, size_t index)
+{
+  return index > 0 && model->stages[index].leg > 1;
+}
+
+const QnList qn_stage_list = QN_LIST ("analysis.stages", read_stage, append_stage,
+                                      is_further_leg, QnStage, stages, stage_count);
 
 /* Values other than the defaults, after three settings that are always written. */
 void
@@ -262,11 +268,7 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
     qn_members_put (json, "control", analysis_control, model, analysis, NULL);
     qn_json_append_inner (json, inner, "analysis.control");
   }
-  qn_json_append_list (json, model, inner, ",\n    \"stages\": [", 6,
-                       model->stage_count > 0
-                         ? qn_project_stage_entry (model, model->stage_count - 1) + 1
-                         : 0,
-                       append_stage, "]");
+  qn_json_append_list (json, model, inner, &qn_stage_list);
   qn_project_append_dynamic (json, model, &usual->dynamic, inner);
   g_string_append (json, " }");
   qn_model_clear (&defaults);

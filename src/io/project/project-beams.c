@@ -1,5 +1,4 @@
 /* Sections, nodes and beams of a project file. */
-#include "io/project/project-inner.h"
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 #include "io/text/json-text.h"
@@ -166,15 +165,7 @@ read_beam (const QnJsonValue *place, QnModel *model)
                              &beam->element_count);
 }
 
-gboolean
-qn_read_beams (const QnJsonValue *root, QnModel *model)
-{
-  return qn_read_each (root, "sections", QN_OPTIONAL, read_section, model)
-         && qn_read_each (root, "nodes", QN_OPTIONAL, read_node, model)
-         && qn_read_each (root, "beams", QN_OPTIONAL, read_beam, model);
-}
-
-static int32_t
+static void
 append_section (GString *json, const QnModel *model, size_t index)
 {
   const QnSection *section = &model->sections[index];
@@ -190,10 +181,35 @@ append_section (GString *json, const QnModel *model, size_t index)
     qn_json_put_number (json, "density", section->density);
   else if (section->unit_weight > 0)
     qn_json_put_number (json, "unit_weight", section->unit_weight);
-  return section->note;
 }
 
-static int32_t
+const QnList qn_section_list = QN_LIST ("sections", read_section, append_section, NULL,
+                                        QnSection, sections, section_count);
+
+static void
+append_node (GString *json, const QnModel *model, size_t index)
+{
+  const QnNode *node = &model->nodes[index];
+  qn_json_put_string (json, "name", node->name);
+  if (node->seat != QN_SEAT_FREE)
+    qn_json_put_string (json, "block", model->blocks[node->block].name);
+  if (node->seat == QN_SEAT_SIDE)
+    qn_json_put_string (json, "side", qn_block_side_names[node->side]);
+  if (node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT)
+    qn_json_put_vec2 (json, "at", node->at);
+  qn_json_put_support (json, node->support);
+}
+
+static bool
+is_of_a_beam (const QnModel *model, size_t index)
+{
+  return model->nodes[index].beam != QN_NONE;
+}
+
+const QnList qn_node_list =
+  QN_LIST ("nodes", read_node, append_node, is_of_a_beam, QnNode, nodes, node_count);
+
+static void
 append_beam (GString *json, const QnModel *model, size_t index)
 {
   const QnBeam *beam = &model->beams[index];
@@ -213,35 +229,7 @@ append_beam (GString *json, const QnModel *model, size_t index)
                             beam->hinge[1] ? "true" : "false");
   }
   qn_json_put_unusual (json, "elements", beam->element_count, 1);
-  return beam->note;
 }
 
-void
-qn_project_append_beams (GString *json, const QnModel *model, GHashTable *inner)
-{
-  gboolean first = TRUE;
-
-  qn_json_append_list (json, model, inner, "  \"sections\": [", 4, model->section_count,
-                       append_section, "],\n");
-  for (size_t i = 0; i < model->node_count; i++) {
-    if (model->nodes[i].beam != QN_NONE)
-      continue;
-    g_string_append (json, first ? "  \"nodes\": [\n    " : ",\n    ");
-    const QnNode *node = &model->nodes[i];
-    g_string_append_c (json, '{');
-    qn_json_put_string (json, "name", node->name);
-    if (node->seat != QN_SEAT_FREE)
-      qn_json_put_string (json, "block", model->blocks[node->block].name);
-    if (node->seat == QN_SEAT_SIDE)
-      qn_json_put_string (json, "side", qn_block_side_names[node->side]);
-    if (node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT)
-      qn_json_put_vec2 (json, "at", node->at);
-    qn_json_put_support (json, node->support);
-    g_string_append (json, " }");
-    qn_json_append_note (json, inner, model->nodes[i].note);
-    first = FALSE;
-  }
-  g_string_append (json, first ? "" : " ],\n");
-  qn_json_append_list (json, model, inner, "  \"beams\": [", 4, model->beam_count,
-                       append_beam, "],\n");
-}
+const QnList qn_beam_list =
+  QN_LIST ("beams", read_beam, append_beam, NULL, QnBeam, beams, beam_count);

@@ -161,7 +161,7 @@ qn_read_contact (const QnJsonValue *root, QnModel *model)
              || qn_read_name (&place, "law", QN_REQUIRED, model, QN_NAMED_LAW,
                               &contact->law))
          && read_pair_rule (&place, &contact->pairs)
-         && qn_read_each (&place, "faces", QN_OPTIONAL, read_face, model);
+         && qn_read_list (&place, &qn_face_list, QN_OPTIONAL, model);
 }
 
 static gboolean
@@ -170,22 +170,9 @@ read_bar (const QnJsonValue *place, QnModel *model)
   QnBar *bar = qn_model_add_bar (model);
   if (bar == NULL)
     return qn_json_value_no_memory (place);
-  QnJsonValue via, corner = { 0 };
-  if (!qn_members_read (place, bar_members, model, bar)
-      || !qn_member_array (place, "via", QN_OPTIONAL, &via))
-    return FALSE;
-  if (via.json != NULL && cJSON_GetArraySize (via.json) > QN_MAX_BAR_CORNERS)
-    return qn_json_value_fail (&via, _ (qn_problem_text (QN_PROBLEM_TOO_LARGE)));
-  while (via.json != NULL && qn_json_value_next (&via, &corner))
-    if (!qn_json_value_vec2 (&corner, &bar->via[bar->via_count++]))
-      return FALSE;
-  return TRUE;
-}
-
-gboolean
-qn_read_bars (const QnJsonValue *root, QnModel *model)
-{
-  return qn_read_each (root, "bars", QN_OPTIONAL, read_bar, model);
+  return qn_members_read (place, bar_members, model, bar)
+         && qn_member_points (place, "via", QN_OPTIONAL, QN_MAX_BAR_CORNERS, bar->via,
+                              &bar->via_count);
 }
 
 /* ---- writing ---- */
@@ -207,7 +194,7 @@ put_pair_rule (GString *json, const QnPairRule *rule)
   g_string_append (json, " }");
 }
 
-static int32_t
+static void
 append_face (GString *json, const QnModel *model, size_t index)
 {
   const QnFaceOverride *face = &model->overrides[index];
@@ -221,8 +208,10 @@ append_face (GString *json, const QnModel *model, size_t index)
   qn_members_write (json, face_members, model, face, face);
   if (face->has_pairs)
     put_pair_rule (json, &face->pairs);
-  return face->note;
 }
+
+const QnList qn_face_list = QN_LIST ("contact.faces", read_face, append_face, NULL,
+                                     QnFaceOverride, overrides, override_count);
 
 void
 qn_project_append_contact (GString *json, const QnModel *model, GHashTable *inner)
@@ -234,12 +223,11 @@ qn_project_append_contact (GString *json, const QnModel *model, GHashTable *inne
       || (inner != NULL && g_hash_table_contains (inner, "contact.pairs")))
     put_pair_rule (json, pairs);
   qn_json_append_inner (json, inner, "contact.pairs");
-  qn_json_append_list (json, model, inner, ",\n    \"faces\": [", 6,
-                       model->override_count, append_face, "]");
+  qn_json_append_list (json, model, inner, &qn_face_list);
   g_string_append (json, " }");
 }
 
-static int32_t
+static void
 append_bar (GString *json, const QnModel *model, size_t index)
 {
   static const QnBar usual = { 0 };
@@ -247,12 +235,7 @@ append_bar (GString *json, const QnModel *model, size_t index)
   qn_members_write (json, bar_members, model, bar, &usual);
   if (bar->via_count > 0)
     qn_json_put_points (json, "via", bar->via, (gsize) bar->via_count);
-  return bar->note;
 }
 
-void
-qn_project_append_bars (GString *json, const QnModel *model, GHashTable *inner)
-{
-  qn_json_append_list (json, model, inner, "  \"bars\": [", 4, model->bar_count,
-                       append_bar, "],\n");
-}
+const QnList qn_bar_list =
+  QN_LIST ("bars", read_bar, append_bar, NULL, QnBar, bars, bar_count);

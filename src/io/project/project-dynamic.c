@@ -157,9 +157,9 @@ qn_read_dynamic (const QnJsonValue *analysis, QnModel *model)
   return qn_members_read (&place, dynamic_members, NULL, settings)
          && (damping.json == NULL
              || qn_members_read (&damping, damping_members, NULL, settings))
-         && qn_read_each (&place, "ground", QN_OPTIONAL, read_ground, model)
-         && qn_read_each (&place, "initial", QN_OPTIONAL, read_initial, model)
-         && qn_read_each (&place, "track", QN_OPTIONAL, read_track, model)
+         && qn_read_list (&place, &qn_ground_list, QN_OPTIONAL, model)
+         && qn_read_list (&place, &qn_initial_list, QN_OPTIONAL, model)
+         && qn_read_list (&place, &qn_track_list, QN_OPTIONAL, model)
          && (settings->duration > 0 || model->ground_count > 0
              || qn_json_value_fail (
                &duration, _ ("without ground motion the duration must be given")));
@@ -167,7 +167,7 @@ qn_read_dynamic (const QnJsonValue *analysis, QnModel *model)
 
 /* ---- writing ---- */
 
-static int32_t
+static void
 append_ground (GString *json, const QnModel *model, size_t index)
 {
   const QnGroundMotion *motion = &model->ground[index], usual = { .scale = 1 };
@@ -176,7 +176,6 @@ append_ground (GString *json, const QnModel *model, size_t index)
     qn_json_put_points (json, "points", motion->points, motion->point_count);
   if (motion->kind == QN_SIGNAL_PULSE)
     qn_members_put (json, "pulse", pulse_members, NULL, &motion->pulse, &usual.pulse);
-  return motion->note;
 }
 
 static void
@@ -186,22 +185,29 @@ put_triple (GString *json, const char *key, const double triple[QN_DOF_COUNT])
     qn_json_put_numbers (json, key, triple, QN_DOF_COUNT);
 }
 
-static int32_t
+static void
 append_initial (GString *json, const QnModel *model, size_t index)
 {
   const QnInitialMotion *motion = &model->initial[index];
   qn_members_write (json, initial_members, model, motion, NULL);
   put_triple (json, "displacement", motion->displacement);
   put_triple (json, "velocity", motion->velocity);
-  return motion->note;
 }
 
-static int32_t
+static void
 append_track (GString *json, const QnModel *model, size_t index)
 {
   qn_members_write (json, track_members, model, &model->tracks[index], NULL);
-  return model->tracks[index].note;
 }
+
+const QnList qn_ground_list =
+  QN_LIST ("analysis.dynamic.ground", read_ground, append_ground, NULL, QnGroundMotion,
+           ground, ground_count);
+const QnList qn_initial_list =
+  QN_LIST ("analysis.dynamic.initial", read_initial, append_initial, NULL,
+           QnInitialMotion, initial, initial_count);
+const QnList qn_track_list = QN_LIST ("analysis.dynamic.track", read_track, append_track,
+                                      NULL, QnTrack, tracks, track_count);
 
 void
 qn_project_append_dynamic (GString *json, const QnModel *model,
@@ -216,12 +222,9 @@ qn_project_append_dynamic (GString *json, const QnModel *model,
     qn_members_put (json, "damping", damping_members, NULL, s, usual);
     qn_json_append_inner (json, inner, "analysis.dynamic.damping");
   }
-  qn_json_append_list (json, model, inner, ",\n      \"ground\": [", 8,
-                       model->ground_count, append_ground, "]");
-  qn_json_append_list (json, model, inner, ",\n      \"initial\": [", 8,
-                       model->initial_count, append_initial, "]");
-  qn_json_append_list (json, model, inner, ",\n      \"track\": [", 8, model->track_count,
-                       append_track, "]");
+  qn_json_append_list (json, model, inner, &qn_ground_list);
+  qn_json_append_list (json, model, inner, &qn_initial_list);
+  qn_json_append_list (json, model, inner, &qn_track_list);
   g_string_append (json, " }");
   qn_json_append_inner (json, inner, "analysis.dynamic");
 }

@@ -1,6 +1,7 @@
 #include "io/project/project-inner.h"
 
 #include "io/json/json-path.h"
+#include "io/project/project-parts.h"
 #include "io/text/json-text.h"
 
 #include <stdlib.h>
@@ -60,28 +61,19 @@ note_of_live_load (QnModel *model, const LoadStarts *starts, const char *path)
 static int32_t *
 note_of_path (QnModel *m, const LoadStarts *starts, const char *path)
 {
-#define NOTE_OF(list, array, count)                                                      \
-  {                                                                                      \
-    gssize index = element_of (path, list, count);                                       \
-    if (index >= 0)                                                                      \
-      return &(array)[index].note;                                                       \
+  static const QnList dead =
+    QN_LIST ("loads.dead", NULL, NULL, NULL, QnLoad, dead_loads, dead_load_count);
+  const QnList *const lists[] = {
+    &qn_law_list,  &qn_block_list, &qn_wall_list,   &qn_section_list, &qn_node_list,
+    &qn_beam_list, &qn_bar_list,   &qn_tie_list,    &qn_vehicle_list, &qn_face_list,
+    &dead,         &qn_stage_list, &qn_ground_list, &qn_initial_list, &qn_track_list,
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (lists); i++) {
+    gssize index =
+      element_of (path, lists[i]->path, G_STRUCT_MEMBER (size_t, m, lists[i]->count));
+    if (index >= 0)
+      return qn_list_note (m, lists[i], (gsize) index);
   }
-  NOTE_OF ("laws", m->laws, m->law_count)
-  NOTE_OF ("blocks", m->blocks, m->block_count)
-  NOTE_OF ("walls", m->walls, m->wall_count)
-  NOTE_OF ("sections", m->sections, m->section_count)
-  NOTE_OF ("nodes", m->nodes, m->node_count)
-  NOTE_OF ("beams", m->beams, m->beam_count)
-  NOTE_OF ("bars", m->bars, m->bar_count)
-  NOTE_OF ("ties", m->ties, m->tie_count)
-  NOTE_OF ("vehicles", m->vehicles, m->vehicle_count)
-  NOTE_OF ("contact.faces", m->overrides, m->override_count)
-  NOTE_OF ("loads.dead", m->dead_loads, m->dead_load_count)
-  NOTE_OF ("analysis.stages", m->stages, m->stage_count)
-  NOTE_OF ("analysis.dynamic.ground", m->ground, m->ground_count)
-  NOTE_OF ("analysis.dynamic.initial", m->initial, m->initial_count)
-  NOTE_OF ("analysis.dynamic.track", m->tracks, m->track_count)
-#undef NOTE_OF
   return note_of_live_load (m, starts, path);
 }
 

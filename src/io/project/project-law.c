@@ -46,23 +46,6 @@ check_keys (const QnJsonValue *place, QnLawKind kind)
 }
 
 static gboolean
-read_curve_points (const QnJsonValue *place, QnLaw *law)
-{
-  QnJsonValue points, point = { 0 };
-  if (!qn_member_array (place, "points", QN_REQUIRED, &points))
-    return FALSE;
-  if (cJSON_GetArraySize (points.json) > QN_MAX_CURVE_POINTS)
-    return qn_json_value_fail (&points, _ (qn_problem_text (QN_PROBLEM_CURVE_COUNT)));
-
-  while (qn_json_value_next (&points, &point)) {
-    if (!qn_json_value_vec2 (&point, &law->points[law->point_count]))
-      return FALSE;
-    law->point_count++;
-  }
-  return TRUE;
-}
-
-static gboolean
 read_parameters (const QnJsonValue *place, QnLaw *law)
 {
   size_t count;
@@ -81,7 +64,9 @@ read_parameters (const QnJsonValue *place, QnLaw *law)
                             G_N_ELEMENTS (qn_law_softening_names), &softening))
     return FALSE;
   law->exponential = softening == 1;
-  return law->kind != QN_LAW_CURVE || read_curve_points (place, law);
+  return law->kind != QN_LAW_CURVE
+         || qn_member_points (place, "points", QN_REQUIRED, QN_MAX_CURVE_POINTS,
+                              law->points, &law->point_count);
 }
 
 /* Either stiffnesses, or the elasticity of a material from which they follow. */
@@ -150,18 +135,8 @@ read_law (const QnJsonValue *place, QnModel *model)
          && read_parameters (place, law);
 }
 
-gboolean
-qn_read_laws (const QnJsonValue *root, QnNeed need, QnModel *model)
-{
-  if (!qn_read_each (root, "laws", need, read_law, model))
-    return FALSE;
-  QnJsonValue laws = qn_json_value_member (root, "laws");
-  return model->law_count > 0 || need == QN_OPTIONAL
-         || qn_json_value_fail (&laws, _ ("there must be at least one law"));
-}
-
 /* Parameters that are left out by default are left out where they have no effect. */
-static int32_t
+static void
 append_law (GString *json, const QnModel *model, size_t index)
 {
   const QnLaw *law = &model->laws[index];
@@ -190,14 +165,7 @@ append_law (GString *json, const QnModel *model, size_t index)
     qn_json_put_string (json, "softening", qn_law_softening_names[1]);
   if (law->kind == QN_LAW_CURVE)
     qn_json_put_points (json, "points", law->points, (gsize) law->point_count);
-  return law->note;
 }
 
-void
-qn_project_append_laws (GString *json, const QnModel *model, GHashTable *inner)
-{
-  if (model->law_count == 0)
-    g_string_append (json, "  \"laws\": [ ],\n");
-  qn_json_append_list (json, model, inner, "  \"laws\": [", 4, model->law_count,
-                       append_law, "],\n");
-}
+const QnList qn_law_list =
+  QN_LIST ("laws", read_law, append_law, NULL, QnLaw, laws, law_count);

@@ -220,23 +220,6 @@ read_case (const QnJsonValue *place, const QnModel *model, int32_t *load_case)
   return name == NULL || qn_read_name_of (&member, model, QN_NAMED_LOAD_CASE, load_case);
 }
 
-/* Corners of the surface, from left to right. */
-static gboolean
-read_surface (const QnJsonValue *place, QnLoad *load)
-{
-  QnJsonValue list, point = { 0 };
-  if (!qn_member_array (place, "surface", QN_REQUIRED, &list))
-    return FALSE;
-  while (qn_json_value_next (&list, &point)) {
-    if (load->surface_count == QN_MAX_SURFACE_POINTS)
-      return qn_json_value_failf (&point, _ ("expected up to %d points"),
-                                  QN_MAX_SURFACE_POINTS);
-    if (!qn_json_value_vec2 (&point, &load->surface[load->surface_count++]))
-      return FALSE;
-  }
-  return TRUE;
-}
-
 static gboolean
 read_vehicle_name (const QnJsonValue *place, QnModel *model, QnLoad *load)
 {
@@ -272,7 +255,9 @@ read_load (const QnJsonValue *place, QnModel *model, QnLoad *load)
                  && read_intensity (place, load->intensity)))
          && (load->kind != QN_LOAD_SURCHARGE || read_surcharge (place))
          && (load->kind != QN_LOAD_BACKFILL || read_earth (place, load))
-         && (load->kind != QN_LOAD_FILL || read_surface (place, load))
+         && (load->kind != QN_LOAD_FILL
+             || qn_member_points (place, "surface", QN_REQUIRED, QN_MAX_SURFACE_POINTS,
+                                  load->surface, &load->surface_count))
          && (load->kind != QN_LOAD_VEHICLE || read_vehicle_name (place, model, load));
 }
 

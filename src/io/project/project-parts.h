@@ -1,40 +1,53 @@
-/* Private to reading and writing project files: two functions per part of the document. One adds
- * what it finds below `root`, the document, to the model and returns FALSE with the reader's error
- * set; the other appends the part in the canonical layout, with the members that no layer knows
- * (project-inner.h; `inner` may be NULL).
+/* Private to reading and writing project files: a list of entities, or two functions, per
+ * part of the document. One adds what it finds below `root`, the document, to the model and returns FALSE
+ * with the reader's error set; the other appends the part in the canonical layout, with the members that no
+ * layer knows (project-inner.h; `inner` may be NULL).
  */
 #pragma once
 
 #include "core/model/model.h"
 #include "io/json/json-value.h"
 
-/* In project-law.c. */
-gboolean qn_read_laws (const QnJsonValue *root, QnNeed need, QnModel *model);
-void qn_project_append_laws (GString *json, const QnModel *model, GHashTable *inner);
+/* A list of entities: where the file has it ("analysis.stages") and the model, how an element is read and
+ * added, and how the members of one are written. */
+typedef struct QnList {
+  const char *path;
+  gboolean (*read) (const QnJsonValue *place, QnModel *model);
+  void (*append) (GString *json, const QnModel *model, size_t index);
+  bool (*is_left_out) (const QnModel *model,
+                       size_t index); /* when written; may be NULL */
+  gsize items, count; /* offsets in QnModel, of the array and its number of elements */
+  gsize size, note;   /* of an element, and the offset in it */
+} QnList;
 
-/* In project-structure.c. */
-gboolean qn_read_blocks (const QnJsonValue *root, QnNeed need, QnModel *model);
-gboolean qn_read_walls (const QnJsonValue *root, QnModel *model);
-int32_t qn_project_append_block (GString *json, const QnModel *model, size_t index);
-void qn_project_append_walls (GString *json, const QnModel *model, GHashTable *inner);
+#define QN_LIST(path, read, append, is_left_out, type, items, count)                     \
+  {                                                                                      \
+    path, read, append, is_left_out, offsetof (QnModel, items),                          \
+      offsetof (QnModel, count), sizeof (type), offsetof (type, note)                    \
+  }
 
-/* In project-beams.c: sections, nodes and beams; the walls must be expanded. */
-gboolean qn_read_beams (const QnJsonValue *root, QnModel *model);
-void qn_project_append_beams (GString *json, const QnModel *model, GHashTable *inner);
+extern const QnList qn_law_list, qn_block_list, qn_wall_list, qn_section_list,
+  qn_node_list, qn_beam_list, qn_bar_list, qn_tie_list, qn_vehicle_list, qn_face_list,
+  qn_stage_list, qn_ground_list, qn_initial_list, qn_track_list;
 
-/* In project-tie.c; likewise. */
-gboolean qn_read_ties (const QnJsonValue *root, QnModel *model);
-void qn_project_append_ties (GString *json, const QnModel *model, GHashTable *inner);
+/* Reads a list of `owner`, the object that holds it. */
+gboolean qn_read_list (const QnJsonValue *owner, const QnList *list, QnNeed need,
+                       QnModel *model);
 
-/* In project-vehicle.c: without those that are built in. */
-gboolean qn_read_vehicles (const QnJsonValue *root, QnModel *model);
-void qn_project_append_vehicles (GString *json, const QnModel *model, GHashTable *inner);
+/* Appends a list, one entity in a line, with the members that no layer knows; nothing for an empty one. */
+void qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
+                          const QnList *list);
+
+/* Appends one entity. */
+void qn_json_append_entity (GString *json, const QnModel *model, GHashTable *inner,
+                            const QnList *list, size_t index);
+
+/* The note of an entity. */
+int32_t *qn_list_note (const QnModel *model, const QnList *list, size_t index);
 
 /* In project-contact.c; the walls must be expanded, so that their blocks have names. */
 gboolean qn_read_contact (const QnJsonValue *root, QnModel *model);
 void qn_project_append_contact (GString *json, const QnModel *model, GHashTable *inner);
-gboolean qn_read_bars (const QnJsonValue *root, QnModel *model);
-void qn_project_append_bars (GString *json, const QnModel *model, GHashTable *inner);
 
 /* In project-loads.c; likewise. */
 gboolean qn_read_loads (const QnJsonValue *root, QnModel *model);
@@ -69,11 +82,6 @@ gboolean qn_read_own_law (const QnJsonValue *place, const QnModel *model, QnId *
 /* `courses`: lists of lengths. */
 gboolean qn_read_courses (const QnJsonValue *place, QnWall *wall);
 
-/* Calls `read` for every element of a member that is an array. */
-gboolean qn_read_each (const QnJsonValue *root, const char *key, QnNeed need,
-                       gboolean (*read) (const QnJsonValue *place, QnModel *model),
-                       QnModel *model);
-
 /* The name of an object that may have none: then `prefix` with its number from 1, written into
  * `text`. */
 #define QN_NAME_TEXT_SIZE 24
@@ -88,12 +96,3 @@ void qn_json_put_law (GString *json, const QnModel *model, QnId law);
 
 /* `support`; left out if no degree of freedom is fixed. */
 void qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT]);
-
-/* Appends the members of one entity, and returns its note. */
-typedef int32_t (*QnMembersFunc) (GString *json, const QnModel *model, size_t index);
-
-/* A list of entities, one in a line, with the members that no layer knows: `head`, which ends in "[",
- * the objects behind so many spaces, and `tail`, which begins with "]". Nothing for an empty one. */
-void qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
-                          const char *head, int indent, size_t count,
-                          QnMembersFunc append_members, const char *tail);

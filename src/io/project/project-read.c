@@ -158,6 +158,16 @@ take_status (const QnJsonValue *root, const QnProject *project, QnStatus status,
 }
 
 static gboolean
+read_laws (const QnJsonValue *root, QnNeed need, QnModel *model)
+{
+  if (!qn_read_list (root, &qn_law_list, need, model))
+    return FALSE;
+  QnJsonValue laws = qn_json_value_member (root, "laws");
+  return model->law_count > 0 || need == QN_OPTIONAL
+         || qn_json_value_fail (&laws, _ ("there must be at least one law"));
+}
+
+static gboolean
 read_document (const QnJsonValue *root, cJSON *document, QnProject *project)
 {
   QnModel *model = &project->model;
@@ -172,15 +182,20 @@ read_document (const QnJsonValue *root, cJSON *document, QnProject *project)
     others || cJSON_GetArraySize (cJSON_GetObjectItem (document, "blocks")) > 0;
   QnNeed laws = beams && !joints ? QN_OPTIONAL : QN_REQUIRED;
   return check_format (root) && keep_extras (root, document, project)
-         && read_title_and_gravity (root, model) && qn_read_laws (root, laws, model)
-         && qn_read_blocks (root, blocks, model) && qn_read_masonry (root, project)
-         && qn_read_walls (root, model)
+         && read_title_and_gravity (root, model) && read_laws (root, laws, model)
+         && qn_read_list (root, &qn_block_list, blocks, model)
+         && qn_read_masonry (root, project)
+         && qn_read_list (root, &qn_wall_list, QN_OPTIONAL, model)
          && take_status (root, project, qn_model_expand_walls (model, &diag), &diag)
-         && qn_read_beams (root, model)
+         && qn_read_list (root, &qn_section_list, QN_OPTIONAL, model)
+         && qn_read_list (root, &qn_node_list, QN_OPTIONAL, model)
+         && qn_read_list (root, &qn_beam_list, QN_OPTIONAL, model)
          && take_status (root, project, qn_model_expand_beams (model, &diag), &diag)
-         && qn_read_bars (root, model) && qn_read_ties (root, model)
-         && qn_read_vehicles (root, model) && qn_read_contact (root, model)
-         && qn_read_loads (root, model) && qn_read_analysis (root, model)
+         && qn_read_list (root, &qn_bar_list, QN_OPTIONAL, model)
+         && qn_read_list (root, &qn_tie_list, QN_OPTIONAL, model)
+         && qn_read_list (root, &qn_vehicle_list, QN_OPTIONAL, model)
+         && qn_read_contact (root, model) && qn_read_loads (root, model)
+         && qn_read_analysis (root, model)
          && take_status (root, project, qn_model_prepare (model, &diag), &diag);
 }
 

@@ -4,6 +4,7 @@
 #include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
+#include <string.h>
 
 gboolean
 qn_read_own_name (const QnJsonValue *place, const char *prefix,
@@ -15,14 +16,14 @@ qn_read_own_name (const QnJsonValue *place, const char *prefix,
 }
 
 gboolean
-qn_read_each (const QnJsonValue *root, const char *key, QnNeed need,
-              gboolean (*read) (const QnJsonValue *place, QnModel *model), QnModel *model)
+qn_read_list (const QnJsonValue *owner, const QnList *list, QnNeed need, QnModel *model)
 {
-  QnJsonValue list, element = { 0 };
-  if (!qn_member_array (root, key, need, &list))
+  const char *dot = strrchr (list->path, '.');
+  QnJsonValue array, element = { 0 };
+  if (!qn_member_array (owner, dot != NULL ? dot + 1 : list->path, need, &array))
     return FALSE;
-  while (qn_json_value_next (&list, &element))
-    if (!read (&element, model))
+  while (qn_json_value_next (&array, &element))
+    if (!list->read (&element, model))
       return FALSE;
   return TRUE;
 }
@@ -126,12 +127,6 @@ read_block (const QnJsonValue *place, QnModel *model)
   return done;
 }
 
-gboolean
-qn_read_blocks (const QnJsonValue *root, QnNeed need, QnModel *model)
-{
-  return qn_read_each (root, "blocks", need, read_block, model);
-}
-
 static gboolean
 read_course (const QnJsonValue *place, QnWall *wall)
 {
@@ -192,12 +187,6 @@ read_wall (const QnJsonValue *place, QnModel *model)
          && qn_read_own_law (place, model, &wall->law) && qn_read_courses (place, wall);
 }
 
-gboolean
-qn_read_walls (const QnJsonValue *root, QnModel *model)
-{
-  return qn_read_each (root, "walls", QN_OPTIONAL, read_wall, model);
-}
-
 void
 qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT])
 {
@@ -210,8 +199,8 @@ qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT])
   g_string_append_c (json, ']');
 }
 
-int32_t
-qn_project_append_block (GString *json, const QnModel *model, size_t index)
+static void
+append_block (GString *json, const QnModel *model, size_t index)
 {
   const QnBlock *block = &model->blocks[index];
   qn_json_put_string (json, "name", block->name);
@@ -228,10 +217,18 @@ qn_project_append_block (GString *json, const QnModel *model, size_t index)
   qn_json_put_unusual (json, "ring", block->ring, 0);
   if (block->ring_law != QN_NONE)
     qn_json_put_string (json, "ring_law", model->laws[block->ring_law].name);
-  return block->note;
 }
 
-static int32_t
+static bool
+follows_from_others (const QnModel *model, size_t index)
+{
+  return model->blocks[index].wall != QN_NONE || model->blocks[index].masonry != QN_NONE;
+}
+
+const QnList qn_block_list = QN_LIST ("blocks", read_block, append_block,
+                                      follows_from_others, QnBlock, blocks, block_count);
+
+static void
 append_wall (GString *json, const QnModel *model, size_t index)
 {
   const QnWall *wall = &model->walls[index];
@@ -250,12 +247,7 @@ append_wall (GString *json, const QnModel *model, size_t index)
     entry = wall->course_ends[course];
   }
   g_string_append (json, " ]");
-  return wall->note;
 }
 
-void
-qn_project_append_walls (GString *json, const QnModel *model, GHashTable *inner)
-{
-  qn_json_append_list (json, model, inner, "  \"walls\": [", 4, model->wall_count,
-                       append_wall, "],\n");
-}
+const QnList qn_wall_list =
+  QN_LIST ("walls", read_wall, append_wall, NULL, QnWall, walls, wall_count);

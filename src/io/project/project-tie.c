@@ -72,13 +72,7 @@ read_tie (const QnJsonValue *place, QnModel *model)
              || qn_members_read (&strip, strip_members, NULL, &tie->strip));
 }
 
-gboolean
-qn_read_ties (const QnJsonValue *root, QnModel *model)
-{
-  return qn_read_each (root, "ties", QN_OPTIONAL, read_tie, model);
-}
-
-static int32_t
+static void
 append_tie (GString *json, const QnModel *model, size_t index)
 {
   static const QnTie usual = { 0 };
@@ -95,12 +89,7 @@ append_tie (GString *json, const QnModel *model, size_t index)
     qn_members_put (json, "plate", plate_members, NULL, &tie->plate, &usual.plate);
   if (tie->strip.width > 0)
     qn_members_put (json, "strip", strip_members, NULL, &tie->strip, &usual.strip);
-  return tie->note;
 }
 
-void
-qn_project_append_ties (GString *json, const QnModel *model, GHashTable *inner)
-{
-  qn_json_append_list (json, model, inner, "  \"ties\": [", 4, model->tie_count,
-                       append_tie, "],\n");
-}
+const QnList qn_tie_list =
+  QN_LIST ("ties", read_tie, append_tie, NULL, QnTie, ties, tie_count);

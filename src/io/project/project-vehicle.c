@@ -72,12 +72,6 @@ read_vehicle (const QnJsonValue *place, QnModel *model)
   return TRUE;
 }
 
-gboolean
-qn_read_vehicles (const QnJsonValue *root, QnModel *model)
-{
-  return qn_read_each (root, "vehicles", QN_OPTIONAL, read_vehicle, model);
-}
-
 static gboolean
 read_text (const char *name, const char *text, gsize length, QnModel *model,
            GError **error)
@@ -85,8 +79,8 @@ read_text (const char *name, const char *text, gsize length, QnModel *model,
   QnReader reader = { .name = name, .text = text, .length = length };
   cJSON *document = qn_json_parse (text, length, name, &reader.error);
   QnJsonValue root = qn_json_value_root (&reader, document);
-  gboolean done = document != NULL
-                  && qn_read_each (&root, "vehicles", QN_REQUIRED, read_vehicle, model);
+  gboolean done =
+    document != NULL && qn_read_list (&root, &qn_vehicle_list, QN_REQUIRED, model);
   cJSON_Delete (document);
   if (reader.warnings != NULL)
     g_ptr_array_unref (reader.warnings);
@@ -164,7 +158,7 @@ put_rows (GString *json, const char *key, const double *rows, gsize width, gsize
   g_string_append_c (json, ']');
 }
 
-static int32_t
+static void
 append_vehicle (GString *json, const QnModel *model, size_t index)
 {
   const QnVehicle *vehicle = &model->vehicles[index];
@@ -173,15 +167,13 @@ append_vehicle (GString *json, const QnModel *model, size_t index)
   qn_members_write (json, vehicle_members, NULL, vehicle, &usual);
   put_rows (json, "axles", &vehicle->axles[0].at, 2, (gsize) vehicle->axle_count);
   put_rows (json, "lines", &vehicle->lines[0].from, 3, (gsize) vehicle->line_count);
-  return vehicle->note;
 }
 
-void
-qn_project_append_vehicles (GString *json, const QnModel *model, GHashTable *inner)
+static bool
+is_built_in (const QnModel *model, size_t index)
 {
-  gsize own = 0;
-  while (own < model->vehicle_count && !model->vehicles[own].built_in)
-    own++;
-  qn_json_append_list (json, model, inner, "  \"vehicles\": [", 4, own, append_vehicle,
-                       "],\n");
+  return model->vehicles[index].built_in;
 }
+
+const QnList qn_vehicle_list = QN_LIST ("vehicles", read_vehicle, append_vehicle,
+                                        is_built_in, QnVehicle, vehicles, vehicle_count);

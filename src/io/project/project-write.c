@@ -24,27 +24,45 @@ qn_json_put_weight (GString *json, double unit_weight, double density)
     qn_json_put_number (json, "unit_weight", unit_weight);
 }
 
-static void
-append_object (GString *json, const QnModel *model, GHashTable *inner, size_t index,
-               QnMembersFunc append_members)
+int32_t *
+qn_list_note (const QnModel *model, const QnList *list, size_t index)
+{
+  char *items = G_STRUCT_MEMBER (char *, model, list->items);
+  return G_STRUCT_MEMBER_P (items, index * list->size + list->note);
+}
+
+void
+qn_json_append_entity (GString *json, const QnModel *model, GHashTable *inner,
+                       const QnList *list, size_t index)
 {
   g_string_append_c (json, '{');
-  int32_t note = append_members (json, model, index);
+  list->append (json, model, index);
   g_string_append (json, " }");
-  qn_json_append_note (json, inner, note);
+  qn_json_append_note (json, inner, *qn_list_note (model, list, index));
 }
 
 void
 qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
-                     const char *head, int indent, size_t count,
-                     QnMembersFunc append_members, const char *tail)
+                     const QnList *list)
 {
+  const size_t count = G_STRUCT_MEMBER (size_t, model, list->count);
+  const char *key = list->path, *dot;
+  int indent = 2;
+  gboolean any = FALSE;
+  for (; (dot = strchr (key, '.')) != NULL; key = dot + 1)
+    indent += 2;
   for (size_t i = 0; i < count; i++) {
-    g_string_append_printf (json, "%s\n%*s", i > 0 ? "," : head, indent, "");
-    append_object (json, model, inner, i, append_members);
+    if (list->is_left_out != NULL && list->is_left_out (model, i))
+      continue;
+    if (!any)
+      g_string_append_printf (json, "%s%*s\"%s\": [", indent > 2 ? ",\n" : "", indent, "",
+                              key);
+    g_string_append_printf (json, "%s\n%*s", any ? "," : "", indent + 2, "");
+    qn_json_append_entity (json, model, inner, list, i);
+    any = TRUE;
   }
-  if (count > 0)
-    g_string_append_printf (json, " %s", tail);
+  if (any)
+    g_string_append (json, indent > 2 ? " ]" : " ],\n");
 }
 
 static gboolean
@@ -128,13 +146,13 @@ append_blocks (GString *json, const QnModel *model, GHashTable *inner,
   gboolean first = TRUE, known = like_text != NULL && like_text->blocks != NULL;
   g_string_append (json, "  \"blocks\": [");
   for (size_t i = 0; i < model->block_count; i++) {
-    if (model->blocks[i].wall != QN_NONE || model->blocks[i].masonry != QN_NONE)
+    if (qn_block_list.is_left_out (model, i))
       continue;
     g_string_append (json, first ? "\n    " : ",\n    ");
     first = FALSE;
     places[i][0] = json->len;
     if (!known || !append_same_block (json, model, (QnId) i, &like->model, like_text))
-      append_object (json, model, inner, i, qn_project_append_block);
+      qn_json_append_entity (json, model, inner, &qn_block_list, i);
     places[i][1] = json->len;
   }
   g_string_append (json, " ],\n");
@@ -167,16 +185,20 @@ qn_project_write (const QnProject *project, const QnProject *like,
   text->blocks = g_malloc0_n (model->block_count + 1, sizeof *text->blocks);
   append_head (json, model);
   GHashTable *inner = qn_project_index_inner (project);
-  qn_project_append_laws (json, model, inner);
+  if (model->law_count == 0)
+    g_string_append (json, "  \"laws\": [ ],\n");
+  qn_json_append_list (json, model, inner, &qn_law_list);
   append_blocks (json, model, inner, like, like_text, text->blocks);
-  qn_project_append_walls (json, model, inner);
-  qn_project_append_beams (json, model, inner);
+  qn_json_append_list (json, model, inner, &qn_wall_list);
+  qn_json_append_list (json, model, inner, &qn_section_list);
+  qn_json_append_list (json, model, inner, &qn_node_list);
+  qn_json_append_list (json, model, inner, &qn_beam_list);
   qn_project_append_contact (json, model, inner);
   qn_json_append_inner (json, inner, "contact");
   g_string_append (json, ",\n");
-  qn_project_append_bars (json, model, inner);
-  qn_project_append_ties (json, model, inner);
-  qn_project_append_vehicles (json, model, inner);
+  qn_json_append_list (json, model, inner, &qn_bar_list);
+  qn_json_append_list (json, model, inner, &qn_tie_list);
+  qn_json_append_list (json, model, inner, &qn_vehicle_list);
   qn_project_append_loads (json, model, inner);
   qn_json_append_inner (json, inner, "loads");
   g_string_append (json, ",\n");
