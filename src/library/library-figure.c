@@ -322,8 +322,8 @@ encode_report (const QuoinFigure *figure, GError **cause)
   for (guint i = 0; i < count && done; i++) {
     gsize length;
     const QnSheetRun *run = &given[i];
-    g_autofree char *text =
-      qn_result_dup_text (run->project, run->contacts, run->result, &length);
+    g_autofree char *text = qn_result_dup_text (run->project, run->contacts, run->result,
+                                                QN_DETAIL_FORCES, &length);
     done = qn_report_item_parse (&items[i], text, length, run->name, run->project,
                                  run->contacts, cause);
     read += done;

@@ -463,7 +463,7 @@ quoin_result_write (const QuoinResult *result, const char *path, QuoinError **er
     return false;
   GError *cause = NULL;
   if (qn_result_file_write (path, &result->model->project, &result->model->contacts,
-                            &result->result, &cause))
+                            &result->result, QN_DETAIL_FORCES, &cause))
     return true;
   quoin_library_take_error (error, path, cause);
   return false;
@@ -474,9 +474,8 @@ quoin_result_to_text (const QuoinResult *result)
 {
   gsize length;
   return result != NULL
-           ? qn_result_dup_text_detailed (&result->model->project,
-                                          &result->model->contacts, &result->result,
-                                          QN_DETAIL_STEPS, &length)
+           ? qn_result_dup_text (&result->model->project, &result->model->contacts,
+                                 &result->result, QN_DETAIL_STEPS, &length)
            : NULL;
 }
 
@@ -491,7 +490,7 @@ quoin_result_check (const QuoinResult *result, char **faults, QuoinError **error
   const QnContacts *contacts = &result->model->contacts;
   gsize length;
   g_autofree char *text =
-    qn_result_dup_text (project, contacts, &result->result, &length);
+    qn_result_dup_text (project, contacts, &result->result, QN_DETAIL_FORCES, &length);
   g_auto (QnResultFile) file = { 0 };
   QnResultFaults found;
   GError *cause = NULL;

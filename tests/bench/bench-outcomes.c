@@ -350,7 +350,8 @@ run (const char *folder, const Options *options, Wall *wall)
   wall->bound = result.has_collapse_multiplier ? find_bound (&project, &contacts) : NAN;
   wall->path =
     result.limit.given ? find_outside (&project, &contacts, &result.limit) : NAN;
-  if (!qn_result_file_write (path, &project, &contacts, &result, &error))
+  if (!qn_result_file_write (path, &project, &contacts, &result, QN_DETAIL_FORCES,
+                             &error))
     g_error ("%s", error->message);
   wall->violation = read_and_check (path, &project, &contacts);
   if (wall->violation == NULL && wall->geometry == QN_GEOMETRY_LINEAR

@@ -66,7 +66,7 @@ check_file (const QnProject *project, const QnContacts *contacts, const QnResult
     g_strdup_printf ("%s/quoin-cancel-%d.json", g_get_tmp_dir (), (int) getpid ());
   QnResultFile file;
   GError *error = NULL;
-  qn_result_file_write (path, project, contacts, result, &error);
+  qn_result_file_write (path, project, contacts, result, QN_DETAIL_FORCES, &error);
   g_assert_no_error (error);
   qn_result_file_read (path, &file, &error);
   g_assert_no_error (error);

@@ -77,7 +77,7 @@ result_fixture_dup_text (const ResultFixture *fixture)
   g_autofree char *path = g_build_filename (folder, "result.json", NULL);
   GError *error = NULL;
   g_assert_true (qn_result_file_write (path, &fixture->project, &fixture->contacts,
-                                       &fixture->result, &error));
+                                       &fixture->result, QN_DETAIL_FORCES, &error));
   g_assert_no_error (error);
   char *text = NULL;
   g_assert_true (g_file_get_contents (path, &text, NULL, NULL));

@@ -62,7 +62,7 @@ write_result (const ModalOptions *options, const QnInput *input, const QnModes *
     qn_cli_stop (QN_EXIT_INTERNAL);
   }
   qn_cli_must (qn_result_file_write (options->output, &input->project, &input->contacts,
-                                     result, QN_TROUBLE));
+                                     result, QN_DETAIL_FORCES, QN_TROUBLE));
 }
 
 static void

@@ -138,9 +138,8 @@ report (const SolveOptions *options, const QnInput *input, const QnResult *resul
 {
   const QnProject *project = &input->project;
   qn_cli_must (options->output == NULL
-               || qn_result_file_write_detailed (options->output, project,
-                                                 &input->contacts, result, options->level,
-                                                 QN_TROUBLE));
+               || qn_result_file_write (options->output, project, &input->contacts,
+                                        result, options->level, QN_TROUBLE));
   qn_cli_must (options->csv == NULL
                || qn_curve_csv_write (options->csv, project, result, QN_TROUBLE));
   if (!options->quiet && !is_stdout (options->output) && !is_stdout (options->csv)) {

@@ -57,7 +57,7 @@ solve_stability (const StabilityOptions *options, const QnInput *input)
   }
   qn_cli_must (options->output == NULL
                || qn_result_file_write (options->output, project, &input->contacts,
-                                        &result, QN_TROUBLE));
+                                        &result, QN_DETAIL_FORCES, QN_TROUBLE));
   if (result.outcome == QN_OUTCOME_CANCELLED)
     qn_cli_cancelled (project->name);
   if (none)

@@ -40,8 +40,8 @@ solve_item (Item *item, const char *model, const QnInputOptions *options)
 {
   gsize length;
   QnInput *input = item->input = qn_input_load_or_solve (model, NULL, options);
-  g_autofree char *text =
-    qn_result_dup_text (&input->project, &input->contacts, &input->file.result, &length);
+  g_autofree char *text = qn_result_dup_text (
+    &input->project, &input->contacts, &input->file.result, QN_DETAIL_FORCES, &length);
   qn_result_clear (&input->file.result);
   qn_cli_must (qn_report_item_parse (&item->report, text, length,
                                      _ ("Analysis of the project"), &input->project,

@@ -126,8 +126,8 @@ keep_result (const VerifyOptions *options, const QnVerifyGroup *group,
     qn_cli_error (_ ("%s: cannot be made: %s"), folder, g_strerror (errno));
     qn_cli_stop (QN_EXIT_FILE);
   }
-  qn_cli_must (
-    qn_result_file_write (path, &input->project, &input->contacts, result, QN_TROUBLE));
+  qn_cli_must (qn_result_file_write (path, &input->project, &input->contacts, result,
+                                     QN_DETAIL_FORCES, QN_TROUBLE));
 }
 
 /* --- What a case compares --- */

@@ -44,7 +44,8 @@ qn_document_dup_result (QnDocument *self, const QnRun *run, gsize *length, GErro
     project.overrides = overrides;
   if (self->path != NULL)
     project.name = self->path;
-  return qn_result_dup_text (&project, &run->contacts, &run->result, length);
+  return qn_result_dup_text (&project, &run->contacts, &run->result, QN_DETAIL_FORCES,
+                             length);
 }
 
 gboolean

@@ -215,8 +215,8 @@ qn_result_text_agrees (const char *text, gsize length, const char *name,
                        const QnContacts *contacts, GPtrArray *unproved, GError **error)
 {
   gsize written_length;
-  g_autofree char *written =
-    qn_result_dup_text (project, contacts, &file->result, &written_length);
+  g_autofree char *written = qn_result_dup_text (project, contacts, &file->result,
+                                                 QN_DETAIL_FORCES, &written_length);
   Walk walk = { .unproved = unproved, .error = error };
   list_unproved (&project->model, file, unproved);
   gboolean scanned = qn_json_scan (&walk.stated, text, length, name)

@@ -39,23 +39,14 @@ typedef enum {
   QN_DETAIL_COUNT
 } QnResultDetail;
 
-/* Writes a result, whole or not at all; `contacts` are the ones the analysis ran with. The second
- * form uses QN_DETAIL_FORCES. Errors: QN_IO_ERROR. */
-gboolean qn_result_file_write_detailed (const char *path, const QnProject *project,
-                                        const QnContacts *contacts,
-                                        const QnResult *result, QnResultDetail detail,
-                                        GError **error);
+/* Writes a result, whole or not at all; `contacts` are the ones the analysis ran with.
+ * Errors: QN_IO_ERROR. */
 gboolean qn_result_file_write (const char *path, const QnProject *project,
                                const QnContacts *contacts, const QnResult *result,
-                               GError **error);
-
-/* The text of such a file; free with g_free(). The second form uses QN_DETAIL_FORCES. */
-char *qn_result_dup_text_detailed (const QnProject *project, const QnContacts *contacts,
-                                   const QnResult *result, QnResultDetail detail,
-                                   gsize *length);
+                               QnResultDetail detail, GError **error);
+/* The text of such a file; free with g_free(). */
 char *qn_result_dup_text (const QnProject *project, const QnContacts *contacts,
-                          const QnResult *result, gsize *length);
-
+                          const QnResult *result, QnResultDetail detail, gsize *length);
 /* Reads a result file. `file` is overwritten without being cleared and holds nothing on
  * failure. Unknown keys are ignored: later versions of the program add some. Errors: QN_IO_ERROR. */
 gboolean qn_result_file_read (const char *path, QnResultFile *file, GError **error);

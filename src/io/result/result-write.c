@@ -388,14 +388,6 @@ write_mechanism (QnFileWriter *writer, const QnModel *model, const QnContacts *c
   qn_mechanism_clear (&facts);
 }
 
-gboolean
-qn_result_file_write (const char *path, const QnProject *project,
-                      const QnContacts *contacts, const QnResult *result, GError **error)
-{
-  return qn_result_file_write_detailed (path, project, contacts, result, QN_DETAIL_FORCES,
-                                        error);
-}
-
 static void
 write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *contacts,
            const QnResult *result, QnResultDetail detail)
@@ -442,9 +434,9 @@ write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *con
 }
 
 gboolean
-qn_result_file_write_detailed (const char *path, const QnProject *project,
-                               const QnContacts *contacts, const QnResult *result,
-                               QnResultDetail detail, GError **error)
+qn_result_file_write (const char *path, const QnProject *project,
+                      const QnContacts *contacts, const QnResult *result,
+                      QnResultDetail detail, GError **error)
 {
   QnFileWriter *writer = qn_file_writer_open (path, error);
   if (writer == NULL)
@@ -454,18 +446,10 @@ qn_result_file_write_detailed (const char *path, const QnProject *project,
 }
 
 char *
-qn_result_dup_text_detailed (const QnProject *project, const QnContacts *contacts,
-                             const QnResult *result, QnResultDetail detail, gsize *length)
+qn_result_dup_text (const QnProject *project, const QnContacts *contacts,
+                    const QnResult *result, QnResultDetail detail, gsize *length)
 {
   QnFileWriter *writer = qn_file_writer_new_in_memory ();
   write_all (writer, project, contacts, result, detail);
   return qn_file_writer_steal (writer, length);
-}
-
-char *
-qn_result_dup_text (const QnProject *project, const QnContacts *contacts,
-                    const QnResult *result, gsize *length)
-{
-  return qn_result_dup_text_detailed (project, contacts, result, QN_DETAIL_FORCES,
-                                      length);
 }

@@ -339,7 +339,7 @@ qn_case_solve (const QnStudy *study, const double *values, const char *keep,
         : _ ("the analysis took more factorisations than max_factorizations allows"));
   if (error == NULL && keep != NULL)
     qn_result_file_write (keep, &current->project, &current->contacts, &current->result,
-                          &error);
+                          QN_DETAIL_FORCES, &error);
   if (error != NULL) {
     qn_case_result_clear (result);
     qn_case_result_fail (result, error->message);

@@ -199,7 +199,7 @@ test_history (void)
   g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_analysis_run (&project.model, &contacts, NULL, NULL, &result, NULL),
                    ==, QN_OK);
-  qn_result_file_write (path, &project, &contacts, &result, &error);
+  qn_result_file_write (path, &project, &contacts, &result, QN_DETAIL_FORCES, &error);
   g_assert_no_error (error);
   qn_result_file_read (path, &file, &error);
   g_assert_no_error (error);

@@ -162,7 +162,8 @@ check_result (const char *override, const char *procedure)
                    QN_OK);
   char *folder = test_scratch_new ();
   g_autofree char *path = g_build_filename (folder, "ties.json", NULL);
-  g_assert_true (qn_result_file_write (path, &project, &contacts, &result, &error));
+  g_assert_true (
+    qn_result_file_write (path, &project, &contacts, &result, QN_DETAIL_FORCES, &error));
   g_assert_true (qn_result_file_read (path, &file, &error));
   g_assert_no_error (error);
   g_assert_cmpuint (file.result.tie_count, ==, 2);

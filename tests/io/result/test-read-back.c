@@ -317,8 +317,8 @@ test_row (gconstpointer data)
     g_error ("%s", qn_problem_text (diag.problem));
   g_assert_cmpstr (qn_outcome_names[result.outcome], ==, qn_outcome_names[row->outcome]);
   for (int detail = 0; detail < QN_DETAIL_COUNT; detail++) {
-    qn_result_file_write_detailed (path, &project, &contacts, &result,
-                                   (QnResultDetail) detail, &error);
+    qn_result_file_write (path, &project, &contacts, &result, (QnResultDetail) detail,
+                          &error);
     g_assert_no_error (error);
     qn_result_file_read (path, &file, &error);
     g_assert_no_error (error);

@@ -274,7 +274,7 @@ test_file (ResultFixture *fixture, gconstpointer data)
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
   g_clear_error (&error);
   g_assert_true (qn_result_file_write (path, &fixture->project, &fixture->contacts,
-                                       &fixture->result, &error));
+                                       &fixture->result, QN_DETAIL_FORCES, &error));
   g_assert_true (qn_result_file_read (path, &file, &error));
   g_assert_no_error (error);
 }

@@ -123,7 +123,8 @@ test_disk_full (ResultFixture *fixture, gconstpointer data)
   (void) data;
   g_autoptr (GError) error = NULL;
   g_assert_false (qn_result_file_write ("/dev/full", &fixture->project,
-                                        &fixture->contacts, &fixture->result, &error));
+                                        &fixture->contacts, &fixture->result,
+                                        QN_DETAIL_FORCES, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
   g_assert_cmpstr (error->message, ==,
                    "/dev/full: cannot be written: No space left on device");

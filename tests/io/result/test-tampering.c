@@ -146,7 +146,8 @@ case_init (Case *c, const Source *source)
   g_assert_cmpint (
     qn_analysis_run (&c->project.model, &c->contacts, NULL, NULL, &result, NULL), ==,
     QN_OK);
-  c->text = qn_result_dup_text (&c->project, &c->contacts, &result, &length);
+  c->text =
+    qn_result_dup_text (&c->project, &c->contacts, &result, QN_DETAIL_FORCES, &length);
 }
 
 static void
