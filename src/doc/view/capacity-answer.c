@@ -674,9 +674,8 @@ qn_capacity_answer_write_csv (const QnCapacityAnswer *answer, const char *path,
                             "displacement [m],spectral acceleration [m/s2]\n");
   for (size_t i = 0; i < c->count; i++) {
     const QnCapacityPoint *p = &c->points[i];
-    const double row[] = { p->multiplier, p->control, p->displacement, p->acceleration };
-    qn_file_writer_numbers (out, row, G_N_ELEMENTS (row), ",");
-    qn_file_writer_puts (out, "\n");
+    qn_file_writer_csv (out, "%g,%g,%g,%g\n", p->multiplier, p->control, p->displacement,
+                        p->acceleration);
   }
   return qn_file_writer_commit (out, error);
 }

@@ -66,10 +66,7 @@ write_curve_table (const char *path, const QnCurve *curves, gsize count, GError 
                          : (ptrdiff_t) i == curve->limit_point  ? "limit point"
                                                                 : "";
       qn_file_writer_quoted (writer, curve->label != NULL ? curve->label : "");
-      qn_file_writer_printf (writer, ",%" G_GSIZE_FORMAT ",", i);
-      qn_file_writer_number (writer, curve->x[i]);
-      qn_file_writer_puts_number (writer, ",", curve->y[i]);
-      qn_file_writer_printf (writer, ",%s\n", mark);
+      qn_file_writer_csv (writer, ",%zu,%g,%g,%s\n", i, curve->x[i], curve->y[i], mark);
     }
   return qn_file_writer_commit (writer, error);
 }
@@ -260,14 +257,12 @@ qn_cracks_csv_write (const char *path, const QnProject *project,
   g_array_unref (qn_cracks_by_line (contacts, cracks, lines));
   for (guint i = 0; i < cracks->len; i++) {
     const QnCrack *crack = &g_array_index (cracks, QnCrack, i);
-    const double numbers[] = { crack->width, crack->mean, crack->at.x, crack->at.y };
     qn_file_writer_printf (writer, "%td,", crack->face - contacts->faces);
     qn_file_writer_quoted (writer, model->blocks[crack->face->a].name);
     qn_file_writer_puts (writer, ",");
     qn_file_writer_quoted (writer, model->blocks[crack->face->b].name);
-    qn_file_writer_puts (writer, ",");
-    qn_file_writer_numbers (writer, numbers, G_N_ELEMENTS (numbers), ",");
-    qn_file_writer_printf (writer, ",%u\n", lines[i] + 1);
+    qn_file_writer_csv (writer, ",%g,%g,%g,%g,%d\n", crack->width, crack->mean,
+                        crack->at.x, crack->at.y, (int) lines[i] + 1);
   }
   return qn_file_writer_commit (writer, error);
 }

@@ -83,11 +83,8 @@ qn_record_write (const char *path, const QnRecord *record, GError **error)
   if (writer == NULL)
     return FALSE;
   qn_file_writer_puts (writer, "time [s],acceleration [m/s2]\n");
-  for (gsize i = 0; i < record->count; i++) {
-    qn_file_writer_number (writer, record->points[i].x);
-    qn_file_writer_puts_number (writer, ",", record->points[i].y);
-    qn_file_writer_puts (writer, "\n");
-  }
+  for (gsize i = 0; i < record->count; i++)
+    qn_file_writer_csv (writer, "%g,%g\n", record->points[i].x, record->points[i].y);
   return qn_file_writer_commit (writer, error);
 }
 

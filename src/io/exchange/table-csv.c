@@ -7,7 +7,6 @@
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"
 #include "io/text/outcome-text.h"
-#include "io/text/text-format.h"
 
 #include <errno.h>
 #include <glib/gi18n-lib.h>
@@ -25,28 +24,12 @@ qn_result_body_name (const QnModel *model, QnId body)
            : model->nodes[(size_t) body - model->block_count].name;
 }
 
-/* What a terminal would take for a command, or would turn the direction of the line, becomes U+FFFD. */
-static char *
-dup_harmless (const char *name)
-{
-  GString *text = g_string_new (NULL);
-  for (const char *c = name; *c != '\0'; c = g_utf8_next_char (c)) {
-    gunichar at = g_utf8_get_char (c);
-    g_string_append_unichar (text, qn_is_plain_character (at) ? at : 0xfffd);
-  }
-  return g_string_free (text, FALSE);
-}
-
-/* A field of text: in quotes where it would be taken for several. `suffix` belongs to it. */
+/* A heading of a name and what it is of it. */
 static void
-write_text (QnFileWriter *writer, const char *name, const char *suffix)
+write_heading (QnFileWriter *writer, const char *name, const char *of)
 {
-  g_autofree char *text = dup_harmless (name);
-  g_autofree char *whole = g_strconcat (text, suffix, NULL);
-  if (strpbrk (text, ",\"\r\n") == NULL)
-    qn_file_writer_puts (writer, whole);
-  else
-    qn_file_writer_quoted (writer, whole);
+  g_autofree char *heading = g_strconcat (name, of, NULL);
+  qn_file_writer_csv (writer, ",%s", heading);
 }
 
 static void
@@ -82,10 +65,8 @@ write_settlements (QnFileWriter *writer, const QnModel *model, const QnResult *r
       if (!settles (model, block, (QnDof) dof))
         continue;
       if (values == NULL) {
-        qn_file_writer_puts (writer, ",");
-        write_text (writer, model->blocks[block].name, motions[dof]);
-        qn_file_writer_puts (writer, ",");
-        write_text (writer, model->blocks[block].name, actions[dof]);
+        write_heading (writer, model->blocks[block].name, motions[dof]);
+        write_heading (writer, model->blocks[block].name, actions[dof]);
         continue;
       }
       const double numbers[] = {
@@ -107,11 +88,9 @@ write_history (const char *path, const QnModel *model, const QnHistory *history,
   qn_file_writer_puts (writer, "time [s],ground x [m/s2],ground y [m/s2]");
   for (int kind = 0; kind < QN_ENERGY_KIND_COUNT; kind++)
     qn_file_writer_printf (writer, ",%s [J]", qn_energy_names[kind]);
-  for (size_t i = 0; i < model->track_count; i++) {
-    qn_file_writer_puts (writer, ",");
-    write_text (writer, model->blocks[model->tracks[i].block].name,
-                motions[model->tracks[i].dof]);
-  }
+  for (size_t i = 0; i < model->track_count; i++)
+    write_heading (writer, model->blocks[model->tracks[i].block].name,
+                   motions[model->tracks[i].dof]);
   for (size_t i = 0; i < history->row_count; i++) {
     const double *row = history->rows + i * history->width;
     qn_file_writer_puts_number (writer, "\n", row[0]);
@@ -121,17 +100,18 @@ write_history (const char *path, const QnModel *model, const QnHistory *history,
   return qn_file_writer_commit (writer, error);
 }
 
-/* The number of the cycle that a stage belongs to; empty where that is none. */
+/* The stage of a step and the number of the cycle that it belongs to, empty where there is none, and the
+ * work up to the step. */
 static void
-write_cycle (QnFileWriter *writer, const QnModel *model, int32_t stage)
+write_stage (QnFileWriter *writer, const QnModel *model, int32_t stage, double work)
 {
-  int32_t cycle = stage > 0 && (size_t) stage <= model->stage_count
-                    ? qn_stage_cycle (&model->stages[stage - 1])
-                    : 0;
+  const gboolean known = stage > 0 && (size_t) stage <= model->stage_count;
+  g_autofree char *name = known ? qn_stage_dup_name (model, stage) : g_strdup ("");
+  int32_t cycle = known ? qn_stage_cycle (&model->stages[stage - 1]) : 0;
+  qn_file_writer_csv (writer, ",%s,", name);
   if (cycle > 0)
-    qn_file_writer_printf (writer, ",%d", cycle);
-  else
-    qn_file_writer_puts (writer, ",");
+    qn_file_writer_printf (writer, "%d", cycle);
+  write_numbers (writer, &work, 1);
 }
 
 gboolean
@@ -155,10 +135,8 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
   ptrdiff_t buckles = buckling != NULL ? qn_result_buckling_step (result, buckling) : -1;
 
   qn_file_writer_puts (writer, "step,multiplier [-]");
-  for (size_t dof = 0; block != QN_NONE && dof < QN_DOF_COUNT; dof++) {
-    qn_file_writer_puts (writer, ",");
-    write_text (writer, qn_result_body_name (&project->model, block), motions[dof]);
-  }
+  for (size_t dof = 0; block != QN_NONE && dof < QN_DOF_COUNT; dof++)
+    write_heading (writer, qn_result_body_name (&project->model, block), motions[dof]);
   qn_file_writer_puts (writer, ",iterations,residual [-],event");
   if (staged)
     qn_file_writer_puts (writer, ",stage,cycle,work [J]");
@@ -167,26 +145,15 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
   qn_file_writer_puts (writer, "\n");
   for (size_t i = 0; i < result->step_count; i++) {
     const QnStep *step = &result->steps[i];
-    qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT, i);
-    write_numbers (writer, &step->multiplier, 1);
+    qn_file_writer_csv (writer, "%zu,%g", i, step->multiplier);
     if (block != QN_NONE)
       write_numbers (
         writer, qn_result_step_displacements (result, i) + (size_t) block * QN_DOF_COUNT,
         QN_DOF_COUNT);
-    qn_file_writer_printf (writer, ",%d", step->iterations);
-    write_numbers (writer, &step->residual, 1);
-    qn_file_writer_printf (writer, ",%s",
-                           (ptrdiff_t) i == buckles ? "buckling" : events[step->event]);
+    qn_file_writer_csv (writer, ",%d,%g,%s", step->iterations, step->residual,
+                        (ptrdiff_t) i == buckles ? "buckling" : events[step->event]);
     if (staged)
-      qn_file_writer_puts (writer, ",");
-    if (step->stage > 0 && (size_t) step->stage <= project->model.stage_count) {
-      g_autofree char *name = qn_stage_dup_name (&project->model, step->stage);
-      write_text (writer, name, "");
-    }
-    if (staged) {
-      write_cycle (writer, &project->model, step->stage);
-      write_numbers (writer, &works[i], 1);
-    }
+      write_stage (writer, &project->model, step->stage, works[i]);
     if (result->reactions != NULL)
       write_settlements (writer, &project->model, result, result, i);
     qn_file_writer_puts (writer, "\n");
@@ -205,15 +172,14 @@ qn_displacements_csv_write (const char *path, const QnProject *project,
   qn_file_writer_puts (writer, "block,x [m],y [m],ux [m],uy [m],rz [rad]\n");
   for (size_t i = 0; i < result->block_count; i++) {
     const QnBlock *block = &project->model.blocks[i];
-    write_text (writer, block->name, "");
-    write_numbers (writer, (const double[]){ block->centroid.x, block->centroid.y }, 2);
+    qn_file_writer_csv (writer, "%s,%g,%g", block->name, block->centroid.x,
+                        block->centroid.y);
     write_numbers (writer, displacements + i * QN_DOF_COUNT, QN_DOF_COUNT);
     qn_file_writer_puts (writer, "\n");
   }
   for (size_t i = 0; i < result->node_count; i++) {
     const QnNode *node = &project->model.nodes[i];
-    write_text (writer, node->name, "");
-    write_numbers (writer, (const double[]){ node->at.x, node->at.y }, 2);
+    qn_file_writer_csv (writer, "%s,%g,%g", node->name, node->at.x, node->at.y);
     write_numbers (writer, displacements + (result->block_count + i) * QN_DOF_COUNT,
                    QN_DOF_COUNT);
     qn_file_writer_puts (writer, "\n");
@@ -238,19 +204,12 @@ qn_contacts_csv_write (const char *path, const QnProject *project,
     const QnContactPair *pair = &contacts->pairs[i];
     const QnContactFace *face = &contacts->faces[pair->face];
     const QnPairResult *forces = &result->pairs[i];
-    qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT ",%d,", i, pair->face);
-    write_text (writer, blocks[face->a].name, "");
-    qn_file_writer_puts (writer, ",");
-    write_text (writer, blocks[face->b].name, "");
     QnVec2 point, normal;
     qn_result_contact_place (&project->model, contacts, i, deformation, &point, &normal);
-    const double numbers[] = {
-      point.x, point.y, normal.x, normal.y, forces->normal_force, forces->shear_force
-    };
-    write_numbers (writer, numbers, G_N_ELEMENTS (numbers));
-    qn_file_writer_printf (writer, ",%s", qn_pair_state_names[forces->state]);
-    write_numbers (writer, &forces->damage, 1);
-    qn_file_writer_puts (writer, "\n");
+    qn_file_writer_csv (writer, "%zu,%d,%s,%s,%g,%g,%g,%g,%g,%g,%s,%g\n", i, pair->face,
+                        blocks[face->a].name, blocks[face->b].name, point.x, point.y,
+                        normal.x, normal.y, forces->normal_force, forces->shear_force,
+                        qn_pair_state_names[forces->state], forces->damage);
   }
   return qn_file_writer_commit (writer, error);
 }
@@ -264,17 +223,11 @@ write_beam_end (QnFileWriter *writer, const QnModel *model, size_t element, int 
   const QnBeam *beam = &model->beams[e->beam];
   QnVec2 at = model->nodes[e->nodes[end]].at;
   QnVec2 from = model->nodes[beam->nodes[0]].at;
-  const double numbers[] = { at.x,
-                             at.y,
-                             qn_vec2_length (qn_vec2_sub (at, from)),
-                             forces->normal[end],
-                             forces->shear[end],
-                             forces->moment[end] };
-  write_text (writer, beam->name, "");
-  qn_file_writer_printf (writer, ",%d,", (int) element - beam->first_element);
-  write_text (writer, model->nodes[e->nodes[end]].name, "");
-  write_numbers (writer, numbers, G_N_ELEMENTS (numbers));
-  qn_file_writer_puts (writer, "\n");
+  qn_file_writer_csv (writer, "%s,%d,%s,%g,%g,%g,%g,%g,%g\n", beam->name,
+                      (int) element - beam->first_element,
+                      model->nodes[e->nodes[end]].name, at.x, at.y,
+                      qn_vec2_length (qn_vec2_sub (at, from)), forces->normal[end],
+                      forces->shear[end], forces->moment[end]);
 }
 
 gboolean
@@ -310,16 +263,11 @@ qn_ties_csv_write (const char *path, const QnProject *project, const QnResult *r
   for (size_t s = 0;
        s < result->step_count && result->tie_count == qn_model_tie_count (model); s++) {
     const QnTieResult *ties = qn_result_step_ties (result, s);
-    for (size_t i = 0; ties != NULL && i < qn_model_tie_count (model); i++) {
-      const double step[] = { result->steps[s].multiplier, result->steps[s].time };
-      const double tie[] = { ties[i].force, ties[i].elongation };
-      qn_file_writer_printf (writer, "%zu", s);
-      write_numbers (writer, step, G_N_ELEMENTS (step));
-      qn_file_writer_puts (writer, ",");
-      write_text (writer, qn_model_tie (model, i)->name, "");
-      write_numbers (writer, tie, G_N_ELEMENTS (tie));
-      qn_file_writer_printf (writer, ",%s\n", qn_tie_state_names[ties[i].state]);
-    }
+    for (size_t i = 0; ties != NULL && i < qn_model_tie_count (model); i++)
+      qn_file_writer_csv (writer, "%zu,%g,%g,%s,%g,%g,%s\n", s,
+                          result->steps[s].multiplier, result->steps[s].time,
+                          qn_model_tie (model, i)->name, ties[i].force,
+                          ties[i].elongation, qn_tie_state_names[ties[i].state]);
   }
   return qn_file_writer_commit (writer, error);
 }
@@ -362,15 +310,10 @@ qn_bars_csv_write (const char *path, const QnProject *project, const QnContacts 
     const QnPairResult *forces = &result->pairs[c->pair];
     double area = pair->tributary * contacts->faces[pair->face].thickness;
     double force = qn_bar_axial (pair, forces->normal_force, forces->shear_force);
-    const double numbers[] = { line_start (&model->bars[c->bar], c->line) + c->along,
-                               pair->point.x,
-                               pair->point.y,
-                               area,
-                               force,
-                               force / area };
-    qn_file_writer_printf (writer, "%d,%d", pair->bar, pair->line);
-    write_numbers (writer, numbers, G_N_ELEMENTS (numbers));
-    qn_file_writer_printf (writer, ",%s\n", qn_pair_state_names[forces->state]);
+    qn_file_writer_csv (writer, "%d,%d,%g,%g,%g,%g,%g,%g,%s\n", pair->bar, pair->line,
+                        line_start (&model->bars[c->bar], c->line) + c->along,
+                        pair->point.x, pair->point.y, area, force, force / area,
+                        qn_pair_state_names[forces->state]);
   }
   free (crossings);
   return qn_file_writer_commit (writer, error);

@@ -4,6 +4,7 @@
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
 #include "io/text/number-text.h"
+#include "io/text/text-format.h"
 
 #include <errno.h>
 #include <glib/gi18n-lib.h>
@@ -154,24 +155,40 @@ qn_file_writer_quoted (QnFileWriter *writer, const char *text)
   qn_file_writer_puts (writer, "\"");
 }
 
-void
-qn_file_writer_json (QnFileWriter *writer, const char *format, ...)
+/* What a terminal would take for a command, or would turn the direction of the line, becomes U+FFFD. */
+static void
+put_field (QnFileWriter *writer, const char *name)
 {
-  va_list values;
-  char last =
-    writer->buffer->len > 0 ? writer->buffer->str[writer->buffer->len - 1] : writer->last;
-  format += *format == ',' && last == '[';
-  va_start (values, format);
+  g_autoptr (GString) text = g_string_new (NULL);
+  for (const char *c = name; *c != '\0'; c = g_utf8_next_char (c)) {
+    gunichar at = g_utf8_get_char (c);
+    g_string_append_unichar (text, qn_is_plain_character (at) ? at : 0xfffd);
+  }
+  if (strpbrk (text->str, ",\"\r\n") == NULL)
+    qn_file_writer_puts (writer, text->str);
+  else
+    qn_file_writer_quoted (writer, text->str);
+}
+
+static void
+put_json (QnFileWriter *writer, const char *text)
+{
+  if (text != NULL)
+    qn_json_append_string (writer->buffer, text);
+  else
+    qn_file_writer_puts (writer, "null");
+}
+
+/* By a format as the header tells, strings in the way of `put`. */
+static void
+put_values (QnFileWriter *writer, void (*put) (QnFileWriter *writer, const char *text),
+            const char *format, va_list values)
+{
   for (const char *c; (c = strchr (format, '%')) != NULL; format = c + 1) {
-    const char *text;
     qn_file_writer_write (writer, format, (gsize) (c - format));
     switch (*++c) {
     case 's':
-      text = va_arg (values, const char *);
-      if (text != NULL)
-        qn_json_append_string (writer->buffer, text);
-      else
-        qn_file_writer_puts (writer, "null");
+      put (writer, va_arg (values, const char *));
       break;
     case 'g':
       qn_file_writer_number (writer, va_arg (values, double));
@@ -193,8 +210,27 @@ qn_file_writer_json (QnFileWriter *writer, const char *format, ...)
       g_assert_not_reached ();
     }
   }
-  va_end (values);
   qn_file_writer_puts (writer, format);
+}
+
+void
+qn_file_writer_json (QnFileWriter *writer, const char *format, ...)
+{
+  va_list values;
+  char last =
+    writer->buffer->len > 0 ? writer->buffer->str[writer->buffer->len - 1] : writer->last;
+  va_start (values, format);
+  put_values (writer, put_json, format + (*format == ',' && last == '['), values);
+  va_end (values);
+}
+
+void
+qn_file_writer_csv (QnFileWriter *writer, const char *format, ...)
+{
+  va_list values;
+  va_start (values, format);
+  put_values (writer, put_field, format, values);
+  va_end (values);
 }
 
 GString *

@@ -56,6 +56,11 @@ void qn_file_writer_quoted (QnFileWriter *writer, const char *text);
 void qn_file_writer_json (QnFileWriter *writer, const char *format, ...)
   G_GNUC_PRINTF (2, 3);
 
+/* The same of a table: %s is a field, in quotes where it would be taken for several, and without characters
+ * that are commands of a terminal. */
+void qn_file_writer_csv (QnFileWriter *writer, const char *format, ...)
+  G_GNUC_PRINTF (2, 3);
+
 /* What has been written and not yet been handed on, to append to. */
 GString *qn_file_writer_buffer (QnFileWriter *writer);
 
