@@ -6,7 +6,7 @@
 #include "app/widgets/row.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-masonry.h"
-#include "doc/text/law-trace.h"
+#include "doc/text/law-text.h"
 #include "io/project/project-masonry.h"
 #include "support/auto-clear-stereotomy.h"
 #include "support/room.h"

@@ -3,7 +3,7 @@
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
-#include "doc/edit/edit-bar.h"
+#include "doc/edit/edit-tie.h"
 #include "doc/view/pair-text.h"
 #include <glib/gi18n.h>
 #include <math.h>

@@ -5,7 +5,6 @@
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-face.h"
 #include "doc/text/law-text.h"
-#include "doc/text/law-trace.h"
 #include "doc/view/pair-text.h"
 #include "io/project/typical-joint.h"
 #include <glib/gi18n.h>

@@ -1,7 +1,7 @@
 #include "app/forms/law-view.h"
 
 #include "app/widgets/plot-view.h"
-#include "doc/text/law-trace.h"
+#include "doc/text/law-text.h"
 
 /* m: of the block's side, where a law speaks of strains. */
 #define TYPICAL_LENGTH 0.1

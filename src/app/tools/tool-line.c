@@ -3,7 +3,6 @@
 #include "app/canvas/gesture.h"
 #include "app/tools/tools.h"
 
-#include "doc/edit/edit-bar.h"
 #include "doc/edit/edit-frame.h"
 #include "doc/edit/edit-tie.h"
 #include <glib/gi18n.h>

@@ -3,7 +3,7 @@
 #include "app/canvas/gesture.h"
 #include "app/tools/tools.h"
 
-#include "doc/document/picture.h"
+#include "doc/document/underlay.h"
 #include "render/drawing/rectify.h"
 #include <glib/gi18n.h>
 #include <string.h>

@@ -4,7 +4,6 @@
 #include "app/canvas/handle.h"
 #include "app/tools/tools.h"
 
-#include "doc/edit/edit-bar.h"
 #include "doc/edit/edit-tie.h"
 #include <glib/gi18n.h>
 

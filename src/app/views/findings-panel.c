@@ -3,7 +3,6 @@
 #include "app/widgets/builder.h"
 #include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
-#include "doc/edit/edit-gaps.h"
 #include "doc/edit/repair.h"
 #include "doc/text/explain.h"
 #include <glib/gi18n.h>

@@ -1,7 +1,7 @@
 /* The picture behind the drawing: opacity, size, place and angle; only there when it is. */
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
-#include "doc/document/picture.h"
+#include "doc/document/underlay.h"
 #include "io/text/io-error.h"
 #include <glib/gi18n.h>
 

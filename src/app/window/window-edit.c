@@ -3,7 +3,6 @@
 #include "app/tools/tools.h"
 #include "app/window/window-private.h"
 
-#include "doc/edit/edit-bar.h"
 #include "doc/edit/edit-masonry.h"
 #include "doc/edit/edit-place.h"
 #include "doc/edit/edit-shape.h"

@@ -4,8 +4,8 @@
 #include "app/window/window-private.h"
 
 #include "doc/document/import.h"
-#include "doc/document/picture.h"
 #include "doc/document/run-file.h"
+#include "doc/document/underlay.h"
 #include <glib/gi18n.h>
 
 /* ---- pictures ---- */

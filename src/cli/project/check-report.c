@@ -3,7 +3,7 @@
 
 #include "core/model/support.h"
 #include "doc/edit/edit-dynamic.h"
-#include "doc/edit/edit-gaps.h"
+#include "doc/edit/repair.h"
 #include "doc/view/load-text.h"
 #include "io/exchange/record.h"
 #include "io/text/fault-text.h"

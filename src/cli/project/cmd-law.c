@@ -1,7 +1,7 @@
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/subcommand.h"
-#include "doc/text/law-trace.h"
+#include "doc/text/law-text.h"
 #include "io/project/project.h"
 #include "io/text/file-writer.h"
 

@@ -1,4 +1,4 @@
-#include "doc/edit/edit-beams.h"
+#include "doc/edit/edit-frame.h"
 
 #include <glib/gi18n-lib.h>
 #include <stdlib.h>

@@ -1,7 +1,12 @@
 #include "doc/edit/edit-frame.h"
 
+#include "core/base/integer.h"
+#include "core/base/polygon.h"
+#include "doc/edit/edit-masonry.h"
+
 #include <glib/gi18n-lib.h>
 #include <math.h>
+#include <stdlib.h>
 
 static gboolean
 refuse_no_beam (GError **error)
@@ -190,4 +195,533 @@ qn_edit_set_line_load (QnModel *model, QnBeamSet set, gboolean live, QnVec2 valu
     load->vector = value;
   }
   return set.count > 0 || refuse_no_beam (error);
+}
+
+static gboolean
+has_ends (const QnBeam *beam)
+{
+  return beam->nodes[0] != QN_NONE && beam->nodes[1] != QN_NONE;
+}
+
+/* Marks the nodes that stay: riding ones whose block is there, free ones with a beam that stays. */
+static void
+mark_nodes (const QnModel *from, QnId (*follow) (gconstpointer data, QnId block),
+            gconstpointer data, gboolean *stays)
+{
+  for (gsize i = 0; i < from->node_count; i++)
+    stays[i] =
+      from->nodes[i].block == QN_NONE || follow (data, from->nodes[i].block) != QN_NONE;
+
+  g_autofree gboolean *used = g_new0 (gboolean, from->node_count + 1);
+  for (gsize i = 0; i < from->beam_count; i++) {
+    const QnId *ends = from->beams[i].nodes;
+    if (has_ends (&from->beams[i]) && stays[ends[0]] && stays[ends[1]])
+      used[ends[0]] = used[ends[1]] = TRUE;
+  }
+  for (gsize i = 0; i < from->node_count; i++)
+    stays[i] = stays[i] && (used[i] || from->nodes[i].block != QN_NONE);
+}
+
+static gboolean
+copy_nodes (const QnModel *from, QnModel *to,
+            QnId (*follow) (gconstpointer data, QnId block), gconstpointer data,
+            QnBeamRebuild *rebuild)
+{
+  g_autofree gboolean *stays = g_new0 (gboolean, from->node_count + 1);
+  mark_nodes (from, follow, data, stays);
+  for (gsize i = 0; i < from->node_count; i++) {
+    const QnNode *old = &from->nodes[i];
+    if (old->beam != QN_NONE || !stays[i])
+      continue;
+    QnNode *node = qn_model_add_node (to, old->name);
+    if (node == NULL)
+      return FALSE;
+    char *name = node->name;
+    *node = *old;
+    node->name = name;
+    if (old->block != QN_NONE)
+      node->block = follow (data, old->block);
+    rebuild->nodes[i] = (QnId) to->node_count - 1;
+  }
+  return TRUE;
+}
+
+static gboolean
+copy_beams (const QnModel *from, QnModel *to, QnBeamRebuild *rebuild)
+{
+  for (gsize i = 0; i < from->beam_count; i++) {
+    const QnBeam *old = &from->beams[i];
+    rebuild->beams[i] = QN_NONE;
+    if (!has_ends (old))
+      continue;
+    QnId ends[2] = { rebuild->nodes[old->nodes[0]], rebuild->nodes[old->nodes[1]] };
+    if (ends[0] == QN_NONE || ends[1] == QN_NONE)
+      continue;
+    QnBeam *beam = qn_model_add_beam (to, old->name);
+    if (beam == NULL)
+      return FALSE;
+    char *name = beam->name;
+    *beam = *old;
+    beam->name = name;
+    beam->nodes[0] = ends[0];
+    beam->nodes[1] = ends[1];
+    rebuild->beams[i] = (QnId) to->beam_count - 1;
+  }
+  return TRUE;
+}
+
+/* Nodes that cut a beam become those nearest to their places, for it may be cut into another
+ * number of elements. */
+static void
+follow_inner_nodes (const QnModel *from, const QnModel *to, QnBeamRebuild *rebuild)
+{
+  g_autofree guint *counts = g_new0 (guint, from->beam_count + 1);
+  g_autofree guint *seen = g_new0 (guint, from->beam_count + 1);
+  for (gsize i = 0; i < from->node_count; i++)
+    if (from->nodes[i].beam != QN_NONE)
+      counts[from->nodes[i].beam]++;
+  for (gsize i = 0; i < from->node_count; i++) {
+    QnId old = from->nodes[i].beam;
+    if (old == QN_NONE || rebuild->beams[old] == QN_NONE)
+      continue;
+    const QnBeam *beam = &to->beams[rebuild->beams[old]];
+    int32_t last = beam->element_count;
+    int32_t number = (int32_t) qn_to_integer (
+      round ((double) ++seen[old] / (counts[old] + 1) * last), 0, last);
+    rebuild->nodes[i] = number <= 0 ? beam->nodes[0]
+                        : number >= last
+                          ? beam->nodes[1]
+                          : to->elements[beam->first_element + number].nodes[0];
+  }
+}
+
+gboolean
+qn_edit_copy_beams (const QnModel *from, QnModel *to,
+                    QnId (*follow) (gconstpointer data, QnId block), gconstpointer data,
+                    QnBeamRebuild *rebuild, QnDiag *diag)
+{
+  rebuild->nodes = g_new (QnId, from->node_count + 1);
+  rebuild->beams = g_new (QnId, from->beam_count + 1);
+  for (gsize i = 0; i < from->node_count; i++)
+    rebuild->nodes[i] = QN_NONE;
+  if (!copy_nodes (from, to, follow, data, rebuild) || !copy_beams (from, to, rebuild)
+      || qn_model_expand_beams (to, diag) != QN_OK)
+    return FALSE;
+  follow_inner_nodes (from, to, rebuild);
+  return TRUE;
+}
+
+void
+qn_beam_rebuild_clear (QnBeamRebuild *rebuild)
+{
+  g_clear_pointer (&rebuild->nodes, g_free);
+  g_clear_pointer (&rebuild->beams, g_free);
+}
+
+void
+qn_edit_transform_nodes (QnModel *model, const gboolean *flags, QnTransform transform)
+{
+  gboolean all = TRUE;
+  for (gsize i = 0; i < model->block_count; i++)
+    all = all && flags[i];
+  for (gsize i = 0; i < model->node_count; i++) {
+    QnNode *node = &model->nodes[i];
+    gboolean moves = node->block != QN_NONE ? flags[node->block] : all;
+    if (moves && (node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT))
+      node->at = qn_transform_apply (transform, node->at);
+  }
+  for (gsize i = 0; i < 2 * model->tie_count; i++) {
+    QnTieEnd *end = &model->ties[i / 2].ends[i % 2];
+    if (end->block != QN_NONE ? flags[end->block] : all)
+      end->at = qn_transform_apply (transform, end->at);
+  }
+}
+
+/* ---- moving ---- */
+
+/* A node that goes somewhere; told by name, because blocks that move may change numbers. */
+typedef struct Target {
+  char *name;
+  QnVec2 at;
+} Target;
+
+static void
+free_target (gpointer data)
+{
+  g_free (((Target *) data)->name);
+}
+
+/* Nodes of the beams that their blocks do not take along. */
+static GArray *
+collect_targets (const QnModel *model, QnPartSet set, QnTransform transform)
+{
+  GArray *targets = g_array_new (FALSE, FALSE, sizeof (Target));
+  g_array_set_clear_func (targets, free_target);
+  g_autofree gboolean *moved = qn_block_set_to_flags (set.blocks, model);
+  g_autofree gboolean *known = g_new0 (gboolean, model->node_count + 1);
+  for (guint i = 0; i < set.beams.count; i++) {
+    for (int end = 0; end < 2; end++) {
+      QnId id = model->beams[set.beams.ids[i]].nodes[end];
+      const QnNode *node = &model->nodes[id];
+      gboolean goes = node->seat == QN_SEAT_FREE
+                      || (node->seat == QN_SEAT_POINT && !moved[node->block]);
+      if (!goes || known[id])
+        continue;
+      known[id] = TRUE;
+      Target target = { g_strdup (node->name), qn_transform_apply (transform, node->at) };
+      g_array_append_val (targets, target);
+    }
+  }
+  return targets;
+}
+
+gboolean
+qn_edit_transform_all (QnProject *draft, QnPartSet set, QnTransform transform,
+                       GError **error)
+{
+  if (set.beams.count == 0)
+    return qn_edit_transform (draft, set.blocks, transform, error);
+  g_autoptr (GArray) targets = collect_targets (&draft->model, set, transform);
+  if (set.blocks.count > 0 && !qn_edit_transform (draft, set.blocks, transform, error))
+    return FALSE;
+  for (guint i = 0; i < targets->len; i++) {
+    const Target *target = &g_array_index (targets, Target, i);
+    QnId node = qn_model_find_node (&draft->model, target->name);
+    if (node != QN_NONE)
+      draft->model.nodes[node].at = target->at;
+  }
+  return TRUE;
+}
+
+/* ---- copying ---- */
+
+/* A beam that is to be copied, with what its ends are. */
+typedef struct Original {
+  QnBeam beam;
+  QnVec2 at[2];
+  bool support[2][QN_DOF_COUNT];
+} Original;
+
+static GArray *
+collect_originals (const QnModel *model, QnBeamSet beams)
+{
+  GArray *originals = g_array_new (FALSE, FALSE, sizeof (Original));
+  for (guint i = 0; i < beams.count; i++) {
+    Original original = { .beam = model->beams[beams.ids[i]] };
+    for (int end = 0; end < 2; end++) {
+      const QnNode *node = &model->nodes[original.beam.nodes[end]];
+      original.at[end] = node->at;
+      for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+        original.support[end][dof] = node->support[dof];
+    }
+    g_array_append_val (originals, original);
+  }
+  return originals;
+}
+
+static gboolean
+copy_one (QnModel *model, const Original *original, QnTransform step, GError **error)
+{
+  QnVec2 ends[2];
+  gboolean is_new[2];
+  for (int end = 0; end < 2; end++) {
+    gsize before = model->node_count;
+    ends[end] = qn_transform_apply (step, original->at[end]);
+    if (qn_edit_take_node (model, ends[end]) == QN_NONE)
+      return qn_edit_no_memory (error);
+    is_new[end] = model->node_count > before;
+  }
+  const QnBeam *old = &original->beam;
+  QnBeamStyle style = { .section = model->sections[old->section].name,
+                        .kind = old->kind,
+                        .hinge = { old->hinge[0], old->hinge[1] },
+                        .element_count = old->element_count };
+  if (!qn_edit_add_beam (model, ends[0], ends[1], style, error))
+    return FALSE;
+  const QnBeam *beam = &model->beams[model->beam_count - 1];
+  for (int end = 0; end < 2; end++) {
+    QnNode *node = &model->nodes[beam->nodes[end]];
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      if (is_new[end] && node->block == QN_NONE)
+        node->support[dof] = original->support[end][dof];
+  }
+  return TRUE;
+}
+
+gboolean
+qn_edit_copy_all (QnProject *draft, QnPartSet set, QnTransform transform, int copies,
+                  GError **error)
+{
+  g_autoptr (GArray) originals = collect_originals (&draft->model, set.beams);
+  if ((set.blocks.count > 0 || set.beams.count == 0)
+      && !qn_edit_copy (draft, set.blocks, transform, copies, error))
+    return FALSE;
+  QnTransform step = qn_transform_translation (0.0, 0.0);
+  for (int k = 0; k < copies; k++) {
+    step = qn_transform_compose (step, transform);
+    for (guint i = 0; i < originals->len; i++)
+      if (!copy_one (&draft->model, &g_array_index (originals, Original, i), step, error))
+        return FALSE;
+  }
+  return TRUE;
+}
+
+/* Plain concrete, where nothing is known. */
+#define FIRST_YOUNG       30e9
+#define FIRST_POISSON     0.2
+#define FIRST_SIZE        0.2
+#define FIRST_UNIT_WEIGHT 24e3
+
+static gboolean
+is_rectangle (const QnSection *section)
+{
+  return section->height > 0.0;
+}
+
+gboolean
+qn_edit_set_section_shape (QnModel *model, QnId id, gboolean rectangle, GError **error)
+{
+  QnSection *section = &model->sections[id];
+  if (rectangle == is_rectangle (section))
+    return TRUE;
+  if (rectangle) { /* of the same area and inertia */
+    section->height = sqrt (12.0 * section->inertia / section->area);
+    section->width = section->area / section->height;
+  } else {
+    section->area = section->width * section->height;
+    section->inertia = section->area * section->height * section->height / 12.0;
+    double plastic = qn_section_plastic_moment (section);
+    section->plastic_moment = isfinite (plastic) ? plastic : 0.0;
+    section->width = section->height = section->yield = 0.0;
+  }
+  return TRUE;
+}
+
+gboolean
+qn_edit_add_section (QnModel *model, QnId like, GError **error)
+{
+  g_autofree char *name = qn_edit_dup_new_name (
+    model, qn_model_find_section, _ ("section"), " ", model->section_count + 1);
+  QnSection *section = qn_model_add_section (model, name);
+  if (section == NULL)
+    return qn_edit_no_memory (error);
+  if (like != QN_NONE) {
+    char *own = section->name;
+    *section = model->sections[like];
+    section->name = own;
+    section->note = 0;
+    return TRUE;
+  }
+  section->young = FIRST_YOUNG;
+  section->poisson = FIRST_POISSON;
+  section->width = section->height = FIRST_SIZE;
+  section->unit_weight = FIRST_UNIT_WEIGHT;
+  return TRUE;
+}
+
+gboolean
+qn_edit_rename_section (QnModel *model, QnId id, const char *name, GError **error)
+{
+  if (qn_model_find_section (model, name) != QN_NONE)
+    return qn_edit_refuse (error, _ ("There is a section named “%s” already"), name);
+  return qn_edit_take_name (&model->sections[id].name, name, error);
+}
+
+void
+qn_edit_remove_unused_sections (QnModel *model)
+{
+  g_autofree QnId *follow = g_new (QnId, model->section_count + 1);
+  for (gsize i = 0; i < model->section_count; i++)
+    follow[i] = QN_NONE;
+  for (gsize i = 0; i < model->beam_count; i++)
+    follow[model->beams[i].section] = 0;
+  gsize kept = 0;
+  for (gsize i = 0; i < model->section_count; i++) {
+    if (follow[i] == QN_NONE) {
+      free (model->sections[i].name);
+      continue;
+    }
+    follow[i] = (QnId) kept;
+    model->sections[kept++] = model->sections[i];
+  }
+  model->section_count = kept;
+  for (gsize i = 0; i < model->beam_count; i++)
+    model->beams[i].section = follow[model->beams[i].section];
+}
+
+/* Places nearer to each other, relative to their coordinates, are one. */
+#define SAME_PLACE 1e-9
+
+/* ---- where nodes are ---- */
+
+double
+qn_place_reach (QnVec2 at)
+{
+  return SAME_PLACE * MAX (1.0, MAX (fabs (at.x), fabs (at.y)));
+}
+
+QnId
+qn_model_block_under (const QnModel *model, QnVec2 at)
+{
+  const double reach = qn_place_reach (at);
+  for (QnId i = (QnId) model->block_count - 1; i >= 0; i--) {
+    const QnVec2 *v = qn_model_block_vertices (model, i);
+    if (qn_polygon_depth (v, (gsize) model->blocks[i].vertex_count, at) >= -reach)
+      return i;
+  }
+  return QN_NONE;
+}
+
+static char *
+dup_end_text (const QnModel *model, QnVec2 at, const char *nothing)
+{
+  QnId block = qn_model_block_under (model, at);
+  return block != QN_NONE ? g_strdup_printf (_ ("on block %s"), model->blocks[block].name)
+                          : g_strdup (nothing);
+}
+
+char *
+qn_beam_end_dup_text (const QnModel *model, QnVec2 at)
+{
+  QnId node = qn_model_node_near (model, at, qn_place_reach (at));
+  return node != QN_NONE ? g_strdup_printf (_ ("at node %s"), model->nodes[node].name)
+                         : dup_end_text (model, at, _ ("free"));
+}
+
+char *
+qn_tie_end_dup_text (const QnModel *model, QnVec2 at)
+{
+  return dup_end_text (model, at, _ ("in the ground"));
+}
+
+QnId
+qn_model_node_near (const QnModel *model, QnVec2 at, double reach)
+{
+  QnId best = QN_NONE;
+  double nearest = reach;
+  for (QnId i = 0; i < (QnId) model->node_count; i++) {
+    double distance = qn_vec2_length (qn_vec2_sub (model->nodes[i].at, at));
+    if (model->nodes[i].beam == QN_NONE && distance <= nearest) {
+      nearest = distance;
+      best = i;
+    }
+  }
+  return best;
+}
+
+guint
+qn_model_node_beams (const QnModel *model, QnId node)
+{
+  guint count = 0;
+  for (gsize i = 0; i < model->beam_count; i++)
+    count += model->beams[i].nodes[0] == node || model->beams[i].nodes[1] == node;
+  return count;
+}
+
+/* ---- moving ---- */
+
+static void
+replace_id (QnId *id, QnId gone, QnId by)
+{
+  if (*id == gone)
+    *id = by;
+}
+
+static void
+seat_on (QnNode *node, QnSeat seat, QnId block)
+{
+  node->seat = seat;
+  node->block = seat == QN_SEAT_FREE ? QN_NONE : block;
+  for (int dof = 0; dof < QN_DOF_COUNT && seat != QN_SEAT_FREE; dof++)
+    node->support[dof] = false;
+}
+
+gboolean
+qn_edit_place_node (QnModel *model, QnId id, QnVec2 at, GError **error)
+{
+  QnNode *node = &model->nodes[id];
+  QnVec2 from = node->at;
+  node->at = qn_vec2 (INFINITY, INFINITY); /* not found as its own neighbour */
+  QnId other = qn_model_node_near (model, at, qn_place_reach (at));
+  if (other != QN_NONE) {
+    node->at = from;
+    /* Everything that named the one names the other; rebuilding leaves out a node without
+     * beams. */
+    for (gsize i = 0; i < model->beam_count; i++) {
+      replace_id (&model->beams[i].nodes[0], id, other);
+      replace_id (&model->beams[i].nodes[1], id, other);
+    }
+    for (gsize i = 0; i < qn_model_load_count (model); i++)
+      if (qn_model_load (model, i)->kind == QN_LOAD_NODE)
+        replace_id (&qn_model_load (model, i)->node, id, other);
+    replace_id (&model->analysis.control_node, id, other);
+    for (gsize i = 0; i < model->stage_count; i++)
+      replace_id (&model->stages[i].control_node, id, other);
+    model->nodes[id].seat = QN_SEAT_FREE;
+    model->nodes[id].block = QN_NONE;
+    return qn_edit_rebuild (model, NULL, error);
+  }
+  node->at = at;
+  QnId block = qn_model_block_under (model, at);
+  seat_on (node, block != QN_NONE ? QN_SEAT_POINT : QN_SEAT_FREE, block);
+  return TRUE;
+}
+
+/* ---- how nodes are held ---- */
+
+gboolean
+qn_edit_set_node_seat (QnModel *model, QnId id, QnSeat seat, QnId block, QnBlockSide side,
+                       GError **error)
+{
+  if (seat != QN_SEAT_FREE && block == QN_NONE)
+    return qn_edit_refuse (
+      error, _ ("There is no block here: move the end of the beam onto one"));
+  seat_on (&model->nodes[id], seat, block);
+  model->nodes[id].side = side;
+  return TRUE;
+}
+
+gboolean
+qn_edit_set_node_support (QnModel *model, QnId id, const bool support[QN_DOF_COUNT],
+                          GError **error)
+{
+  QnNode *node = &model->nodes[id];
+  if (node->block != QN_NONE)
+    return qn_edit_refuse (error,
+                           _ ("A node on a block is held by its block: fix the block"));
+  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+    node->support[dof] = support[dof];
+  return TRUE;
+}
+
+gboolean
+qn_edit_part_beam (QnModel *model, QnId beam, int end, GError **error)
+{
+  QnId shared = model->beams[beam].nodes[end];
+  if (qn_model_node_beams (model, shared) < 2)
+    return qn_edit_refuse_nothing (error, _ ("No other beam ends here"));
+  g_autofree char *name =
+    qn_edit_dup_new_name (model, qn_model_find_node, model->nodes[shared].name, "-", 2);
+  QnNode *node = qn_model_add_node (model, name);
+  if (node == NULL)
+    return qn_edit_no_memory (error);
+  char *own = node->name;
+  *node = model->nodes[shared];
+  node->name = own;
+  node->note = 0;
+  model->beams[beam].nodes[end] = (QnId) model->node_count - 1;
+  return TRUE;
+}
+
+gboolean
+qn_edit_add_node_force (QnModel *model, QnId node, gboolean live, QnVec2 force,
+                        GError **error)
+{
+  QnLoad *load = qn_edit_new_load (model, live, error);
+  if (load == NULL)
+    return FALSE;
+  load->kind = QN_LOAD_NODE;
+  load->node = node;
+  load->vector = force;
+  return TRUE;
 }

@@ -2,7 +2,7 @@
 
 #include "core/base/name-index.h"
 #include "core/base/polygon.h"
-#include "doc/edit/edit-beams.h"
+#include "doc/edit/edit-frame.h"
 #include "doc/text/explain.h"
 #include <glib/gi18n-lib.h>
 #include <math.h>

@@ -9,6 +9,7 @@
 
 #include "core/contact/contacts.h"
 #include "doc/edit/edit.h"
+#include "stereotomy/gaps.h"
 
 typedef enum {
   QN_REPAIR_CLOSE, /* blocks grow to the middle of the gap; of all gaps of joints of mortar */
@@ -41,3 +42,19 @@ gboolean qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repa
 /* Does the best for every finding that can be repaired without removing or fixing a block;
  * `count` is how many were. Refused where there is none. */
 gboolean qn_edit_repair_all (QnModel *model, guint *count, GError **error);
+
+/* The gaps between blocks of a prepared model, wider than what contacts bridge and up to `width`, m
+ * (0: the usual width). `gaps` is overwritten; rings are blocks. FALSE without memory. */
+gboolean qn_model_find_gaps (const QnModel *model, double width, QnGaps *gaps);
+
+/* The usual width of a model's blocks, m: qn_gaps_usual_width(); 0 without memory. */
+double qn_model_usual_gap (const QnModel *model);
+
+/* "285 joints of mortar, 9 to 12 mm wide"; NULL where there are none. The caller frees it. */
+char *qn_gaps_dup_text (const QnGaps *gaps);
+
+/* Lets blocks grow to the middle of all gaps up to `width` (m, > 0) between them, freed from walls and
+ * masonry where they were part of such. `closing` (nullable) is overwritten. Refused where there
+ * are none. */
+gboolean qn_edit_close_gaps (QnModel *model, double width, QnGapClosing *closing,
+                             GError **error);

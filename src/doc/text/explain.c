@@ -270,41 +270,21 @@ qn_explain_procedure (const QnAnalysisSettings *analysis)
   return "";
 }
 
-typedef enum { NONE, LAW, BLOCK, SECTION, BEAM } Named;
-
 static const struct {
   const char *key, *words;
-  Named named;
+  QnEntity named; /* by its name, else by its number */
 } lists[] = {
-  { "laws[", N_ ("Law %s"), LAW },
-  { "blocks[", N_ ("Block %s"), BLOCK },
-  { "sections[", N_ ("Section %s"), SECTION },
-  { "beams[", N_ ("Beam %s"), BEAM },
-  { "masonry[", N_ ("Masonry %s"), NONE },
-  { "ties[", N_ ("Tie %s"), NONE },
-  { "bars[", N_ ("Bar %s"), NONE },
-  { "loads.live[", N_ ("Growing load %s"), NONE },
-  { "loads.dead[", N_ ("Constant load %s"), NONE },
-  { "analysis.stages[", N_ ("Stage %s"), NONE },
+  { "laws[", N_ ("Law %s"), QN_ENTITY_LAW },
+  { "blocks[", N_ ("Block %s"), QN_ENTITY_BLOCK },
+  { "sections[", N_ ("Section %s"), QN_ENTITY_SECTION },
+  { "beams[", N_ ("Beam %s"), QN_ENTITY_BEAM },
+  { "masonry[", N_ ("Masonry %s"), QN_ENTITY_MODEL },
+  { "ties[", N_ ("Tie %s"), QN_ENTITY_MODEL },
+  { "bars[", N_ ("Bar %s"), QN_ENTITY_MODEL },
+  { "loads.live[", N_ ("Growing load %s"), QN_ENTITY_MODEL },
+  { "loads.dead[", N_ ("Constant load %s"), QN_ENTITY_MODEL },
+  { "analysis.stages[", N_ ("Stage %s"), QN_ENTITY_MODEL },
 };
-
-static const char *
-find_name (const QnModel *model, Named named, guint64 index)
-{
-  switch (named) {
-  case LAW:
-    return index < model->law_count ? model->laws[index].name : NULL;
-  case BLOCK:
-    return index < model->block_count ? model->blocks[index].name : NULL;
-  case SECTION:
-    return index < model->section_count ? model->sections[index].name : NULL;
-  case BEAM:
-    return index < model->beam_count ? model->beams[index].name : NULL;
-  case NONE:
-  default:
-    return NULL;
-  }
-}
 
 char *
 qn_path_dup_text (const QnModel *model, const char *path)
@@ -314,7 +294,8 @@ qn_path_dup_text (const QnModel *model, const char *path)
       continue;
     char *end;
     guint64 index = g_ascii_strtoull (path + strlen (lists[i].key), &end, 10);
-    const char *known = find_name (model, lists[i].named, index);
+    const char *known =
+      index < G_MAXINT32 ? entity_name (model, lists[i].named, (QnId) index) : NULL;
     g_autofree char *name = known != NULL
                               ? g_strdup_printf (_ ("“%s”"), known)
                               : g_strdup_printf ("%" G_GUINT64_FORMAT, index + 1);

@@ -1,6 +1,5 @@
 #include "doc/view/carry-files.h"
 
-#include "doc/document/picture.h"
 #include "doc/document/underlay.h"
 #include "doc/view/figures.h"
 #include "doc/view/recipe.h"

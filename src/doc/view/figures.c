@@ -1,6 +1,5 @@
 #include "doc/view/figures.h"
 
-#include "doc/document/picture.h"
 #include "doc/document/underlay.h"
 #include "doc/edit/edit.h"
 #include "io/project/project.h"

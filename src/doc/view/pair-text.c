@@ -7,16 +7,17 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
-/* Numbers between semicolons or spaces; -1 where one cannot be read or there are too many. */
+/* Numbers between these characters; -1 where one cannot be read or there are more than `most`. */
 static int
-parse_list (const char *text, double *values, GError **error)
+parse_numbers (const char *text, const char *between, double *values, int most,
+               GError **error)
 {
-  g_auto (GStrv) words = g_strsplit_set (text, "; \t", -1);
+  g_auto (GStrv) words = g_strsplit_set (text, between, -1);
   int count = 0;
   for (gsize i = 0; words[i] != NULL; i++) {
     if (*words[i] == '\0')
       continue;
-    if (count == QN_MAX_EXPLICIT_PAIRS) {
+    if (count == most) {
       qn_edit_refuse (error, _ ("There are too many contact pairs at given positions"));
       return -1;
     }
@@ -25,6 +26,12 @@ parse_list (const char *text, double *values, GError **error)
       return -1;
   }
   return count;
+}
+
+static int
+parse_list (const char *text, double *values, GError **error)
+{
+  return parse_numbers (text, "; \t", values, QN_MAX_EXPLICIT_PAIRS, error);
 }
 
 gboolean
@@ -117,29 +124,6 @@ qn_pair_rule_dup_weights (const QnPairRule *rule)
   return g_strdup ("");
 }
 
-/* Two numbers and nothing else. */
-static gboolean
-parse_point (const char *text, QnVec2 *point)
-{
-  double values[2];
-  int count = 0;
-  g_auto (GStrv) words = g_strsplit_set (text, " \t", -1);
-  for (gsize i = 0; words[i] != NULL; i++) {
-    if (*words[i] == '\0')
-      continue;
-    if (count == 2
-        || !qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, words[i], &values[count],
-                            NULL)
-        || !isfinite (values[count]))
-      return FALSE;
-    count++;
-  }
-  if (count < 2)
-    return FALSE;
-  *point = qn_vec2 (values[0], values[1]);
-  return TRUE;
-}
-
 gboolean
 qn_points_parse (const char *text, QnVec2 *points, int32_t most, int32_t *count)
 {
@@ -148,9 +132,11 @@ qn_points_parse (const char *text, QnVec2 *points, int32_t most, int32_t *count)
   for (gsize i = 0; parts[i] != NULL; i++) {
     if (*g_strstrip (parts[i]) == '\0')
       continue;
-    if (*count == most || !parse_point (parts[i], &points[*count]))
+    double place[2];
+    if (*count == most || parse_numbers (parts[i], " \t", place, 2, NULL) != 2
+        || !isfinite (place[0]) || !isfinite (place[1]))
       return FALSE;
-    ++*count;
+    points[(*count)++] = qn_vec2 (place[0], place[1]);
   }
   return *count > 0;
 }
@@ -159,12 +145,11 @@ char *
 qn_points_dup_text (const QnVec2 *points, int32_t count)
 {
   GString *text = g_string_new (NULL);
-  for (int32_t i = 0; i < count; i++) {
-    g_autofree char *x =
-      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, points[i].x, 9);
-    g_autofree char *y =
-      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, points[i].y, 9);
-    g_string_append_printf (text, "%s%s %s", i > 0 ? "; " : "", x, y);
+  for (int32_t i = 0; i < 2 * count; i++) {
+    const QnVec2 at = points[i / 2];
+    g_autofree char *number =
+      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, i % 2 == 0 ? at.x : at.y, 9);
+    g_string_append_printf (text, "%s%s", i == 0 ? "" : i % 2 == 0 ? "; " : " ", number);
   }
   return g_string_free (text, FALSE);
 }

@@ -1,6 +1,6 @@
 #include "doc/view/view-state.h"
 
-#include "doc/document/picture.h"
+#include "doc/document/underlay.h"
 #include "render/drawing/photo.h"
 #include "render/scene/motion.h"
 

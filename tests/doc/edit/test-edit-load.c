@@ -1,5 +1,5 @@
-#include "doc/edit/edit-bar.h"
 #include "doc/edit/edit-shape.h"
+#include "doc/edit/edit-tie.h"
 
 #include "doc/fixture.h"
 #include "support/room.h"

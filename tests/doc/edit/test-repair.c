@@ -1,6 +1,5 @@
 #include "doc/edit/repair.h"
 
-#include "doc/edit/edit-gaps.h"
 #include "doc/fixture.h"
 #include "io/text/text-format.h"
 #include "support/room.h"

@@ -1,4 +1,4 @@
-#include "doc/text/law-trace.h"
+#include "doc/text/law-text.h"
 #include "support/room.h"
 
 #include <math.h>
