@@ -207,8 +207,8 @@ class Model:
         gravity = self.to_dict().get("gravity", 9.81)
         nodes = {}
         for number, block in enumerate(self.blocks):
-            corners = [[x, y, z] for y in (0.0, block.thickness)
-                       for x, z in block.vertices.tolist()]
+            corners = [[float(x), y, float(z)] for y in (0.0, block.thickness)
+                       for x, z in block.vertices]
             n = len(block.vertices)
             faces = [list(range(n)), list(range(2 * n - 1, n - 1, -1))]
             faces += [[i, n + i, n + (i + 1) % n, (i + 1) % n] for i in range(n)]

@@ -31,7 +31,7 @@ dup_message (const char *said)
 }
 
 /* Calls back for a line of progress (quoin-cli, cases of a study); ends the program where that says so.
- * False for any other line. */
+ * It may be done by then. False for any other line. */
 static bool
 take_progress (const char *line, GSubprocess *program, QuoinCaller *caller)
 {
@@ -102,11 +102,11 @@ quoin_command_watched (const char *const *arguments, char **output,
     quoin_library_take_error (error, NULL, cause);
     return false;
   }
-  if (!done) {
-    g_autofree char *message = dup_message (said->str);
-    int code = cause->domain == G_SPAWN_EXIT_ERROR ? cause->code : 1;
+  if (!done || caller.func != progress) {
+    g_autofree char *message = done ? g_strdup ("cancelled") : dup_message (said->str);
+    int code = !done && cause->domain == G_SPAWN_EXIT_ERROR ? cause->code : 1;
     quoin_library_set_error (error, kind_of_exit (code), "%s", message);
-    g_error_free (cause);
+    g_clear_error (&cause);
     return false;
   }
   quoin_library_tell (&caller, 1, 0);
