@@ -37,13 +37,6 @@ typedef int32_t QnId;
 #define QN_UNROLL
 #endif
 
-/* The larger of two numbers; the second if the first is NaN. Inline, unlike fmax(). */
-static inline double
-qn_larger (double a, double b)
-{
-  return a > b ? a : b;
-}
-
 /* Degrees of freedom of a block, in the order in which they are stored everywhere. */
 typedef enum {
   QN_DOF_UX, /* displacement of the centroid along x, m */

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stddef.h>
 
-/* The smaller and the larger of two finite numbers; fmin and fmax would be calls, for the sake of
- * NaN. */
+/* The smaller and the larger of two numbers, the second if the first is NaN; fmin and fmax would be
+ * calls. */
 static inline double
 qn_min (double a, double b)
 {

@@ -190,8 +190,8 @@ qn_central_pairs_prepare (QnCentralPairs *pairs, QnCentralResiduals *residuals)
                      ? beyond - cell->quadratic[i] * ip->at.y[at]
                      : 0;
       if (counts) {
-        residuals->elongation = qn_larger (fabs (beyond), residuals->elongation);
-        residuals->force = qn_larger (fabs (ip->at.y[at]), residuals->force);
+        residuals->elongation = qn_max (fabs (beyond), residuals->elongation);
+        residuals->force = qn_max (fabs (ip->at.y[at]), residuals->force);
       }
     }
     if (cell->bound_count > 0)

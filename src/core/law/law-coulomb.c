@@ -62,6 +62,8 @@
  */
 #include "core/law/law-ops.h"
 
+#include "core/base/numbers.h"
+
 #include <math.h>
 
 /* --- Friction ---------------------------------------------------------------------------- */
@@ -139,7 +141,7 @@ crush (const QnSpring *s, const double q[2], double t_trial, QnSpringResponse *r
 {
   double slope, force = compression_at (s, -q[0], &slope);
   double sign = t_trial < 0 ? -1 : 1, left = s->residual * force;
-  double g = qn_larger ((fabs (t_trial) - left) / s->ks, 0);
+  double g = qn_max ((fabs (t_trial) - left) / s->ks, 0);
   double slip = r->memory.slip + sign * g;
   double crushed = q[0] + force / s->kn;
 

@@ -241,8 +241,7 @@ factorize_collapse (QnCollapse *c)
 static bool
 is_stable (const QnCollapse *c)
 {
-  return !c->own_flow
-         || (qn_block_lu_sign (c->kkt.schur.lu) > 0) == (c->kkt.border_power > 0);
+  return !c->own_flow || (qn_block_lu_sign (c->kkt.lu) > 0) == (c->kkt.border_power > 0);
 }
 
 /* d lambda / d log (1 / compliance) at a collapse: the tangent of its equations. */

@@ -13,9 +13,9 @@
 
 /* The pattern of M in storage order, without duplicates. */
 static bool
-find_pattern (QnIpSchur *schur, QnPool *pool)
+find_pattern (QnIpKkt *kkt)
 {
-  const QnIpProblem *p = schur->problem;
+  const QnIpProblem *p = kkt->problem;
   QnSparsePattern pattern;
   bool ok = qn_sparse_pattern_init (&pattern, p->row_count,
                                     (size_t) p->group_count * GROUP_ENTRIES
@@ -25,57 +25,59 @@ find_pattern (QnIpSchur *schur, QnPool *pool)
     ok = qn_sparse_pattern_add_clique (&pattern, &r, 1);
   for (int32_t g = 0; ok && g < p->group_count; g++)
     ok = qn_sparse_pattern_add_clique (&pattern, p->groups[g].rows, QN_IP_GROUP_ROWS);
-  ok = ok && qn_sparse_pattern_compress (&pattern, &schur->columns, &schur->rows);
+  ok = ok && qn_sparse_pattern_compress (&pattern, &kkt->columns, &kkt->rows);
   qn_sparse_pattern_clear (&pattern);
   if (ok) {
-    qn_pool_add (pool, schur->columns);
-    qn_pool_add (pool, schur->rows);
+    qn_pool_add (&kkt->pool, kkt->columns);
+    qn_pool_add (&kkt->pool, kkt->rows);
   }
-  return ok && !pool->failed;
+  return ok && !kkt->pool.failed;
 }
 
 static void
-schur_init (QnIpSchur *schur, const QnIpProblem *p, QnPool *pool)
+schur_init (QnIpKkt *kkt)
 {
-  *schur = (QnIpSchur){ .problem = p };
-  schur->slots =
-    qn_pool_alloc (pool, (size_t) p->group_count * GROUP_ENTRIES, sizeof *schur->slots);
-  schur->diagonal = qn_pool_alloc (pool, (size_t) p->row_count, sizeof *schur->diagonal);
-  if (!find_pattern (schur, pool))
+  const QnIpProblem *p = kkt->problem;
+  QnPool *pool = &kkt->pool;
+
+  kkt->slots =
+    qn_pool_alloc (pool, (size_t) p->group_count * GROUP_ENTRIES, sizeof *kkt->slots);
+  kkt->diagonal = qn_pool_alloc (pool, (size_t) p->row_count, sizeof *kkt->diagonal);
+  if (!find_pattern (kkt))
     return;
-  schur->values =
-    qn_pool_alloc (pool, (size_t) schur->columns[p->row_count], sizeof *schur->values);
-  if (schur->values == NULL)
+  kkt->values =
+    qn_pool_alloc (pool, (size_t) kkt->columns[p->row_count], sizeof *kkt->values);
+  if (kkt->values == NULL)
     return;
   for (int32_t r = 0; r < p->row_count; r++)
-    schur->diagonal[r] = qn_sparse_find (schur->columns, schur->rows, r, r);
+    kkt->diagonal[r] = qn_sparse_find (kkt->columns, kkt->rows, r, r);
   for (int32_t g = 0, e = 0; g < p->group_count; g++)
     for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
       for (int j = 0; j < QN_IP_GROUP_ROWS; j++, e++)
-        schur->slots[e] = qn_sparse_find (schur->columns, schur->rows,
-                                          p->groups[g].rows[i], p->groups[g].rows[j]);
-  schur->lu = qn_block_lu_new (p->row_count, schur->columns, schur->rows, p->workers);
+        kkt->slots[e] = qn_sparse_find (kkt->columns, kkt->rows, p->groups[g].rows[i],
+                                        p->groups[g].rows[j]);
+  kkt->lu = qn_block_lu_new (p->row_count, kkt->columns, kkt->rows, p->workers);
 }
 
-/* Builds and factorises M for the compliances H^-1 (cell_count x 4, by rows) and r; false where it is
+/* Builds and factorises M for the inverse of H; false where it is
  * singular to working precision. */
 static bool
-schur_factorize (QnIpSchur *schur, const double *compliance, double regularization)
+schur_factorize (QnIpKkt *kkt)
 {
   double start = qn_clock_seconds ();
 
-  memset (schur->values, 0,
-          (size_t) schur->columns[schur->problem->row_count] * sizeof *schur->values);
-  for (int32_t r = 0; r < schur->problem->row_count; r++)
-    schur->values[schur->diagonal[r]] = regularization;
-  for (int32_t g = 0; g < schur->problem->group_count; g++) {
-    const QnIpGroup *group = &schur->problem->groups[g];
-    const int32_t *slots = schur->slots + (size_t) g * GROUP_ENTRIES;
+  memset (kkt->values, 0,
+          (size_t) kkt->columns[kkt->problem->row_count] * sizeof *kkt->values);
+  for (int32_t r = 0; r < kkt->problem->row_count; r++)
+    kkt->values[kkt->diagonal[r]] = kkt->inverse.regularization;
+  for (int32_t g = 0; g < kkt->problem->group_count; g++) {
+    const QnIpGroup *group = &kkt->problem->groups[g];
+    const int32_t *slots = kkt->slots + (size_t) g * GROUP_ENTRIES;
     double sum[QN_IP_GROUP_ROWS][QN_IP_GROUP_ROWS] = { { 0 } };
 
     for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
-      const double (*map)[2] = schur->problem->cells[c].map;
-      const double *inverse = compliance + 4 * c;
+      const double (*map)[2] = kkt->problem->cells[c].map;
+      const double *inverse = kkt->inverse.cells + 4 * c;
 
       for (int i = 0; i < QN_IP_GROUP_ROWS; i++) {
         double n = map[i][0] * inverse[0] + map[i][1] * inverse[2];
@@ -87,22 +89,22 @@ schur_factorize (QnIpSchur *schur, const double *compliance, double regularizati
     for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
       for (int j = 0; j < QN_IP_GROUP_ROWS; j++)
         if (slots[QN_IP_GROUP_ROWS * i + j] >= 0)
-          schur->values[slots[QN_IP_GROUP_ROWS * i + j]] += sum[i][j];
+          kkt->values[slots[QN_IP_GROUP_ROWS * i + j]] += sum[i][j];
   }
-  bool ok = qn_block_lu_factor (schur->lu, schur->values) > 0;
-  schur->factorizations++;
-  schur->seconds += qn_clock_seconds () - start;
+  bool ok = qn_block_lu_factor (kkt->lu, kkt->values) > 0;
+  kkt->factorizations++;
+  kkt->seconds += qn_clock_seconds () - start;
   return ok;
 }
 
 /* Overwrites x (row_count) with M^-1 x. */
 static void
-schur_solve (QnIpSchur *schur, double *x)
+schur_solve (QnIpKkt *kkt, double *x)
 {
   double start = qn_clock_seconds ();
 
-  qn_block_lu_solve (schur->lu, x);
-  schur->seconds += qn_clock_seconds () - start;
+  qn_block_lu_solve (kkt->lu, x);
+  kkt->seconds += qn_clock_seconds () - start;
 }
 
 /* A direction need not be more exact than this: the next iteration sees what is left. */
@@ -121,14 +123,14 @@ qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem)
   kkt->residual_v = qn_pool_alloc (pool, rows, sizeof (double));
   kkt->border = qn_pool_alloc (pool, rows, sizeof (double));
   kkt->step_v = qn_pool_alloc (pool, rows, sizeof (double));
-  schur_init (&kkt->schur, problem, pool);
-  return kkt->schur.lu != NULL;
+  schur_init (kkt);
+  return kkt->lu != NULL;
 }
 
 void
 qn_ip_kkt_clear (QnIpKkt *kkt)
 {
-  qn_block_lu_free (kkt->schur.lu);
+  qn_block_lu_free (kkt->lu);
   qn_pool_clear (&kkt->pool);
   *kkt = (QnIpKkt){ 0 };
 }
@@ -141,13 +143,13 @@ qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w)
   for (int32_t c = 0; c < p->cell_count; c++)
     qn_ip_invert_cell (&kkt->inverse, p, c, w);
   kkt->error = INFINITY;
-  if (!schur_factorize (&kkt->schur, kkt->inverse.cells, kkt->inverse.regularization))
+  if (!schur_factorize (kkt))
     return false;
   kkt->error = 0.0;
   kkt->bordered = p->load != NULL;
   if (kkt->bordered) {
     memcpy (kkt->border, p->load, (size_t) p->row_count * sizeof *kkt->border);
-    schur_solve (&kkt->schur, kkt->border);
+    schur_solve (kkt, kkt->border);
     kkt->border_power = qn_dot (p->load, kkt->border, (size_t) p->row_count);
   }
   return true;
@@ -223,7 +225,7 @@ correct (QnIpKkt *kkt, QnIpVector *out)
 
   for (int32_t r = 0; r < p->row_count; r++)
     step[r] = -kkt->residual_v[r]; /* M dv - f dl = -e,  f'dv = e_l */
-  schur_solve (&kkt->schur, step);
+  schur_solve (kkt, step);
   kkt->step_lambda = 0.0;
   if (kkt->bordered && kkt->border_power != 0.0) {
     kkt->step_lambda =

@@ -31,7 +31,8 @@
  * every later factorisation is numeric only. It is done in dense fronts (block-lu.h), twice the arithmetic of
  * Cholesky's, of which the processor does far more at a time than of the sparse one's.
  */
-typedef struct QnIpSchur {
+typedef struct QnIpKkt {
+  QnPool pool;                /* of all arrays */
   const QnIpProblem *problem; /* borrowed */
   int32_t *columns, *rows;    /* pattern of M, both halves */
   double *values;
@@ -39,13 +40,7 @@ typedef struct QnIpSchur {
   int32_t *slots;    /* group_count x 36: place of each entry in values, or -1 */
   int32_t *diagonal; /* row_count: place of the diagonal entry */
   int32_t factorizations;
-  double seconds; /* spent in factorising and solving */
-} QnIpSchur;
-
-typedef struct QnIpKkt {
-  QnPool pool;                /* of all arrays */
-  const QnIpProblem *problem; /* borrowed */
-  QnIpSchur schur;
+  double seconds;      /* spent in factorising and solving */
   QnIpInverse inverse; /* of H+r */
   double *rates;       /* scratch, cell_count x 2 */
   double *residual_v;

@@ -90,7 +90,7 @@ qn_limit_count_iteration (const QnCollapse *engine, QnProgressFunc progress,
 {
   const QnProgress report = {
     .iterations = ++effort->iterations,
-    .factorizations = effort->factorizations + engine->kkt.schur.factorizations,
+    .factorizations = effort->factorizations + engine->kkt.factorizations,
     .rigid = true,
   };
 
@@ -120,10 +120,10 @@ follow_on (void *data)
 void
 qn_limit_take_effort (QnCollapse *engine, QnStatistics *effort)
 {
-  effort->factorizations += engine->kkt.schur.factorizations;
-  effort->factor_seconds += engine->kkt.schur.seconds;
-  engine->kkt.schur.factorizations = 0;
-  engine->kkt.schur.seconds = 0;
+  effort->factorizations += engine->kkt.factorizations;
+  effort->factor_seconds += engine->kkt.seconds;
+  engine->kkt.factorizations = 0;
+  engine->kkt.seconds = 0;
 }
 
 static QnOutcome

@@ -9,6 +9,7 @@
 #include "core/linalg/linsys.h"
 
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/base/tolerance.h"
 #include "core/linalg/block-lu.h"
 
@@ -133,15 +134,15 @@ try_blocks (QnLinsys *system, const double *ax, double *x)
 
   for (int32_t i = 0; i < system->n; i++) {
     x[i] = left[i] = system->trial[i];
-    trial.right = qn_larger (fabs (left[i]), trial.right);
+    trial.right = qn_max (fabs (left[i]), trial.right);
   }
   qn_block_lu_solve (system->blocks, x);
   for (int32_t j = 0; j < system->n; j++) {
     for (int32_t p = ap[j]; p < ap[j + 1]; p++) {
       left[ai[p]] -= ax[p] * x[j];
-      trial.matrix = qn_larger (fabs (ax[p]), trial.matrix);
+      trial.matrix = qn_max (fabs (ax[p]), trial.matrix);
     }
-    trial.solution = qn_larger (fabs (x[j]), trial.solution);
+    trial.solution = qn_max (fabs (x[j]), trial.solution);
   }
   for (int32_t i = 0; i < system->n; i++)
     if (!(fabs (left[i]) <= trial.left)
