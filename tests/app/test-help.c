@@ -28,6 +28,9 @@ expect_help (const char *page)
   g_assert_nonnull (help);
   GtkWidget *stack = driver_find_widget (help, is_shown_stack, NULL);
   g_assert_cmpstr (gtk_stack_get_visible_child_name (GTK_STACK (stack)), ==, page);
+  g_autofree char *french =
+    g_strdup_printf ("/io/github/quoin/Quoin/help/fr/%s.md", page);
+  g_assert_true (g_resources_get_info (french, 0, NULL, NULL, NULL));
   driver_screenshot (help, "help");
   gtk_window_destroy (GTK_WINDOW (help));
   driver_settle ();

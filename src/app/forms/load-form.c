@@ -449,10 +449,21 @@ make_settlement (const Form *form, const QnModel *model, QnLoad *load, GError **
   return TRUE;
 }
 
+/* What is selected in another list is let go of. */
+static void
+show_list (Form *form, int32_t list)
+{
+  if (form->base.selected >= 0)
+    select_load (form, -1);
+  form->shown = list;
+}
+
 static gboolean
 add (Form *form, QnModel *model, guint field, GError **error)
 {
-  gboolean dead = form->shown == QN_DEAD_LOADS;
+  /* A vehicle comes and goes, whichever list is looked at. */
+  const int32_t list = field == ADD_VEHICLE ? MAX (form->shown, 0) : form->shown;
+  gboolean dead = list == QN_DEAD_LOADS;
   QnLoad load = { .kind = QN_LOAD_WEIGHT,
                   .vector = { dead ? 0.0 : 1.0, dead ? -1.0 : 0.0 },
                   .block = QN_NONE,
@@ -468,9 +479,11 @@ add (Form *form, QnModel *model, guint field, GError **error)
   if ((field == ADD_FORCE && !make_force (form, model, &load, error))
       || (field == ADD_LINE && !make_line (form, &load, error))
       || (field == ADD_SETTLEMENT && !make_settlement (form, model, &load, error))
-      || !qn_edit_append_load (model, form->shown, load, error))
+      || !qn_edit_append_load (model, list, load, error))
     return FALSE;
-  form->base.wanted = (int) qn_model_count_loads (model, form->shown) - 1;
+  if (list != form->shown)
+    show_list (form, list);
+  form->base.wanted = (int) qn_model_count_loads (model, list) - 1;
   return TRUE;
 }
 
@@ -512,15 +525,6 @@ change (const Form *form, QnModel *model, guint field, const QnValue *value,
   }
   return qn_edit_replace_load (model, form->shown, (gsize) form->base.selected, load,
                                error);
-}
-
-/* What is selected in another list is let go of. */
-static void
-show_list (Form *form, int32_t list)
-{
-  if (form->base.selected >= 0)
-    select_load (form, -1);
-  form->shown = list;
 }
 
 static gboolean

@@ -2,6 +2,7 @@
 
 #include "doc/document/document-private.h"
 #include "io/project/project.h"
+#include "render/drawing/text.h"
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
@@ -15,7 +16,7 @@ static const char *const members[] = { "laws",     "masonry", "walls",   "blocks
                                        "sections", "beams",   "bars",    "ties",
                                        "contact",  "loads",   "gravity", "analysis" };
 
-/* Keys that read better otherwise than with a space for "_", and their units. */
+/* Keys that read better otherwise than with a space for "_", and their units; values that are choices. */
 static const struct {
   const char *key, *words, *unit;
 } words[] = {
@@ -38,11 +39,24 @@ static const struct {
   { "ties", N_ ("ties"), "" },
   { "contact", N_ ("contacts"), "" },
   { "loads", N_ ("loads"), "" },
+  { "live", N_ ("growing loads"), "" },
+  { "dead", N_ ("constant loads"), "" },
   { "gravity", N_ ("gravity"), " m/s²" },
   { "analysis", N_ ("analysis"), "" },
   { "procedure", N_ ("method"), "" },
   { "geometry", N_ ("geometry"), "" },
   { "increments", N_ ("increments"), "" },
+  { "flow", N_ ("flow"), "" },
+  { "linear", N_ ("linear"), NULL },
+  { "nonlinear", N_ ("nonlinear"), NULL },
+  { "load", N_ ("load control"), NULL },
+  { "displacement", N_ ("displacement control"), NULL },
+  { "work", N_ ("work control"), NULL },
+  { "arc-length", N_ ("arc length"), NULL },
+  { "limit", N_ ("limit analysis"), NULL },
+  { "dynamic", N_ ("analysis in time"), NULL },
+  { "associative", N_ ("associative"), NULL },
+  { "non-associative", N_ ("non-associative"), NULL },
 };
 
 typedef struct Changes {
@@ -51,15 +65,31 @@ typedef struct Changes {
   const char *of;   /* name of its element, where there are several, or NULL */
 } Changes;
 
+/* What is said for a key, or for a value of these choices; NULL where that is itself. */
+static const char *
+find_words (const char *key, gboolean value, const char **unit)
+{
+  for (gsize i = 0; i < G_N_ELEMENTS (words); i++)
+    if ((words[i].unit == NULL) == value && g_str_equal (words[i].key, key)) {
+      *unit = words[i].unit;
+      return _ (words[i].words);
+    }
+  return NULL;
+}
+
 static char *
 dup_value (const cJSON *item)
 {
   g_autoptr (GStrvBuilder) parts = g_strv_builder_new ();
   const cJSON *each;
   if (cJSON_IsNumber (item))
-    return g_strdup_printf ("%.6g", item->valuedouble);
-  if (cJSON_IsString (item))
-    return g_strdup (item->valuestring);
+    return qn_label_number ("%.6g", item->valuedouble);
+  if (cJSON_IsString (item)) {
+    const char *unit, *said = NULL;
+    if (item->string != NULL && !g_str_equal (item->string, "name"))
+      said = find_words (item->valuestring, TRUE, &unit);
+    return g_strdup (said != NULL ? said : item->valuestring);
+  }
   if (cJSON_IsBool (item))
     return g_strdup (cJSON_IsTrue (item) ? _ ("yes") : _ ("no"));
   cJSON_ArrayForEach (each, item)
@@ -77,12 +107,8 @@ static void
 tell (Changes *changes, const char *value)
 {
   g_autofree char *key = g_strdelimit (g_strdup (changes->key), "_", ' ');
-  const char *name = key, *unit = "";
-  for (gsize i = 0; i < G_N_ELEMENTS (words); i++)
-    if (g_str_equal (words[i].key, changes->key)) {
-      name = _ (words[i].words);
-      unit = value != NULL ? words[i].unit : "";
-    }
+  const char *unit = "", *name = find_words (changes->key, FALSE, &unit);
+  name = name != NULL ? name : key;
   g_autofree char *said = value != NULL ? g_strdup_printf ("%s %s%s", name, value, unit)
                                         : g_strdup_printf (_ ("other %s"), name);
   g_ptr_array_add (changes->found, changes->of != NULL

@@ -50,7 +50,7 @@ solve (const QnReport *report, const QnCombination *combination, char **why)
            && model->analysis.max_multiplier == 0)
     multiplier = INFINITY;
   else
-    *why = g_strdup (qn_outcome_names[result.outcome]);
+    *why = g_strdup (qn_explain_outcome_label (&result));
   qn_result_clear (&result);
   qn_contacts_clear (&contacts);
   qn_project_clear (&combined);

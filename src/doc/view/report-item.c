@@ -20,8 +20,9 @@ qn_report_item_check (QnReportItem *item, const QnProject *project,
 {
   g_autoptr (GError) error = NULL;
   if (item->file.result.history.width > 0)
-    item->unchecked = g_strdup (_ ("an analysis in time ends in motion; check --result "
-                                   "follows its balance of energy"));
+    item->unchecked =
+      g_strdup (_ ("an analysis in time ends in motion, not in balance; its energy is "
+                   "checked on the command line"));
   else if (!qn_result_file_find_faults (&item->file, path, project, contacts,
                                         &item->faults, &error))
     item->unchecked = g_strdup (error->message);

@@ -92,9 +92,11 @@ test_changes (void)
     { "{\"masonry\":[{\"unit\":[0.4,0.2]}],\"blocks\":[1]}",
       "{\"masonry\":[{\"unit\":[0.25,0.125]}],\"blocks\":[1]}", "brick 0.25 × 0.125 m" },
     { "{\"loads\":{\"live\":[{\"kind\":\"weight\"}]}}", "{\"loads\":{\"live\":[]}}",
-      "other live" },
+      "other growing loads" },
     { "{\"analysis\":{\"geometry\":\"nonlinear\"}}", "{\"analysis\":{}}",
       "geometry none" },
+    { "{\"analysis\":{\"procedure\":\"load\"}}",
+      "{\"analysis\":{\"procedure\":\"work\"}}", "method work control" },
     { "{\"title\":\"a\",\"view\":{}}", "{\"title\":\"b\"}", "" },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
