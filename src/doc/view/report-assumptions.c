@@ -81,8 +81,22 @@ has_open_anchor (const QnModel *model)
   return false;
 }
 
+/* As a section, or as a paragraph of `brief`; the list is empty then. */
+static void
+write_list (QnPages *pages, const char *heading, GString *list, GString *brief)
+{
+  if (brief != NULL) {
+    g_string_replace (list, "\n• ", " ", 0);
+    g_string_append_printf (brief, "%s: %s\n", heading, list->str + strlen ("• "));
+  } else {
+    qn_pages_heading (pages, heading);
+    qn_pages_paragraph (pages, list->str);
+  }
+  g_string_truncate (list, 0);
+}
+
 void
-qn_report_write_assumptions (QnPages *pages, const QnReport *report)
+qn_report_write_assumptions (QnPages *pages, const QnReport *report, GString *brief)
 {
   const QnModel *model = &report->project->model;
   const bool blocks = model->block_count > 0;
@@ -95,7 +109,6 @@ qn_report_write_assumptions (QnPages *pages, const QnReport *report)
   Joints joints = { .uncrushed = uncrushed };
   look_at_joints (&joints, report);
 
-  qn_pages_heading (pages, _ ("Assumptions"));
   add (list, true, _ ("The structure, its loads and its motion lie in one plane."));
   add (list, blocks,
        _ ("Blocks are rigid and do not break: what deforms, opens, slides or is "
@@ -121,9 +134,7 @@ qn_report_write_assumptions (QnPages *pages, const QnReport *report)
   add (list, has_load (model, QN_LOAD_SURCHARGE, QN_LOAD_VEHICLE),
        _ ("Soil loads and presses as given; it is no part of the structure."));
 
-  qn_pages_paragraph (pages, list->str);
-  g_string_truncate (list, 0);
-  qn_pages_heading (pages, _ ("What Was Not Checked"));
+  write_list (pages, _ ("Assumptions"), list, brief);
   add (list, true, _ ("Forces and motion out of the plane."));
   add (list, blocks, _ ("Cracking and splitting of blocks."));
   if (uncrushed->len > 0)
@@ -144,5 +155,5 @@ qn_report_write_assumptions (QnPages *pages, const QnReport *report)
     if (report->runs[i].faults == NULL)
       g_string_append_printf (list, _ ("\n• %s, by the independent check: %s"),
                               report->runs[i].name, report->runs[i].unchecked);
-  qn_pages_paragraph (pages, list->str);
+  write_list (pages, _ ("What Was Not Checked"), list, brief);
 }

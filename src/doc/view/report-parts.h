@@ -36,7 +36,8 @@ void qn_report_write_ground_motion (QnPages *pages, const QnGroundMotion *motion
 
 /* ---- report-assumptions.c ---- */
 
-void qn_report_write_assumptions (QnPages *pages, const QnReport *report);
+/* What is taken for granted, and what was not checked: two sections, or paragraphs of `brief`. */
+void qn_report_write_assumptions (QnPages *pages, const QnReport *report, GString *brief);
 
 /* ---- report-joints.c ---- */
 

@@ -243,6 +243,9 @@ write_answer (QnPages *pages, const QnReportRun *run, double demand)
 static bool
 write_title (QnPages *pages, const QnReport *report, GError **error)
 {
+  const bool alone = !report->plan.sections[QN_REPORT_ASSUMPTIONS];
+  const double share = alone ? 0.52 - 0.12 * (double) MIN (report->run_count, 4) : 0.5;
+  g_autoptr (GString) foot = g_string_new (NULL);
   QnFigure figure;
   qn_pages_title (pages, title_of (report->project));
   if (report->plan.author != NULL)
@@ -250,25 +253,27 @@ write_title (QnPages *pages, const QnReport *report, GError **error)
   if (report->plan.text != NULL)
     qn_pages_paragraph (pages, report->plan.text);
   if (report->run_count > 0)
-    qn_pages_paragraph (pages, question (&report->project->model));
+    qn_report_say (pages, _ ("%s The answer of %s: figure\u00a0%d."),
+                   question (&report->project->model), report->runs[0].name,
+                   qn_pages_next_figure (pages));
   if (report->run_count == 0 || !qn_report_choose_picture (&figure, &report->runs[0])) {
     qn_figure_init (&figure, &report->project->model, report->contacts, NULL,
                     QN_VIEW_MODEL);
     figure.title = _ ("Model");
   }
-  if (!qn_pages_figure (pages, &figure, 0.5, error))
+  if (!qn_pages_figure (pages, &figure, share, error))
     return false;
   for (size_t i = 0; i < report->run_count; i++)
     write_answer (pages, &report->runs[i], report->plan.demand);
+  if (alone)
+    qn_report_write_assumptions (pages, report, foot);
   g_autofree char *name = g_path_get_basename (report->project->name);
   g_autofree char *date = dup_date ();
-  g_autofree char *by =
-    g_strdup_printf (_ ("%s, made by %s on %s"), name, report->generator, date);
-  g_autofree char *foot =
-    report->project->sha256 != NULL
-      ? g_strdup_printf ("%s\nSHA-256 %s", by, report->project->sha256)
-      : g_strdup (by);
-  qn_pages_foot (pages, foot);
+  g_string_append_printf (foot, _ ("%s, made by %s on %s"), name, report->generator,
+                          date);
+  if (report->project->sha256 != NULL)
+    g_string_append_printf (foot, "\nSHA-256 %s", report->project->sha256);
+  qn_pages_foot (pages, foot->str);
   return true;
 }
 
@@ -303,7 +308,7 @@ write_all (QnPages *pages, const QnReport *report, GError **error)
   if (wanted[QN_REPORT_LOADS])
     qn_report_write_loads (pages, report);
   if (wanted[QN_REPORT_ASSUMPTIONS])
-    qn_report_write_assumptions (pages, report);
+    qn_report_write_assumptions (pages, report, NULL);
   if (wanted[QN_REPORT_FINDINGS])
     qn_report_write_findings (pages, report);
   if (wanted[QN_REPORT_CONTACTS] && report->contacts->face_count > 0
