@@ -114,7 +114,7 @@ departure (const QnPathTrace *trace, double step, double last, double *most)
 }
 
 /* Linear geometry: tries the step, cut up to QN_PATH_MOST_CUTS times, then relaxes the structure, which may
- * jump. */
+ * jump. Softening joints may be beyond a bifurcation, where shorter steps are unstable, too. */
 static QnSolveStatus
 solve_linear (QnPathTrace *trace, double *step)
 {
@@ -125,13 +125,14 @@ solve_linear (QnPathTrace *trace, double *step)
   trace->jumped = false;
   for (int cut = 0;; cut++) {
     target = target_of (trace, *step);
+    trace->refused = false;
     status = solve_statically (trace, &target);
     trace->jumped =
       trace->may_soften && status == QN_SOLVE_CONVERGED && is_jump (trace, *step);
     if (status != QN_SOLVE_FAILED && (!trace->jumped || cut == QN_PATH_MOST_CUTS))
       return status;
     qn_equilibrium_restore (eq);
-    if (cut == QN_PATH_MOST_CUTS)
+    if (cut == QN_PATH_MOST_CUTS || (trace->refused && trace->may_soften))
       break;
     *step *= QN_PATH_CUT;
   }

@@ -98,13 +98,13 @@ qn_drawing_drop_unbounded (QnDrawing *drawing)
   guint kept = 0;
   for (guint i = 0; i < drawing->paths->len; i++) {
     QnDrawingPath *path = &g_array_index (drawing->paths, QnDrawingPath, i);
-    if (is_bounded (path)) {
-      g_array_index (drawing->paths, QnDrawingPath, kept++) = *path;
-    } else {
+    if (!is_bounded (path))
       qn_drawing_note (drawing, _ ("shapes with coordinates beyond 1e15 left out"),
                        path->line);
+    if (path->count > 0 && is_bounded (path))
+      g_array_index (drawing->paths, QnDrawingPath, kept++) = *path;
+    else
       g_free (path->points);
-    }
   }
   g_array_set_size (drawing->paths, kept);
 }

@@ -420,6 +420,22 @@ choose_view (Importer *importer)
   return TRUE;
 }
 
+/* The boundaries of each hatch, which have its line, are parts of one shape. Nothing else is there. */
+static gboolean
+join_boundaries (QnDrawing *drawing, const char *name, GError **error)
+{
+  gboolean done = TRUE;
+  for (guint first = 0, end; done && first < drawing->paths->len; first = end) {
+    guint line = g_array_index (drawing->paths, QnDrawingPath, first).line;
+    for (end = first + 1;
+         end < drawing->paths->len
+         && g_array_index (drawing->paths, QnDrawingPath, end).line == line;)
+      end++;
+    done = qn_drawing_join_parts (drawing, first, end, TRUE, name, error);
+  }
+  return done;
+}
+
 gboolean
 qn_dxf_import (const char *bytes, gsize size, const char *name, QnDrawing *drawing,
                GError **error)
@@ -437,16 +453,20 @@ qn_dxf_import (const char *bytes, gsize size, const char *name, QnDrawing *drawi
                         .scan = &scan,
                         .budget = MAX_INSERTED,
                         .points = g_array_new (FALSE, FALSE, sizeof (Point)) };
-  for (int rank = 0; rank < RANK_COUNT; rank++)
+  gboolean alone = FALSE; /* the last rank, hatches */
+  for (int rank = 0; rank < RANK_COUNT; rank++) {
+    alone = drawing->paths->len == 0;
     add_rank (&importer, (Rank) rank);
-  gboolean full = is_full (&importer), done = !full && choose_view (&importer);
+  }
+  gboolean full = is_full (&importer), seen = !full && choose_view (&importer);
+  gboolean done = seen && (!alone || join_boundaries (drawing, name, error));
   if (full && importer.points->len >= MAX_POINTS)
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                  _ ("%s:1: outlines of more than %d corners"), name, MAX_POINTS);
   else if (full)
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                  _ ("%s:1: more than %d outlines"), name, MAX_PATHS);
-  else if (!done)
+  else if (!seen)
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                  _ ("%s:1: faces of solids (3DFACE) that lie in no upright plane: write "
                     "them as OBJ or COMPAS to read them as prisms, or draw their front"),

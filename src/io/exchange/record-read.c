@@ -311,15 +311,17 @@ add_sample (Reading *r, gsize line, double time, double value)
 static gboolean
 read_samples (Reading *r)
 {
-  double said = r->heading.count;
+  gsize i = r->first;
   if (!settle_unit (r, r->heading.unit_line, unit_of_heading (r))
       || !settle_time_step (r))
     return FALSE;
-  gsize i = r->first;
-  for (; r->lines[i] != NULL && !(r->packed && r->points->len >= said); i++) {
+  for (; r->lines[i] != NULL; i++) {
     const char *at = r->lines[i];
     double number;
     gboolean bad = FALSE;
+    if (r->packed && r->points->len >= r->heading.count
+        && count_numbers (r, at, &number) == 0)
+      break;
     while (!is_passed_over (r->lines[i]) && next_number (r, &at, &number, &bad))
       if (!add_sample (r, i + 1, NAN, number))
         return FALSE;
@@ -332,9 +334,6 @@ read_samples (Reading *r)
       return fail (r, i + 1,
                    _ ("a second record of acceleration begins here: keep the one to use, "
                       "in a file of its own"));
-  if (said > 0 && r->points->len < said)
-    return fail (
-      r, 0, _ ("record has fewer samples than its heading states: it is incomplete"));
   return TRUE;
 }
 
@@ -506,13 +505,23 @@ take_off_offset (Reading *r, QnRecord *record)
                   _ ("the largest acceleration is not that of the heading"));
 }
 
+/* Fewer samples than stated are a part of a record; what is more may be anything. */
+static gboolean
+check_count (const Reading *r)
+{
+  double said = r->heading.count;
+  g_autofree char *message = g_strdup_printf (
+    _ ("record has %u samples, and its heading states %.0f"), r->points->len, said);
+  return said == 0 || r->points->len == said || fail (r, 0, message);
+}
+
 static gboolean
 read_any (Reading *r)
 {
   if (!find_data (r))
     return FALSE;
   if (is_table (r))
-    return read_table (r);
+    return read_table (r) && check_count (r);
   /* Several numbers in every line follow each other where the heading counts them all. */
   gboolean counted = r->heading.count > (double) r->rows;
   if (r->even && r->columns > 1 && !r->packed && !counted)
@@ -521,7 +530,7 @@ read_any (Reading *r)
       _ ("several records side by side, as AFAD publishes them: keep the one to "
          "use, in a file of its own; if the numbers follow each other, state how many "
          "there are in a line above (NPTS=)"));
-  return read_samples (r);
+  return read_samples (r) && check_count (r);
 }
 
 static gboolean

@@ -1,9 +1,7 @@
-#include "core/base/polygon.h"
 #include "io/exchange/drawing.h"
 #include "io/exchange/svg-path.h"
 #include "io/exchange/svg-style.h"
 #include "io/text/io-error.h"
-#include "stereotomy/polygon-ops.h"
 
 #include <gio/gio.h>
 #include <glib/gi18n-lib.h>
@@ -16,9 +14,6 @@
 
 /* A compressed file may become so large; bytes. */
 #define MAX_INFLATED ((gsize) 256 << 20)
-
-/* Of one shape; more are not searched for holes. */
-#define MAX_PARTS 5000
 
 /* A unit outside of these is taken for undeclared; m. */
 #define LEAST_UNIT   1e-9
@@ -239,109 +234,6 @@ read_shape (Importer *importer, QnSvgPen *pen, const xmlNode *node, const State 
   return TRUE;
 }
 
-/* A part of a shape of several. */
-typedef struct Part {
-  QnRing ring; /* of the path, counter-clockwise; empty where it is open */
-  double area; /* negative where they were drawn clockwise */
-  QnBox box;
-  QnVec2 inner;  /* a point in it */
-  guint depth;   /* of how many others */
-  guint parent;  /* the smallest of them */
-  QnRings holes; /* in it */
-} Part;
-
-static gboolean
-encloses (const Part *outer, const Part *inner)
-{
-  QnVec2 p = inner->inner;
-  return inner->area != 0 && p.x > outer->box.min.x && p.x < outer->box.max.x
-         && p.y > outer->box.min.y && p.y < outer->box.max.y
-         && fabs (outer->area) > fabs (inner->area)
-         && qn_polygon_depth (outer->ring.points, outer->ring.count, p) > 0;
-}
-
-static void
-find_parents (Part *parts, guint count)
-{
-  for (guint i = 0; i < count; i++)
-    for (guint k = 0; k < count; k++)
-      if (k != i && encloses (&parts[k], &parts[i])) {
-        if (parts[i].depth++ == 0
-            || fabs (parts[k].area) < fabs (parts[parts[i].parent].area))
-          parts[i].parent = k;
-      }
-}
-
-/* What is left of a part around its holes, where that is one simple ring: *whole. FALSE without memory. */
-static gboolean
-cut_holes (QnDrawingPath *path, const Part *part, gboolean *whole)
-{
-  QnRings left = { 0 };
-  QnStatus status = qn_polygon_difference (&part->ring, &part->holes, &left, NULL);
-  gboolean one = status == QN_OK && left.count == 1;
-  *whole = one;
-  if (one) {
-    path->count = 0;
-    for (gsize i = 0; i < left.items[0].count; i++)
-      qn_drawing_path_add (path, left.items[0].points[i]);
-  }
-  qn_rings_clear (&left);
-  return status != QN_ERROR_NO_MEMORY;
-}
-
-/* The parts of a shape that lie in another of its parts are holes, or covered by it, and no blocks of
- * their own; what lies in a hole is one. A hole that reaches the edge is cut out. */
-static gboolean
-join_parts (Importer *importer, const xmlNode *node, guint first, gboolean even_odd)
-{
-  GArray *paths = importer->drawing->paths;
-  guint count = paths->len - first, kept = first;
-  QnDrawingPath *path = &g_array_index (paths, QnDrawingPath, first);
-  g_autofree Part *parts = g_new0 (Part, count);
-  gboolean memory = TRUE;
-  for (guint i = 0; i < count; i++) {
-    if (!path[i].closed || path[i].count < 3)
-      continue;
-    if (!qn_ring_init (&parts[i].ring, path[i].points, path[i].count)) {
-      memory = FALSE;
-      continue;
-    }
-    parts[i].area = qn_ring_area (&parts[i].ring);
-    parts[i].box = qn_ring_bounds (&parts[i].ring);
-    qn_ring_orient (&parts[i].ring);
-    parts[i].inner = qn_polygon_inner_point (parts[i].ring.points, parts[i].ring.count);
-  }
-  find_parents (parts, count);
-  for (guint i = 0; i < count; i++) {
-    const Part *part = &parts[i];
-    Part *parent = &parts[part->parent];
-    if (part->depth % 2 == 1 && (even_odd || part->area * parent->area < 0))
-      memory =
-        qn_rings_add (&parent->holes, part->ring.points, part->ring.count) && memory;
-    else if (part->depth % 2 == 1)
-      note (importer, node, _ ("parts of shapes that others cover left out"));
-  }
-  for (guint i = 0; i < count; i++) {
-    gboolean whole = TRUE;
-    if (parts[i].holes.count > 0)
-      memory = cut_holes (&path[i], &parts[i], &whole) && memory;
-    if (!whole)
-      note (importer, node, _ ("shapes with holes, whose blocks are solid"));
-    qn_rings_clear (&parts[i].holes);
-    qn_ring_clear (&parts[i].ring);
-  }
-  for (guint i = 0; i < count; i++)
-    if (parts[i].depth % 2 == 0)
-      g_array_index (paths, QnDrawingPath, kept++) = path[i];
-    else
-      g_free (path[i].points);
-  g_array_set_size (paths, kept);
-  if (!memory)
-    g_set_error (importer->error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s",
-                 importer->name, _ ("not enough memory"));
-  return memory;
-}
-
 static gboolean
 add_shape (Importer *importer, const xmlNode *node, const State *state)
 {
@@ -364,8 +256,8 @@ add_shape (Importer *importer, const xmlNode *node, const State *state)
       path->points[k] = qn_vec2 (p.x, -p.y);
     }
   }
-  return paths->len <= first + 1 || paths->len - first > MAX_PARTS
-         || join_parts (importer, node, first, state->even_odd);
+  return qn_drawing_join_parts (importer->drawing, first, paths->len, state->even_odd,
+                                importer->name, importer->error);
 }
 
 /* The four numbers of a view box; FALSE where there is none. */

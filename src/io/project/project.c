@@ -273,9 +273,9 @@ qn_project_dup_finding_value (const QnFinding *finding, const char *unit, double
   if (finding->problem == QN_PROBLEM_PAIRS_CRUSHING)
     return g_strdup_printf (
       ngettext ("up to %.3g times the moment of the stress block at %lu joint, which is "
-                "unsafe; use a law by area with the default pairs",
+                "unsafe; use a law by area with the default pairs, or with 20 even ones",
                 "up to %.3g times the moment of the stress block at %lu joints, which is "
-                "unsafe; use a law by area with the default pairs",
+                "unsafe; use a law by area with the default pairs, or with 20 even ones",
                 joints),
       finding->value, joints);
   return finding->value != 0 ? g_strdup_printf ("%.3g %s", factor * finding->value, unit)

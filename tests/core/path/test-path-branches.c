@@ -456,8 +456,48 @@ test_way_to_a_fall (void)
   g_assert_cmpuint (result.step_count, <, 100);
 }
 
+/* Along an exponential curve the block could tilt long before the bond is broken: what is beyond that is
+ * not found by shorter steps. */
+static void
+test_softening_beyond_a_bifurcation (void)
+{
+  const double weight = 1e4, energy = 50, target = 1e-3;
+  double work = 0;
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
+  test_model_init_block_on_plane (&model, 1, 1);
+  QnLaw *law = &model.laws[0];
+  law->basis = QN_BASIS_SURFACE;
+  law->kn = law->ks = 1e9;
+  law->cohesion = 3e5;
+  law->tension = 2e5;
+  law->fracture_energy_tension = energy;
+  law->fracture_energy_shear = 10 * energy;
+  law->exponential = true;
+  model.contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_LOBATTO, .count = 5 };
+  test_model_add_weight_loads (&model, 1);
+  model.live_loads[0].vector = qn_vec2 (0, 1);
+  test_control (&model, QN_PROCEDURE_DISPLACEMENT, "block", QN_DOF_UY, target);
+  test_analyse (&model, &result);
+
+  g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, 1 + law->tension / weight,
+                                  1e-2);
+  for (size_t s = 1; s < result.step_count; s++)
+    work += weight
+            * (0.5 * (result.steps[s].multiplier + result.steps[s - 1].multiplier) - 1)
+            * (qn_result_step_displacements (&result, s)[4]
+               - qn_result_step_displacements (&result, s - 1)[4]);
+  size_t last = result.step_count - 1;
+  g_assert_cmpfloat_with_epsilon (qn_result_step_displacements (&result, last)[4], target,
+                                  1e-9);
+  g_assert_cmpfloat_with_epsilon (work, energy, 0.01 * energy);
+  g_assert_cmpint (result.statistics.factorizations, <, 5000);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/path-control/softening-beyond-a-bifurcation",
+                   test_softening_beyond_a_bifurcation);
   g_test_add_func ("/path-control/bond-of-a-rocking-block", test_bond_of_a_rocking_block);
   g_test_add_func ("/path-control/fracture-energy", test_fracture_energy_of_a_joint);
   g_test_add_func ("/path-control/way-to-a-fall", test_way_to_a_fall);

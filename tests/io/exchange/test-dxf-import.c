@@ -13,6 +13,7 @@ parse (const char *text, QnDrawing *drawing)
   g_autoptr (GError) error = NULL;
   if (!qn_dxf_import (text, strlen (text), "test.dxf", drawing, &error))
     g_error ("%s", error->message);
+  qn_drawing_drop_unbounded (drawing);
 }
 
 /* The reason has a word. */
@@ -331,6 +332,40 @@ test_views (void)
   g_assert_nonnull (strstr (told, "seen square to it; shapes: 2"));
 }
 
+/* An inner boundary is a hole: told, or cut out at the edge; what lies in it is a block. */
+static void
+test_holes_of_hatches (void)
+{
+#define LOOP(x0, y0, x1, y1)                                                             \
+  "92\n2\n72\n0\n73\n1\n93\n4\n10\n" x0 "\n20\n" y0 "\n10\n" x1 "\n20\n" y0 "\n10\n" x1  \
+  "\n20\n" y1 "\n10\n" x0 "\n20\n" y1 "\n97\n0\n"
+  static const struct {
+    const char *loops;
+    guint paths, corners;
+    const char *notes;
+  } cases[] = {
+    { LOOP ("3", "3", "6", "6"), 1, 4, "shapes with holes, whose blocks are solid: 1; " },
+    { LOOP ("3", "3", "6", "6") LOOP ("4", "4", "5", "5"), 2, 4,
+      "shapes with holes, whose blocks are solid: 1; " },
+    { LOOP ("3", "0", "6", "3"), 1, 8, "" },
+    { LOOP ("9", "0", "12", "9"), 2, 4, "" },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_auto (QnDrawing) drawing;
+    g_autofree char *text =
+      g_strconcat (HEAD "0\nHATCH\n8\n0\n10\n0\n20\n0\n30\n0\n2\nSOLID\n91\n2\n",
+                   LOOP ("0", "0", "9", "9"), cases[i].loops,
+                   "75\n0\n98\n1\n10\n9\n20\n9\n" TAIL, NULL);
+    parse (text, &drawing);
+    g_autofree char *notes = dup_notes (&drawing);
+    g_autofree char *wanted =
+      g_strconcat ("read as outlines: hatches: 1; ", cases[i].notes, NULL);
+    g_assert_cmpuint (drawing.paths->len, ==, cases[i].paths);
+    g_assert_cmpuint (path_at (&drawing, 0)->count, ==, cases[i].corners);
+    g_assert_cmpstr (notes, ==, wanted);
+  }
+}
+
 /* Hatches and faces in space are outlines where there are no others. */
 static void
 test_hatches (void)
@@ -371,4 +406,5 @@ QN_TESTS
   g_test_add_func ("/dxf-import/text", test_text);
   g_test_add_func ("/dxf-import/views", test_views);
   g_test_add_func ("/dxf-import/hatches", test_hatches);
+  g_test_add_func ("/dxf-import/holes-of-hatches", test_holes_of_hatches);
 }

@@ -62,7 +62,10 @@ test_at2 (void)
   const char *last = strstr (text, " -.1000000E+00");
   g_assert_nonnull (last);
   g_autofree char *cut = g_strndup (text, (gsize) (last - text));
-  assert_refused (cut, NULL, 0, "fewer samples");
+  assert_refused (cut, NULL, 0, "3 samples, and its heading states 6");
+  g_autofree char *more = g_strconcat (text, "0\n", NULL);
+  assert_refused (more, NULL, 0, "7 samples, and its heading states 6");
+  assert_refused ("unit: g\nNPTS=3\n0 0\n0.1 1\n", NULL, 0, "2 samples"); /* a table */
 }
 
 static void

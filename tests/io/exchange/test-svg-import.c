@@ -356,6 +356,7 @@ test_holes (void)
     g_autofree char *text = g_strdup_printf (SQUARE, cases[i].rule, cases[i].more);
     g_auto (QnDrawing) drawing;
     parse (text, &drawing);
+    qn_drawing_drop_unbounded (&drawing);
     g_assert_cmpuint (drawing.paths->len, ==, cases[i].count);
     g_assert_cmpuint (path_at (&drawing, 0)->count, ==, cases[i].corners);
     g_assert_cmpuint (drawing.notes->len, ==, cases[i].notes);
