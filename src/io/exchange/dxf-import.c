@@ -202,6 +202,19 @@ add_points (const Importer *importer, QnDrawingPath *path, const QnDxfEntity *en
   return FALSE;
 }
 
+static const QnDxfEntity *
+entity_at (const Importer *importer, guint index)
+{
+  return &g_array_index (importer->scan->entities, QnDxfEntity, index);
+}
+
+static QnDrawingNote *
+leave_out (const Importer *importer, const QnDxfEntity *entity, const char *type)
+{
+  g_autofree char *text = g_strdup_printf (_ ("%s entities left out"), type);
+  return qn_drawing_note (importer->drawing, text, entity->line);
+}
+
 static void add_entity (Importer *importer, const QnDxfEntity *entity, const Place *place,
                         const char *layer, int depth);
 
@@ -239,6 +252,9 @@ add_insert (Importer *importer, const QnDxfEntity *insert, const Place *place,
   }
   int columns = (int) qn_to_integer (insert->numbers[4], 1, MAX_PATHS);
   int rows = (int) qn_to_integer (insert->numbers[5], 1, MAX_PATHS);
+  gboolean outlined = FALSE; /* then hatches fill what the block has */
+  for (guint i = block->first; i < block->end; i++)
+    outlined = outlined || entity_at (importer, i)->kind != QN_DXF_HATCH;
   for (int row = 0; row < rows; row++)
     for (int column = 0; column < columns; column++) {
       Place own = insert_place (insert, at, block->base, column, row);
@@ -247,8 +263,11 @@ add_insert (Importer *importer, const QnDxfEntity *insert, const Place *place,
         if (is_full (importer))
           return;
         importer->budget--;
-        add_entity (importer, &g_array_index (importer->scan->entities, QnDxfEntity, i),
-                    &all, layer, depth + 1);
+        const QnDxfEntity *entity = entity_at (importer, i);
+        if (entity->kind == QN_DXF_HATCH)
+          leave_out (importer, entity, "HATCH")->minor = outlined;
+        else
+          add_entity (importer, entity, &all, layer, depth + 1);
       }
       if (block->first == block->end)
         return;
@@ -273,8 +292,6 @@ add_entity (Importer *importer, const QnDxfEntity *entity, const Place *place,
                      entity->line);
     return;
   }
-  if (depth > 0 && entity->kind == QN_DXF_HATCH)
-    return; /* it fills what the block has */
   if (insert) {
     add_insert (importer, entity, place, own_layer, depth);
     return;
@@ -322,18 +339,17 @@ add_rank (Importer *importer, Rank rank)
   static const char *const taken[] = { NULL, N_ ("read as outlines: faces in space"),
                                        N_ ("read as outlines: hatches") };
   static const char *const types[] = { "", "3DFACE", "HATCH" };
-  g_autofree char *left_out = g_strdup_printf (_ ("%s entities left out"), types[rank]);
   gboolean repeat = rank != OUTLINES && importer->drawing->paths->len > 0;
   for (guint i = 0; i < importer->scan->top->len; i++) {
     const QnDxfEntity *entity =
-      &g_array_index (importer->scan->entities, QnDxfEntity,
-                      g_array_index (importer->scan->top, guint, i));
+      entity_at (importer, g_array_index (importer->scan->top, guint, i));
     if (rank_of (entity) != rank)
       continue;
-    if (rank == FACES || (rank == HATCHES && entity->numbers[0] == 1))
-      qn_drawing_note (importer->drawing, repeat ? left_out : _ (taken[rank]),
-                       entity->line)
-        ->minor = rank == HATCHES && repeat;
+    gboolean counts = rank == FACES || (rank == HATCHES && entity->numbers[0] == 1);
+    if (counts && repeat)
+      leave_out (importer, entity, types[rank])->minor = rank == HATCHES;
+    else if (counts)
+      qn_drawing_note (importer->drawing, _ (taken[rank]), entity->line);
     if (repeat)
       continue;
     const QnDxfPoint *p = points_of (importer, entity);

@@ -366,6 +366,24 @@ test_holes_of_hatches (void)
   }
 }
 
+/* A block that has nothing but hatches is told. */
+static void
+test_hatches_in_blocks (void)
+{
+#define FILLED(more)                                                                     \
+  "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nB\n10\n0\n20\n0\n" more                           \
+  "0\nHATCH\n8\n0\n91\n1\n" LOOP ("0", "0", "9",                                         \
+                                  "9") "75\n0\n0\nENDBLK\n0\nENDSEC\n" HEAD              \
+                                       "0\nINSERT\n2\nB\n10\n0\n20\n0\n" TAIL
+  for (int outlined = 0; outlined < 2; outlined++) {
+    g_auto (QnDrawing) drawing;
+    parse (outlined ? FILLED (SQUARE ("0", "")) : FILLED (""), &drawing);
+    const QnDrawingNote *note = g_ptr_array_index (drawing.notes, 0);
+    g_assert_cmpstr (note->text, ==, "HATCH entities left out");
+    g_assert_true (note->minor == outlined);
+  }
+}
+
 /* Hatches and faces in space are outlines where there are no others. */
 static void
 test_hatches (void)
@@ -407,4 +425,5 @@ QN_TESTS
   g_test_add_func ("/dxf-import/views", test_views);
   g_test_add_func ("/dxf-import/hatches", test_hatches);
   g_test_add_func ("/dxf-import/holes-of-hatches", test_holes_of_hatches);
+  g_test_add_func ("/dxf-import/hatches-in-blocks", test_hatches_in_blocks);
 }
