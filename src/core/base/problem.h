@@ -33,7 +33,7 @@
   X (DILATANCY_ABOVE_FRICTION, "dilatancy exceeds friction") \
   X (HARDENING_TOO_LARGE, "hardening must be less than 1") \
   X (STRENGTH_BELOW_YIELD, "strength is below yield") \
-  X (CRUSHING_DILATES, "a joint that crushing takes its strength has no dilatancy") \
+  X (CRUSHING_DILATES, "a law with an ultimate strain must have no dilatancy") \
   X (ULTIMATE_STRAIN_TOO_SMALL, "ultimate strain is not beyond the strain at the strength") \
   X (FRACTURE_ENERGY_MISSING, "a law that softens needs an energy here") \
   X (FRACTURE_ENERGY_TOO_SMALL, "fracture energy is too small for blocks of this size") \
@@ -105,7 +105,7 @@
   X (PAIR_COUNT, "number of contact pairs must be at least one") \
   X (LOBATTO_COUNT, "gauss-lobatto has 3 to 9 contact pairs on a face") \
   X (PAIRS_BENDING, "contact pairs misstate the bending stiffness of joints") \
-  X (PAIRS_CRUSHING, "contact pairs carry more than joints that are crushed") \
+  X (PAIRS_CRUSHING, "crushed joints carry too much moment with these contact pairs") \
   X (NO_LIVE_LOAD, "no live load acts on any free block") \
   X (CONTROL_DOF_FIXED, "controlled degree of freedom is fixed") \
   X (CONTROL_TARGET_ZERO, "control target is zero") \
