@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <limits.h>
 #include <stdbool.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,21 +36,13 @@ take_name (QnWholeFile *file, int (*take) (QnWholeFile *file, const char *name))
   int trouble = name != NULL ? EEXIST : ENOMEM;
 
   for (int attempt = 0; attempt < MOST_NAMES && trouble == EEXIST; attempt++) {
-    char suffix[7];
-    /* Six letters that no other writer is likely to choose. */
-    static const char letters[] = "abcdefghijklmnopqrstuvwxyz0123456789";
+    /* Six digits that no other writer is likely to choose: the time, in other bits the process. */
     struct timespec now;
     clock_gettime (CLOCK_MONOTONIC, &now);
-    uint64_t seed = (uint64_t) now.tv_nsec ^ (uint64_t) now.tv_sec << 30
-                    ^ (uint64_t) getpid () << 40 ^ (uint64_t) (uintptr_t) suffix;
-    seed += (uint64_t) attempt;
-    for (int i = 0; i < 6; i++) {
-      seed = seed * 6364136223846793005u + 1442695040888963407u;
-      suffix[i] = letters[(seed >> 33) % (sizeof letters - 1)];
-    }
-    suffix[6] = '\0';
-    snprintf (name, room, "%.*s.%.*s.%s", (int) folder, file->target, LONGEST_BASE,
-              file->target + folder, suffix);
+    unsigned digits =
+      (unsigned) now.tv_nsec ^ (unsigned) (getpid () << 8) ^ (unsigned) attempt;
+    snprintf (name, room, "%.*s.%.*s.%06x", (int) folder, file->target, LONGEST_BASE,
+              file->target + folder, digits & 0xffffff);
     trouble = take (file, name) == 0 ? 0 : errno;
   }
   if (trouble == 0)

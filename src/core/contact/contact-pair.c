@@ -291,33 +291,14 @@ qn_pair_bond_strain (const QnPairSprings *springs, const QnPairResponse *respons
 static QnPairState
 phase_state (QnPhase phase)
 {
-  if (phase >= QN_PHASE_SEGMENT)
-    return QN_PAIR_YIELD;
-  switch (phase) {
-  case QN_PHASE_STICK:
-  case QN_PHASE_CURVED:
+  if (phase == QN_PHASE_STICK || phase == QN_PHASE_CURVED)
     return QN_PAIR_STICK;
-  case QN_PHASE_YIELD_POSITIVE:
-  case QN_PHASE_YIELD_NEGATIVE:
-  case QN_PHASE_YIELD_FULLY:
-  case QN_PHASE_CRUSH:
-  case QN_PHASE_CRUSH_SLIP_POSITIVE:
-  case QN_PHASE_CRUSH_SLIP_NEGATIVE:
-    return QN_PAIR_YIELD;
-  case QN_PHASE_SLIP_POSITIVE:
-  case QN_PHASE_SLIP_NEGATIVE:
+  if (phase == QN_PHASE_SLIP_POSITIVE || phase == QN_PHASE_SLIP_NEGATIVE)
     return QN_PAIR_SLIP;
-  case QN_PHASE_OPEN:
-  case QN_PHASE_SOFTEN:
-  case QN_PHASE_CRACKED:
-  case QN_PHASE_BROKEN:
+  if (phase == QN_PHASE_OPEN || phase == QN_PHASE_SOFTEN || phase == QN_PHASE_CRACKED
+      || phase == QN_PHASE_BROKEN)
     return QN_PAIR_OPEN;
-  case QN_PHASE_SEGMENT:
-  case QN_PHASE_COUNT:
-    break;
-  }
-  QN_ASSERT (false);
-  return QN_PAIR_STICK;
+  return QN_PAIR_YIELD; /* on a plastic branch, crushed, or on a segment of a curve */
 }
 
 QnPairState

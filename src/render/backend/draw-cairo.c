@@ -24,11 +24,10 @@ static void
 draw_stroke (const QnScene *scene, const QnCommand *command, const QnCamera *camera,
              double line_factor, cairo_t *cr)
 {
-  double dashes[2] = { 4 * camera->unit, 2.5 * camera->unit };
   trace_points (scene, command, camera, command->closed, cr);
   qn_set_color (cr, command->color, 1);
   cairo_set_line_width (cr, command->size * camera->unit * line_factor);
-  cairo_set_dash (cr, dashes, command->dashed ? 2 : 0, 0);
+  qn_set_dashes (cr, command->dashed, camera->unit);
   cairo_stroke (cr);
 }
 

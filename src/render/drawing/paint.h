@@ -5,6 +5,14 @@
 
 #include <cairo.h>
 
+/* Dashes of 4 pt with gaps of 2.5 pt, or a whole line; `unit` px are a point. */
+static inline void
+qn_set_dashes (cairo_t *cr, bool dashed, double unit)
+{
+  const double dashes[2] = { 4 * unit, 2.5 * unit };
+  cairo_set_dash (cr, dashes, dashed ? 2 : 0, 0);
+}
+
 /* Sets the colour of the following drawing, its opacity multiplied by alpha, 0 .. 1. */
 static inline void
 qn_set_color (cairo_t *cr, QnColor color, double alpha)

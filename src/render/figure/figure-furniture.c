@@ -285,7 +285,6 @@ draw_entry (const QnFurniture *f, cairo_t *cr, const QnLegendEntry *entry, doubl
 {
   double u = f->unit, middle = y + 0.5 * height;
   QnColor line = qn_ink (QN_INK_LINE, f->scene->monochrome);
-  double dashes[2] = { 4 * u, 2.5 * u };
   double left = text_left (f, entry);
   switch ((QnCommandKind) entry->kind) {
   case QN_COMMAND_FILL:
@@ -299,11 +298,11 @@ draw_entry (const QnFurniture *f, cairo_t *cr, const QnLegendEntry *entry, doubl
   case QN_COMMAND_STROKE:
     qn_set_color (cr, entry->color, 1);
     cairo_set_line_width (cr, entry->size * u);
-    cairo_set_dash (cr, dashes, entry->dashed ? 2 : 0, 0);
+    qn_set_dashes (cr, entry->dashed, u);
     cairo_move_to (cr, x, middle);
     cairo_line_to (cr, x + SAMPLE_WIDTH * u, middle);
     cairo_stroke (cr);
-    cairo_set_dash (cr, NULL, 0, 0);
+    qn_set_dashes (cr, false, u);
     break;
   case QN_COMMAND_MARKER:
     draw_sample_marker (cr, entry, x, middle, u);

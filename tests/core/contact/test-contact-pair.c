@@ -404,8 +404,38 @@ test_snap_back (void)
   g_assert_true (qn_pair_springs_snap_back (&springs));
 }
 
+/* The state of two springs is that of the one which is worse off: open, slipping, yielding, elastic. */
+static void
+test_states (void)
+{
+  static const struct {
+    int phase;
+    QnPairState state;
+  } of[] = {
+    { QN_PHASE_STICK, QN_PAIR_STICK },
+    { QN_PHASE_CURVED, QN_PAIR_STICK },
+    { QN_PHASE_YIELD_NEGATIVE, QN_PAIR_YIELD },
+    { QN_PHASE_CRUSH_SLIP_NEGATIVE, QN_PAIR_YIELD },
+    { QN_PHASE_SEGMENT, QN_PAIR_YIELD },
+    { QN_PHASE_COUNT - 1, QN_PAIR_YIELD },
+    { QN_PHASE_SLIP_POSITIVE, QN_PAIR_SLIP },
+    { QN_PHASE_SLIP_NEGATIVE, QN_PAIR_SLIP },
+    { QN_PHASE_OPEN, QN_PAIR_OPEN },
+    { QN_PHASE_BROKEN, QN_PAIR_OPEN },
+  };
+  const QnPairSprings one = pair_of (&rough, &rough), two = pair_of (&rough, &smooth);
+  for (size_t i = 0; i < G_N_ELEMENTS (of); i++) {
+    g_assert_cmpint (qn_pair_state (&one, (int16_t) of[i].phase), ==, of[i].state);
+    for (size_t k = 0; k < G_N_ELEMENTS (of); k++)
+      g_assert_cmpint (
+        qn_pair_state (&two, (int16_t) (of[i].phase * QN_PHASE_COUNT + of[k].phase)), ==,
+        of[i > k ? i : k].state);
+  }
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/contact-pair/states", test_states);
   g_test_add_func ("/contact-pair/equal", test_equal);
   g_test_add_func ("/contact-pair/weaker-bond", test_weaker_bond);
   g_test_add_func ("/contact-pair/series-formula", test_series_formula);

@@ -25,6 +25,30 @@ extents_of (QnScene *scene)
   return box;
 }
 
+/* Dashes of 4 pt and gaps of 2.5 pt, in a picture with two px to the point. */
+static void
+test_dashes (void)
+{
+  cairo_surface_t *page = cairo_image_surface_create (CAIRO_FORMAT_A8, 130, 20);
+  cairo_t *cr = cairo_create (page);
+  const QnCamera camera = {
+    .width = 130, .height = 20, .scale = 1, .unit = 2, .center = { 65, 10 }
+  };
+  const QnVec2 line[] = { { 0, 10 }, { 130, 10 } };
+  QnScene *scene = qn_scene_new ();
+  qn_scene_stroke (scene, QN_LAYER_BLOCKS, line, 2, false, 4, black)->dashed = true;
+  qn_scene_finish (scene);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, false, cr, NULL);
+  cairo_surface_flush (page);
+  const guchar *row =
+    cairo_image_surface_get_data (page) + 10 * cairo_image_surface_get_stride (page);
+  for (int x = 0; x < 130; x++)
+    g_assert_cmpint (row[x] > 0, ==, x % 13 < 8);
+  qn_scene_free (scene);
+  cairo_destroy (cr);
+  cairo_surface_destroy (page);
+}
+
 /* Labels of loads at one place, then of a joint, which may be left out. */
 static QnScene *
 create_labels (int count, int optional, double angle)
@@ -139,6 +163,7 @@ test_labels_beside_forces (void)
 
 QN_TESTS
 {
+  g_test_add_func ("/render/draw-cairo/dashes", test_dashes);
   g_test_add_func ("/render/draw-cairo/labels", test_labels_keep_clear);
   g_test_add_func ("/render/draw-cairo/upright-labels", test_upright_labels);
   g_test_add_func ("/render/draw-cairo/numbers-of-joints", test_numbers_of_joints);

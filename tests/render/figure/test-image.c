@@ -8,6 +8,7 @@
 #include "render/scene/scene-build.h"
 #include "support/room.h"
 
+#include <dlfcn.h>
 #include <glib.h>
 
 enum { WIDTH = 480, HEIGHT = 360 };
@@ -149,7 +150,14 @@ test_gl_egl (void)
 static void
 test_gl_osmesa (void)
 {
-  check_backend (qn_offscreen_new_osmesa ());
+  QnOffscreen *offscreen = qn_offscreen_new_osmesa ();
+#ifdef QN_HAVE_OSMESA
+  void *library = dlopen ("libOSMesa.so.8", RTLD_LAZY);
+  g_assert_cmpint (offscreen != NULL, ==, library != NULL);
+  if (library != NULL)
+    dlclose (library);
+#endif
+  check_backend (offscreen);
 }
 
 /* A scene is uploaded once, whatever the cameras; another scene uploads anew. Both back ends

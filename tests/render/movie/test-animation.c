@@ -111,6 +111,38 @@ test_frames (void)
   g_assert_cmpint (g_rmdir (inner), ==, 0);
 }
 
+/* A mechanism swings out and back; a path goes on from its first step to its last. */
+static void
+test_order_of_frames (void)
+{
+  for (int view = QN_VIEW_DEFORMED; view <= QN_VIEW_MECHANISM; view++) {
+    g_auto (Rig) rig;
+    char *contents[6];
+    gsize lengths[6];
+    rig_init (&rig, (QnView) view);
+    g_autofree char *path = g_strconcat (rig.folder, "/frames/", NULL);
+    g_assert_true (
+      qn_animation_export (&rig.animation, path, &rig.output, &rig.metadata, NULL));
+    for (int i = 0; i < 6; i++) {
+      g_autofree char *name = g_strdup_printf ("%sframe-%04d.png", path, i + 1);
+      g_assert_true (g_file_get_contents (name, &contents[i], &lengths[i], NULL));
+      g_assert_cmpint (g_unlink (name), ==, 0);
+    }
+    GBytes *second = g_bytes_new_take (contents[1], lengths[1]);
+    GBytes *third = g_bytes_new_take (contents[2], lengths[2]);
+    GBytes *sixth = g_bytes_new_take (contents[5], lengths[5]);
+    g_assert_false (g_bytes_equal (second, third));
+    g_assert_cmpint (g_bytes_equal (second, sixth), ==, view == QN_VIEW_MECHANISM);
+    g_bytes_unref (second);
+    g_bytes_unref (third);
+    g_bytes_unref (sixth);
+    g_free (contents[0]);
+    g_free (contents[3]);
+    g_free (contents[4]);
+    g_assert_cmpint (g_rmdir (path), ==, 0);
+  }
+}
+
 /* All frames of an animation are drawn in one OpenGL context. */
 static void
 test_one_context (void)
@@ -221,6 +253,7 @@ QN_TESTS
   g_test_add_func ("/render/animation/gif", test_gif);
   g_test_add_func ("/render/animation/repeatable", test_gif_is_repeatable);
   g_test_add_func ("/render/animation/frames", test_frames);
+  g_test_add_func ("/render/animation/order", test_order_of_frames);
   g_test_add_func ("/render/animation/one-context", test_one_context);
   g_test_add_func ("/render/animation/cancel", test_cancel_leaves_nothing);
   g_test_add_func ("/render/animation/webm", test_webm);
