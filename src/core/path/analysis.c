@@ -309,9 +309,9 @@ settle_mechanism (const QnModel *model, const QnContacts *contacts, QnBudget *bu
 
 /* --- The whole ---------------------------------------------------------------------------- */
 
-/* *softens: whether joints may lose strength. `beyond`: see QnPath. */
+/* *softens: whether joints may lose strength. */
 static QnStatus
-follow (const QnModel *model, const QnContacts *contacts, QnBudget *budget, double beyond,
+follow (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
         QnResult *result, bool *softens, QnDiag *diag)
 {
   QnPath path;
@@ -320,39 +320,11 @@ follow (const QnModel *model, const QnContacts *contacts, QnBudget *budget, doub
     qn_path_setup (&path, model, contacts, qn_budget_go_on, budget, result, diag);
 
   *softens = status == QN_OK && qn_assembly_may_soften (&path.equilibrium.assembly);
-  path.beyond = beyond;
   if (status == QN_OK && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
     status = run_in_time (&path, diag);
   else if (status == QN_OK)
     status = qn_path_run (&path, &stands, diag);
   return qn_path_finish (&path, status, budget->start);
-}
-
-/* Follows the path once more by other settings. Where that ends in collapse, not below `least`, that is the
- * result. *cancelled: it was. */
-static QnStatus
-follow_again (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
-              double beyond, double least, QnResult *result, bool *cancelled,
-              QnDiag *diag)
-{
-  QnResult found;
-  bool softens;
-  QnStatus status = follow (model, contacts, budget, beyond, &found, &softens, diag);
-
-  if (status != QN_OK)
-    return status;
-  *cancelled = found.outcome == QN_OUTCOME_CANCELLED;
-  qn_statistics_add (&found.statistics, &result->statistics);
-  result->statistics = found.statistics;
-  if (found.outcome == QN_OUTCOME_COLLAPSE && found.collapse_multiplier >= least) {
-    QnResult before = *result;
-    *result = found;
-    found = before;
-    result->has_associative_bound = found.has_associative_bound;
-    result->associative_bound = found.associative_bound;
-  }
-  qn_result_clear (&found);
-  return QN_OK;
 }
 
 /* Where bonds break, a load that is held may drive the structure farther than steps can follow. A jack that
@@ -363,37 +335,28 @@ follow_jack (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
              QnResult *result, QnDiag *diag)
 {
   QnModel jacked = *model;
-  bool cancelled;
+  QnResult found;
+  bool softens;
 
   jacked.analysis.procedure = QN_PROCEDURE_WORK;
   double reached = result->step_count > 0
                      ? result->steps[result->step_count - 1].multiplier
                          * (1 - model->analysis.multiplier_tolerance)
                      : 0;
-  QnStatus status =
-    follow_again (&jacked, contacts, budget, 0, reached, result, &cancelled, diag);
-  if (status == QN_OK && cancelled)
+  QnStatus status = follow (&jacked, contacts, budget, &found, &softens, diag);
+  if (status != QN_OK)
+    return status;
+  qn_statistics_add (&found.statistics, &result->statistics);
+  result->statistics = found.statistics;
+  if (found.outcome == QN_OUTCOME_CANCELLED)
     result->outcome = QN_OUTCOME_CANCELLED;
-  return status;
-}
-
-/* Does the structure fall where a collapse was found directly, below that of its path? The path is followed to
- * just below, and the load held just above: where it falls, that is its collapse. */
-static QnStatus
-hold_at_lower (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
-               QnResult *result, QnDiag *diag)
-{
-  QnModel held = *model;
-  QnProcedure found_by = QN_PROCEDURE_LOAD;
-  double least, bound, part = model->analysis.multiplier_tolerance;
-  bool cancelled;
-
-  qn_result_collapse_interval (result, &least, &found_by, &bound);
-  if (found_by != QN_PROCEDURE_LIMIT)
-    return QN_OK;
-  held.analysis.max_multiplier = (1 - part) * least;
-  return follow_again (&held, contacts, budget, (1 + part) * least, 0, result, &cancelled,
-                       diag);
+  if (found.outcome == QN_OUTCOME_COLLAPSE && found.collapse_multiplier >= reached) {
+    QnResult before = *result;
+    *result = found;
+    found = before;
+  }
+  qn_result_clear (&found);
+  return QN_OK;
 }
 
 static QnStatus
@@ -409,7 +372,7 @@ run (const QnModel *model, const QnContacts *contacts, QnBudget *budget, QnResul
              ? add_broken_bound (model, contacts, budget, result, diag)
              : status;
   }
-  QnStatus status = follow (model, contacts, budget, 0, result, &softens, diag);
+  QnStatus status = follow (model, contacts, budget, result, &softens, diag);
   if (status == QN_OK && softens && model->analysis.procedure == QN_PROCEDURE_LOAD
       && model->stage_count == 0 && result->outcome == QN_OUTCOME_NOT_CONVERGED)
     status = follow_jack (model, contacts, budget, result, diag);
@@ -417,8 +380,6 @@ run (const QnModel *model, const QnContacts *contacts, QnBudget *budget, QnResul
     result->outcome = QN_OUTCOME_UNBOUNDED;
   if (status == QN_OK && result->has_collapse_multiplier)
     status = add_bound (model, contacts, budget, result, diag);
-  if (status == QN_OK && result->has_collapse_multiplier)
-    status = hold_at_lower (model, contacts, budget, result, diag);
   return status == QN_OK && result->has_collapse_multiplier
            ? add_broken_bound (model, contacts, budget, result, diag)
            : status;

@@ -125,22 +125,3 @@ qn_path_hold (QnPathTrace *trace)
   qn_equilibrium_set_state (eq, &trace->ahead);
   return true;
 }
-
-bool
-qn_path_hold_beyond (QnPathTrace *trace)
-{
-  QnEquilibrium *eq = &trace->path->equilibrium;
-  double beyond = trace->path->beyond;
-
-  if (beyond == 0 || trace->path->result->outcome != QN_OUTCOME_TARGET_REACHED)
-    return true;
-  qn_equilibrium_set_state (eq, &trace->highest);
-  qn_equilibrium_save (eq, &trace->sure);
-  QnSolveStatus status = let_go (trace, beyond);
-  if (status == QN_SOLVE_NO_MEMORY || status == QN_SOLVE_CANCELLED)
-    return qn_path_end_give_up (trace, status);
-  if (status == QN_SOLVE_MECHANISM)
-    return find_fall (trace, beyond);
-  qn_equilibrium_set_state (eq, &trace->highest);
-  return true;
-}

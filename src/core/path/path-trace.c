@@ -428,8 +428,6 @@ conclude (QnPathTrace *trace)
   QnResult *result = path->result;
   double *velocity = eq->motion;
 
-  if (!qn_path_hold_beyond (trace))
-    return false;
   find_velocity (trace, velocity);
   /* A stage that has only taken its loads back, against which they have worked, has no highest multiplier of
    * its own. */

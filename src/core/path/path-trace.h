@@ -93,10 +93,6 @@ QnSolveStatus qn_path_step_land (QnPathTrace *trace, double *share);
  * when memory runs out. */
 bool qn_path_hold (QnPathTrace *trace);
 
-/* Holds the load path->beyond, if any, at the largest multiplier. If the structure falls the path has ended
- * in collapse there. False when memory runs out. */
-bool qn_path_hold_beyond (QnPathTrace *trace);
-
 /* --- Where the path ends (path-end.c) ----------------------------------------------------- */
 
 /* Call after a step was accepted: sets outcome and trace->stop at a target, plateau or collapse. */

@@ -24,13 +24,11 @@ typedef struct QnPath {
   double origin, scale; /* factor of the driven sets = origin + scale x the solver's
                            multiplier, which is 0 at the start of every stage */
   QnEquilibrium equilibrium;
-  QnMovingContacts moving; /* if `follows` */
-  bool follows;            /* contacts follow the blocks, from the dead load on */
-  QnResult *result;        /* borrowed; grows by one step per accepted equilibrium */
-  QnInertia *inertia;      /* of the tangent; NULL until it is asked for */
-  double *displacements;   /* scratch, a row for every body; reactions too */
-  double beyond; /* load to hold where the path ends at its largest multiplier, to see
-                           whether the structure falls; 0: none */
+  QnMovingContacts moving;    /* if `follows` */
+  bool follows;               /* contacts follow the blocks, from the dead load on */
+  QnResult *result;           /* borrowed; grows by one step per accepted equilibrium */
+  QnInertia *inertia;         /* of the tangent; NULL until it is asked for */
+  double *displacements;      /* scratch, a row for every body; reactions too */
   int32_t iterations_at_step; /* statistics at the last recorded step */
   int64_t commits_at_step;    /* commits of the assembly at the last recorded step */
 } QnPath;
