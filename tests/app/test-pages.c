@@ -12,6 +12,14 @@ shows_page (GtkWidget *widget, gconstpointer page)
          && g_strcmp0 (gtk_stack_get_visible_child_name (GTK_STACK (widget)), page) == 0;
 }
 
+static gboolean
+can_act (GtkWidget *widget, gconstpointer action)
+{
+  return GTK_IS_ACTIONABLE (widget) && gtk_widget_is_sensitive (widget)
+         && g_strcmp0 (gtk_actionable_get_action_name (GTK_ACTIONABLE (widget)), action)
+              == 0;
+}
+
 /* In every page under the drawing: F1 shows what the manual says of it, Ctrl+S saves, Escape goes back to
  * the drawing; Undo acts on the drawing but where the page has steps of its own. */
 static void
@@ -54,6 +62,17 @@ test_keys (void)
     g_assert_null (qn_window_get_page (window));
     g_assert_true (gtk_widget_get_mapped (GTK_WIDGET (window->canvas)));
   }
+  /* In a window of their own they keep their actions; they come back when it closes. */
+  driver_activate (window, "win.study");
+  driver_activate (window, "win.own-window");
+  GtkWidget *apart = window->page_window;
+  g_assert_true (GTK_WIDGET (gtk_widget_get_root (window->page_box)) == apart);
+  g_assert_true (gtk_widget_get_mapped (GTK_WIDGET (window->canvas)));
+  g_assert_nonnull (driver_find_widget (apart, can_act, "study.move-load"));
+  gtk_window_close (GTK_WINDOW (apart));
+  driver_settle ();
+  g_assert_null (window->page_window);
+  g_assert_null (qn_window_get_page (window));
   /* All of them are still there; closed one after the other they leave the drawing. */
   driver_activate (window, "win.compare");
   for (gsize i = 0; i < G_N_ELEMENTS (pages); i++) {

@@ -713,7 +713,7 @@ add_menus (QnBoundForm *form)
   g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
   g_action_map_add_action_entries (G_ACTION_MAP (group), entries, G_N_ELEMENTS (entries),
                                    form);
-  gtk_widget_insert_action_group (form->root, "form", G_ACTION_GROUP (group));
+  qn_actions_insert (form->root, "form", group);
   gboolean any = FALSE;
   for (guint i = 0; i < form->kind->field_count; i++)
     any = any || (GTK_IS_BUTTON (form->widgets[i]) && is_named (form->widgets[i]));

@@ -600,7 +600,7 @@ add_actions (Compare *compare)
   g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
   g_action_map_add_action_entries (G_ACTION_MAP (group), entries, G_N_ELEMENTS (entries),
                                    compare);
-  gtk_widget_insert_action_group (compare->page, "compare", G_ACTION_GROUP (group));
+  qn_actions_insert (compare->page, "compare", group);
 }
 
 GtkWidget *

@@ -4,6 +4,7 @@
 
 #include "app/forms/bound-form.h"
 #include "app/forms/form.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/help.h"
 #include "app/widgets/text-unit.h"
@@ -569,7 +570,7 @@ connect (Page *self)
   self->actions = g_simple_action_group_new ();
   g_action_map_add_action_entries (G_ACTION_MAP (self->actions), entries,
                                    G_N_ELEMENTS (entries), self);
-  gtk_widget_insert_action_group (page, "envelope", G_ACTION_GROUP (self->actions));
+  qn_actions_insert (page, "envelope", self->actions);
   g_object_set_data_full (G_OBJECT (page), QN_PAGE_ACTIONS, self->actions,
                           g_object_unref);
   gtk_widget_set_direction (area, GTK_TEXT_DIR_LTR);

@@ -283,7 +283,7 @@ connect (QnStudyPage *self)
   self->actions = g_simple_action_group_new ();
   g_action_map_add_action_entries (G_ACTION_MAP (self->actions), entries,
                                    G_N_ELEMENTS (entries), self);
-  gtk_widget_insert_action_group (self->page, "study", G_ACTION_GROUP (self->actions));
+  qn_actions_insert (self->page, "study", self->actions);
   g_object_set_data_full (G_OBJECT (self->page), QN_PAGE_ACTIONS, self->actions,
                           g_object_unref);
   g_signal_connect_swapped (self->plan, "notify::selected", G_CALLBACK (on_plan), self);

@@ -36,3 +36,21 @@ qn_builder_take_widget (GtkBuilder *builder, const char *id)
   g_object_force_floating (widget);
   return GTK_WIDGET (widget);
 }
+
+static void
+on_root (GtkWidget *widget, GParamSpec *pspec, GObject *group)
+{
+  const char *prefix = g_object_get_data (group, "qn-prefix");
+  if (gtk_widget_get_root (widget) == NULL)
+    return;
+  gtk_widget_insert_action_group (widget, prefix, NULL);
+  gtk_widget_insert_action_group (widget, prefix, G_ACTION_GROUP (group));
+}
+
+void
+qn_actions_insert (GtkWidget *widget, const char *prefix, GSimpleActionGroup *group)
+{
+  g_object_set_data (G_OBJECT (group), "qn-prefix", (gpointer) prefix);
+  gtk_widget_insert_action_group (widget, prefix, G_ACTION_GROUP (group));
+  g_signal_connect_object (widget, "notify::root", G_CALLBACK (on_root), group, 0);
+}

@@ -12,3 +12,7 @@ GtkWidget *qn_builder_get_widget (GtkBuilder *builder, const char *id);
 
 /* The widget of that id, which nothing contains yet, floating: for a parent that outlives the builder. */
 GtkWidget *qn_builder_take_widget (GtkBuilder *builder, const char *id);
+
+/* Actions of a widget and of what is in it, whose names begin so (a constant): also after it has moved into
+ * another window, where GTK 4.8 forgets them. */
+void qn_actions_insert (GtkWidget *widget, const char *prefix, GSimpleActionGroup *group);

@@ -46,8 +46,10 @@ static void
 on_help (GSimpleAction *action, GVariant *parameter, gpointer application)
 {
   GtkWindow *window = active_window (application);
-  qn_help_show (
-    window, QN_IS_WINDOW (window) ? qn_window_get_help_page (QN_WINDOW (window)) : NULL);
+  GtkWidget *focus = window != NULL ? gtk_window_get_focus (window) : NULL;
+  qn_help_show (window, QN_IS_WINDOW (window)
+                          ? qn_window_get_help_page (QN_WINDOW (window))
+                          : qn_help_find_page (focus));
 }
 
 static void

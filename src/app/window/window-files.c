@@ -361,7 +361,9 @@ qn_window_quit (GtkApplication *application)
 static void
 close_window (QnWindow *self, GVariant *parameter)
 {
-  gtk_window_close (GTK_WINDOW (self));
+  GtkWidget *apart = self->page_window;
+  gboolean page = apart != NULL && gtk_window_is_active (GTK_WINDOW (apart));
+  gtk_window_close (page ? GTK_WINDOW (apart) : GTK_WINDOW (self));
 }
 
 const QnWindowAction qn_window_file_actions[] = {

@@ -1,7 +1,9 @@
-/* The pages under the drawing: runs beside each other, capacity curve, study, figures. Each is made when it is asked
- * for, and stays until it is closed; Escape goes back to the drawing. */
+/* The pages under the drawing, or in a window of their own: runs beside each other, capacity curve, study, figures.
+ * Each is made when it is asked for, and stays until it is closed; Escape goes back to the drawing. */
 #include "app/pages/pages.h"
+#include "app/widgets/dialog.h"
 #include "app/widgets/text-unit.h"
+#include "app/window/action-table.h"
 #include "app/window/window-private.h"
 #include "doc/edit/edit-stage.h"
 #include "study/plan/study.h"
@@ -18,9 +20,26 @@
 GtkWidget *
 qn_window_get_page (QnWindow *self)
 {
+  gboolean apart = self->page_window != NULL;
   return gtk_widget_get_visible (self->page_box)
+             && (!apart || gtk_window_is_active (GTK_WINDOW (self->page_window)))
            ? gtk_stack_get_visible_child (self->pages)
            : NULL;
+}
+
+void
+qn_window_take_pages_back (QnWindow *self)
+{
+  GtkWidget *window = g_steal_pointer (&self->page_window);
+  if (window == NULL)
+    return;
+  g_object_ref (self->page_box);
+  gtk_window_set_child (GTK_WINDOW (window), NULL);
+  gtk_paned_set_end_child (self->middle, self->page_box);
+  g_object_unref (self->page_box);
+  gtk_widget_set_visible (GTK_WIDGET (self->fill_button), TRUE);
+  gtk_window_destroy (GTK_WINDOW (window));
+  qn_window_arrange (self);
 }
 
 void
@@ -28,6 +47,7 @@ qn_window_show_drawing (QnWindow *self, gboolean alone)
 {
   if (!alone && !gtk_toggle_button_get_active (self->fill_button))
     return;
+  qn_window_take_pages_back (self);
   gtk_widget_set_visible (self->page_box, FALSE);
   qn_window_arrange (self);
   gtk_widget_grab_focus (GTK_WIDGET (self->canvas));
@@ -37,6 +57,50 @@ static void
 show_drawing (QnWindow *self, GVariant *parameter)
 {
   qn_window_show_drawing (self, FALSE);
+}
+
+static gboolean
+on_close_apart (QnWindow *self)
+{
+  qn_window_show_drawing (self, TRUE);
+  return GDK_EVENT_STOP;
+}
+
+/* The pages with the actions and keys of this window, or back from there. */
+static void
+own_window (QnWindow *self, GVariant *parameter)
+{
+  if (self->page_window != NULL) {
+    qn_window_take_pages_back (self);
+    return;
+  }
+  GtkWidget *window = qn_dialog_new (NULL, NULL, 900, 640);
+  GtkWidget *run = gtk_button_new_from_icon_name ("media-playback-start-symbolic");
+  g_autofree char *hint =
+    qn_action_dup_tooltip (_ ("Solve, or run the study"), "win.run-shown");
+  gtk_actionable_set_action_name (GTK_ACTIONABLE (run), "win.run-shown");
+  gtk_widget_set_tooltip_text (run, hint);
+  gtk_header_bar_pack_end (GTK_HEADER_BAR (gtk_window_get_titlebar (GTK_WINDOW (window))),
+                           run);
+  gtk_window_set_modal (GTK_WINDOW (window), FALSE);
+  gtk_window_set_application (GTK_WINDOW (window),
+                              gtk_window_get_application (GTK_WINDOW (self)));
+  gtk_widget_insert_action_group (window, "win", G_ACTION_GROUP (self));
+  g_object_bind_property (self, "title", window, "title", G_BINDING_SYNC_CREATE);
+  gtk_toggle_button_set_active (self->fill_button, FALSE);
+  gtk_widget_set_visible (GTK_WIDGET (self->fill_button), FALSE);
+  g_object_ref (self->page_box);
+  gtk_paned_set_end_child (self->middle, NULL);
+  gtk_window_set_child (GTK_WINDOW (window), self->page_box);
+  g_object_unref (self->page_box);
+  self->page_window = window;
+  g_signal_connect_object (window, "close-request", G_CALLBACK (on_close_apart), self,
+                           G_CONNECT_SWAPPED);
+  g_signal_connect_object (window, "notify::is-active", G_CALLBACK (qn_window_arrange),
+                           self, G_CONNECT_SWAPPED);
+  qn_window_arrange (self);
+  gtk_window_present (GTK_WINDOW (window));
+  gtk_widget_child_focus (GTK_WIDGET (self->pages), GTK_DIR_TAB_FORWARD);
 }
 
 static void
@@ -53,7 +117,9 @@ show (QnWindow *self, GtkWidget *page)
   }
   gtk_stack_set_visible_child (self->pages, page);
   gtk_widget_set_visible (self->info_bar, FALSE); /* about what was in sight before */
-  if (self->is_narrow)
+  if (self->page_window != NULL)
+    gtk_window_present (GTK_WINDOW (self->page_window));
+  else if (self->is_narrow)
     g_action_group_change_action_state (G_ACTION_GROUP (self), "side-panel",
                                         g_variant_new_boolean (FALSE));
   qn_window_arrange (self);
@@ -285,5 +351,6 @@ const QnWindowAction qn_window_page_actions[] = {
   { "move-load", "ad", move_load, QN_NEEDS_DRAWN },
   { "close-page", NULL, close_page, 0 },
   { "show-drawing", NULL, show_drawing, 0 },
+  { "own-window", NULL, own_window, 0 },
   { .name = NULL },
 };

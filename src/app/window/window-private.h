@@ -72,6 +72,7 @@ struct _QnWindow {
   QnViewState *state;
   QnToolSettings tool_settings;
   QnRecovery *recovery;
+  GtkWidget *page_window; /* the pages' own, or NULL: they are under the drawing */
   guint live_timeout, message_timeout;
   const QnQueuedAnalysis *next_analysis, *last_analysis; /* or NULL */
   gboolean was_running; /* an analysis, when the document last told */
@@ -148,6 +149,8 @@ GtkWidget *qn_window_get_page (QnWindow *window);
 gboolean qn_window_page_has (QnWindow *window, const char *action);
 gboolean qn_window_page_can (QnWindow *window, const char *action);
 gboolean qn_window_page_does (QnWindow *window, const char *action);
+/* Under the drawing, where they are in a window of their own. */
+void qn_window_take_pages_back (QnWindow *window);
 /* Where a page has its place; `alone`: without any page. */
 void qn_window_show_drawing (QnWindow *window, gboolean alone);
 /* Opens the project that a study file names, and shows the study. */

@@ -579,6 +579,9 @@ qn_window_commit_entry (QnWindow *self)
   gboolean drawing = gtk_widget_get_mapped (GTK_WIDGET (self->canvas));
   if (GTK_IS_EDITABLE (gtk_window_get_focus (GTK_WINDOW (self))))
     gtk_window_set_focus (GTK_WINDOW (self), drawing ? GTK_WIDGET (self->canvas) : NULL);
+  GtkWindow *apart = GTK_WINDOW (self->page_window);
+  if (apart != NULL && GTK_IS_EDITABLE (gtk_window_get_focus (apart)))
+    gtk_window_set_focus (apart, NULL);
 }
 
 /* Forms act on the canvas, also while they lose focus and rows: they go before it does. */
@@ -602,6 +605,7 @@ qn_window_close_request (GtkWindow *window)
   qn_document_cancel (self->document);
   if (self->reporting != NULL)
     g_cancellable_cancel (self->reporting);
+  qn_window_take_pages_back (self);
   return GTK_WINDOW_CLASS (qn_window_parent_class)->close_request (window);
 }
 
