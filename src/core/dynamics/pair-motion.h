@@ -29,14 +29,15 @@
  * sliding one the friction of its normal dashpot.
  *
  * Damping by impact is that of the current stiffness, with a of each pair and a normal dashpot that
- * never pulls: F_n <= 0. The two blocks meet on the spring of the pair with the mass
+ * never pulls: F_n <= 0. With g the gradient of q_n and M of both blocks
  *
- *   m = 1/(g' M^-1 g),  g the gradient of q_n,  M of both blocks
+ *   g' M^-1 g = 1/m + 1/j,  of translation and of rotation;  r = m/j, 0.03 <= r <= 3
+ *   a = sqrt (2 r/(k (1/m + 1/j)))
  *
- * and half of its critical damping, a = sqrt (m/k), leaves about as much energy as an impact without
- * rebound does: of a block that rocks on its two corners (1 - 1.5 sin^2 alpha)^2 (Housner 1963). The result
- * depends little on a; a dashpot that pulled would dissipate a W v more, W: load that passes from one corner
- * to the other with the speed v.
+ * that is sqrt (r/2) of critical damping of the masses that meet on the spring. At the corner of a rectangle r is
+ * 3 sin^2 alpha: slender blocks lose little in an impact, so that rebound matters little, and much to a dashpot
+ * while their weight passes from corner to corner; wide ones the other way round. So a block that rocks on its
+ * corners keeps (1 - 1.5 sin^2 alpha)^2 of its energy (Housner 1963): docs/method/dynamics.md.
  */
 #pragma once
 

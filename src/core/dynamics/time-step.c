@@ -14,6 +14,10 @@
 #define HALVINGS      3   /* most then */
 #define WORTH_KEEPING 0.1 /* of the residual, left by a factorisation that serves on */
 
+/* Bounds of r in pair-motion.h. */
+#define SLENDEREST 0.03
+#define WIDEST     3
+
 /* The scheme with a spectral radius, 0 to 1. */
 static QnTimeScheme
 scheme_of (double rho)
@@ -140,34 +144,28 @@ add_initial_motion (QnTimeStep *step)
   }
 }
 
-/* 1/m of the mass that meets the spring of a pair along its normal, 1/kg; 0 where nothing moves. */
+/* The dashpot of a pair: see pair-motion.h. */
 static double
-compliance_of_mass (const QnTimeStep *step, size_t pair)
+damping_of (const QnTimeStep *step, size_t pair)
 {
   const QnAssembly *as = &step->equation.eq->assembly;
   const double *g = as->gradients[pair].factors[0];
   const double factors[QN_FACE_UNKNOWNS] = { g[1], g[2], g[0], g[1], g[2], g[3] };
   const int32_t *unknown =
     as->face_unknowns + QN_FACE_UNKNOWNS * (size_t) as->contacts->pairs[pair].face;
-  double sum = 0;
+  double moves = 0, turns = 0;
 
+  if (step->settings->of != QN_DAMPING_IMPACT)
+    return step->settings->joint_damping;
   for (int i = 0; i < QN_FACE_UNKNOWNS; i++) {
     double mass = unknown[i] != QN_NONE ? step->mass[as->diagonal[unknown[i]]] : 0;
     if (mass > 0)
-      sum += factors[i] * factors[i] / mass;
+      *(i % QN_DOF_COUNT == QN_DOF_RZ ? &turns : &moves) +=
+        factors[i] * factors[i] / mass;
   }
-  return sum;
-}
-
-/* The dashpot of a pair: see pair-motion.h. */
-static double
-damping_of (const QnTimeStep *step, size_t pair)
-{
-  if (step->settings->of != QN_DAMPING_IMPACT)
-    return step->settings->joint_damping;
-  double sum = compliance_of_mass (step, pair);
-
-  return sum > 0 ? 1 / sqrt (sum * step->elasticity[pair].k[0]) : 0;
+  double r = moves > 0 ? fmin (fmax (turns / moves, SLENDEREST), WIDEST) : WIDEST;
+  double mobility = moves + turns;
+  return mobility > 0 ? sqrt (2 * r / (mobility * step->elasticity[pair].k[0])) : 0;
 }
 
 /* Arrays that depend on the assembly and not on the state. */

@@ -379,7 +379,8 @@ test_rock (void)
 static void
 test_impact (void)
 {
-  static const double widths[] = { 0.1, 0.2, 0.3, 0.4, 0.5 }, stiffness[] = { 1e8, 1e10 };
+  static const double widths[] = { 0.1, 0.15, 0.2, 0.3, 0.35, 0.4, 0.5 },
+                      stiffness[] = { 1e7, 1e8, 1e10 };
   for (gsize i = 0; i < G_N_ELEMENTS (widths); i++)
     for (gsize k = 0; k < G_N_ELEMENTS (stiffness); k++) {
       g_auto (TestRun) c;
@@ -402,6 +403,38 @@ test_impact (void)
       g_assert_cmpfloat (fabs (found / kept - 1), <, 0.02);
       g_assert_cmpfloat (h->energy_error, <, 1e-3);
     }
+}
+
+/* Beside a wall as high as it the block nearly stops: the impulses of ground and wall that bring it to rest all
+ * push, so impacts without rebound leave nothing. */
+static void
+test_impact_beside_wall (void)
+{
+  for (double width = 0.1; width < 0.6; width += 0.2) {
+    g_auto (TestRun) c;
+    double alpha = atan (width / HEIGHT), theta = 0.5 * alpha, back = 0;
+    init_rocking_of (&c, width, theta);
+    c.model.laws[0].friction = 3;
+    QnBlock *wall =
+      test_model_add_rectangle (&c.model, "wall", width / 2, 0, width, HEIGHT);
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      wall->support[dof] = true;
+    c.model.analysis.dynamic.duration = 0.6;
+    c.model.analysis.dynamic.time_step = 0.002;
+    c.model.analysis.dynamic.tolerance = 1e-7;
+    c.model.analysis.dynamic.of = QN_DAMPING_IMPACT;
+    test_run_solve (&c);
+    gboolean landed = FALSE;
+    for (size_t row = 0; row < c.result.history.row_count; row++) {
+      landed = landed || tracked (&c, row, 0) < 0.005 * alpha;
+      back = fmax (back, landed ? tracked (&c, row, 0) : 0);
+    }
+    double speed =
+      sqrt ((cos (alpha - back) - cos (alpha)) / (cos (alpha - theta) - cos (alpha)));
+    g_test_message ("width %g beside a wall: %.3f of its speed", width, speed);
+    g_assert_true (landed);
+    g_assert_cmpfloat (speed, <, 0.15);
+  }
 }
 
 /* Let go just beyond its balance it falls; and at once where it hangs over by far. */
@@ -663,6 +696,7 @@ QN_TESTS
   g_test_add_func ("/dynamics/factorizations", test_factorizations);
   g_test_add_func ("/dynamics/rock", test_rock);
   g_test_add_func ("/dynamics/impact", test_impact);
+  g_test_add_func ("/dynamics/impact-beside-wall", test_impact_beside_wall);
   g_test_add_func ("/dynamics/overturn", test_overturn);
   g_test_add_func ("/dynamics/beam", test_beam);
   g_test_add_func ("/dynamics/tie", test_tie);
