@@ -238,37 +238,6 @@ begins (const QnCheck *check, size_t pair)
   return pair >= drawn && check->begins[pair - drawn];
 }
 
-/* What a step states of the bond of a pair: as much damage as the laws answer. More there may be where the
- * structure has moved on the way, and stays from then on. */
-static void
-take_damage (QnCheck *check, size_t step, size_t p)
-{
-  QnAssembly *as = &check->assembly;
-  const QnPairSprings *springs = &as->springs[p];
-  QnPairResponse *response = &as->responses[p];
-  QnPairMemory *before = &as->committed[p];
-  double found = qn_pair_damage (springs, &response->memory);
-  QnPairResult at;
-
-  if (!stated_pair (check, step, p, &at))
-    return;
-  bool moved =
-    check->result->steps[step].relaxed || check->lost || check->result->history.width > 0;
-  bool bond = qn_spring_has_bond (&springs->a) || qn_spring_has_bond (&springs->b);
-  if ((moved || check->unknown[p]) && !bond) /* of a member: any, as its forces are */
-    return;
-  if (at.damage > found && at.damage <= 1 && moved) {
-    bool in_a =
-      qn_spring_has_bond (&springs->a)
-      && !(springs->b.cohesion > 0 && springs->b.cohesion < springs->a.cohesion);
-    *(in_a ? &before->a.extreme : &before->b.extreme) = at.damage;
-    qn_pair_evaluate (springs, before, as->elongations + 2 * p, response);
-    found = qn_pair_damage (springs, &response->memory);
-  }
-  if (!qn_check_agrees (at.damage, found, QN_CHECK_STATE))
-    qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, at.damage, found);
-}
-
 static bool
 is_plastic (const QnPairSprings *springs)
 {
@@ -297,6 +266,46 @@ flow_to (const QnCheck *check, size_t p, const double force[2], QnPairResponse *
   return false;
 }
 
+/* What a step states of the bond of a pair: as much damage as the laws answer. More there may be where the
+ * structure has moved on the way, and stays from then on: of the bond that explains the force. */
+static void
+take_damage (QnCheck *check, size_t step, size_t p)
+{
+  QnAssembly *as = &check->assembly;
+  const QnPairSprings *springs = &as->springs[p];
+  QnPairResponse *response = &as->responses[p];
+  QnPairMemory *before = &as->committed[p];
+  double found = qn_pair_damage (springs, &response->memory);
+  QnPairResult at;
+
+  if (!stated_pair (check, step, p, &at))
+    return;
+  bool moved =
+    check->result->steps[step].relaxed || check->lost || check->result->history.width > 0;
+  bool bond = qn_spring_has_bond (&springs->a) || qn_spring_has_bond (&springs->b);
+  if ((moved || check->unknown[p]) && !bond) /* of a member: any, as its forces are */
+    return;
+  if (at.damage > found && at.damage <= 1 && moved) {
+    const QnPairMemory start = *before;
+    const double force[2] = { at.normal_force, at.shear_force };
+    bool weaker = springs->b.cohesion > 0 && springs->b.cohesion < springs->a.cohesion;
+    for (int i = 0; i < (springs->equal ? 1 : 2); i++) {
+      bool in_b = (weaker && !springs->equal) != (i == 1);
+      if (!qn_spring_has_bond (in_b ? &springs->b : &springs->a))
+        continue;
+      *before = start;
+      *(in_b ? &before->b.extreme : &before->a.extreme) = at.damage;
+      qn_pair_evaluate (springs, before, as->elongations + 2 * p, response);
+      QnPairResponse flown = *response;
+      if (flow_to (check, p, force, &flown))
+        break;
+    }
+    found = qn_pair_damage (springs, &response->memory);
+  }
+  if (!qn_check_agrees (at.damage, found, QN_CHECK_STATE))
+    qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, at.damage, found);
+}
+
 /* Whether a pair may have another force than its law answers to the step before; *response then is one with
  * this force. Where the structure has moved on a way that no result tells, from a step at which it came to
  * rest on and in time, any flow of a joint that explains its force is accepted, and any force of a member. */
@@ -309,7 +318,7 @@ explain (QnCheck *check, size_t p, const double force[2], QnPairResponse *respon
     return false;
   if (flow_to (check, p, force, response))
     return true;
-  check->unknown[p] = check->relaxed && !is_plastic (&check->assembly.springs[p]);
+  check->unknown[p] = !is_plastic (&check->assembly.springs[p]);
   return check->unknown[p];
 }
 

@@ -466,8 +466,88 @@ test_crushed_and_relieved_on_an_unknown_way (void)
   g_assert_true (tells (&run, QN_CLAIM_FORCES));
 }
 
+/* Joints of two laws, on a way that no result tells: a joint that dilates beside concrete, in time; and two
+ * bonds that soften, of which the one with more cohesion is damaged, on a path that has jumped. */
+static void
+test_unequal_sides (void)
+{
+  for (int bonds = 0; bonds < 2; bonds++) {
+    g_auto (TestRun) run = { 0 };
+    QnModel *model = &run.model;
+    test_model_init (model);
+    qn_model_add_law (model, "other");
+    QnLaw *a = &model->laws[0], *b = &model->laws[1];
+    test_model_add_base (model, -5, -1, 10, 1);
+    test_model_add_weight_loads (model, 1);
+    model->live_load_count = (size_t) bonds;
+    model->contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_LOBATTO, .count = 5 };
+    if (bonds == 0) {
+      *a = (QnLaw){ .name = a->name,
+                    .kind = QN_LAW_COULOMB,
+                    .basis = QN_BASIS_SURFACE,
+                    .kn = 2.66e9,
+                    .ks = 2.66e9,
+                    .friction = 0.7,
+                    .dilatancy = 0.1 };
+      *b = (QnLaw){ .name = b->name,
+                    .kind = QN_LAW_CONCRETE,
+                    .basis = QN_BASIS_SURFACE,
+                    .kn = 1e11,
+                    .ks = 1e11,
+                    .strength = 2e7,
+                    .fracture_energy = 100 };
+      test_model_add_rectangle (model, "b0", -0.033, 0, 0.546, 0.4805);
+      model->analysis.procedure = QN_PROCEDURE_DYNAMIC;
+      model->analysis.geometry = QN_GEOMETRY_NONLINEAR;
+      model->analysis.dynamic.duration = 1;
+      model->analysis.dynamic.time_step = 0.005;
+      model->analysis.dynamic.joint_damping = 1e-4;
+      model->analysis.dynamic.of = QN_DAMPING_CURRENT;
+      QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+      motion->kind = QN_SIGNAL_PULSE;
+      motion->direction = qn_vec2 (1, 0);
+      motion->pulse = (QnPulse){ QN_PULSE_HALF_SINE, 7.1, 0.418, 0 };
+    } else {
+      *a = (QnLaw){ .name = a->name,
+                    .kind = QN_LAW_COULOMB,
+                    .basis = QN_BASIS_SURFACE,
+                    .kn = 7.934e9,
+                    .ks = 3.1735e9,
+                    .friction = 0.64,
+                    .cohesion = 361847,
+                    .tension = 96948,
+                    .fracture_energy_tension = 4.418,
+                    .fracture_energy_shear = 4.418,
+                    .exponential = true };
+      *b = (QnLaw){ .name = b->name,
+                    .kind = QN_LAW_COULOMB,
+                    .basis = QN_BASIS_SURFACE,
+                    .kn = 6.352e10,
+                    .ks = 6.352e10,
+                    .friction = 0.6074,
+                    .cohesion = 178121,
+                    .tension = 166728,
+                    .fracture_energy_tension = 8.8416,
+                    .fracture_energy_shear = 88.416 };
+      test_model_add_rectangle (model, "b0", 0.0027, 0, 0.808, 0.6776);
+      test_model_add_rectangle (model, "b1", -0.0209, 0.6776, 0.6235, 0.6676);
+      model->blocks[2].law = 1;
+      test_control (model, QN_PROCEDURE_DISPLACEMENT, "b1", QN_DOF_UX, 0.0095);
+    }
+    for (size_t i = 0; i < model->block_count; i++)
+      model->blocks[i].unit_weight = 2e4;
+    model->blocks[0].law = 1;
+    model->blocks[1].law = 0;
+    test_run_solve (&run);
+    g_test_message ("bonds %d: stop %d", bonds, (int) run.result.stop);
+    g_assert_cmpint (run.result.outcome, !=, QN_OUTCOME_NOT_CONVERGED);
+    g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+  }
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/result-check/unequal-sides", test_unequal_sides);
   g_test_add_func ("/core/result-check/crushed-and-relieved-on-an-unknown-way",
                    test_crushed_and_relieved_on_an_unknown_way);
   g_test_add_func ("/core/result-check/crushed-a-little-on-an-unknown-way",
