@@ -10,7 +10,7 @@ check_record (const char *text, size_t size, const char *unit, double time_step)
 {
   QnRecord record;
   GError *error = NULL;
-  if (!qn_record_parse (text, size, "fuzz", unit, time_step, &record, &error)) {
+  if (!qn_record_parse (text, size, "fuzz", unit, time_step, FALSE, &record, &error)) {
     fuzz_check_error (error);
     return;
   }

@@ -158,9 +158,9 @@ make_study (const Ida *ida, gsize index, Curve *curve, QnStudy *study)
   QnRecord record;
   QnProject model;
   /* What the command line states is for the records that do not. */
-  qn_cli_must (qn_record_read (path, NULL, 0, &record, NULL)
+  qn_cli_must (qn_record_read (path, NULL, 0, FALSE, &record, NULL)
                || qn_record_read (path, ida->options->unit, ida->options->time_step,
-                                  &record, QN_TROUBLE));
+                                  FALSE, &record, QN_TROUBLE));
   QnRecordFacts facts = qn_record_facts (&record);
   g_autofree char *doubt = qn_record_dup_doubt (&record);
   if (doubt != NULL)

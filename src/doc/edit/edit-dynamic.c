@@ -141,7 +141,7 @@ gboolean
 qn_edit_add_record (QnModel *model, const char *path, GError **error)
 {
   QnRecord record;
-  if (!qn_record_read (path, NULL, 0, &record, error))
+  if (!qn_record_read (path, NULL, 0, FALSE, &record, error))
     return FALSE;
   QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
   gboolean done = motion != NULL;

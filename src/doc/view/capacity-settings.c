@@ -120,7 +120,7 @@ gboolean
 qn_capacity_read_spectrum (const char *path, const char *unit, QnRecord *points,
                            GError **error)
 {
-  if (!qn_record_read_spectrum (path, unit, points, error))
+  if (!qn_record_read (path, unit, 0, TRUE, points, error))
     return FALSE;
   for (gsize i = 0; i < points->count; i++)
     if (!(points->points[i].y > 0)) {

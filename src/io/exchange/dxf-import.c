@@ -183,10 +183,6 @@ add_points (const Importer *importer, QnDrawingPath *path, const QnDxfEntity *en
     if (!(fabs (n[1]) <= 1e4) || !(fabs (n[2]) <= 1e4) || !normalise (normal))
       return FALSE;
     cross (normal, major, minor);
-    for (int i = 0; i < 3; i++) {
-      own->axes[0][i] = major[i];
-      own->axes[1][i] = n[0] * minor[i];
-    }
     *own = (Place){ { { major[0], major[1], major[2] },
                       { n[0] * minor[0], n[0] * minor[1], n[0] * minor[2] },
                       { 0, 0, 0 } },

@@ -88,18 +88,16 @@ qn_import_choose_unit (QnImportWork *work)
   gsize guess = 0;
   while (guess < G_N_ELEMENTS (guesses) && !is_plausible (size * guesses[guess]))
     guess++;
-  if (guess == G_N_ELEMENTS (guesses))
-    work->unit = declared > 0 ? declared : 1;
-  else
-    work->unit = guesses[guess];
-  if (declared > 0 && guess < G_N_ELEMENTS (guesses))
+  gboolean fits = guess < G_N_ELEMENTS (guesses);
+  work->unit = fits ? guesses[guess] : declared > 0 ? declared : 1;
+  if (declared > 0 && fits)
     qn_import_tell (
       work, TRUE,
       _ ("unit: the file declares %g m, which would make blocks of about %.3g m; "
          "read as %s "
          "instead, extents %.6g x %.6g m (--unit decides)"),
       declared, size * declared, names[guess], width * work->unit, height * work->unit);
-  else if (guess < G_N_ELEMENTS (guesses))
+  else if (fits)
     qn_import_tell (
       work, TRUE,
       _ ("unit: not declared; read as %s from its extents, %.6g x %.6g m (--unit "

@@ -161,7 +161,7 @@ pass_count (Reading *r)
   for (guint i = 0; i < columns; i++)
     next_number (r, &at, &head[i], &bad);
   r->heading.count = count;
-  r->heading.time_step = fmax (head[1], 0);
+  r->heading.time_step = head[1] > 0 ? head[1] : r->heading.time_step;
   r->first++;
 }
 
@@ -181,13 +181,8 @@ find_data (Reading *r)
     r->first++;
   if (r->lines[r->first] == NULL)
     return fail (r, 0, _ ("record is empty: no line has numbers alone"));
-  pass_count (r);
-  double count = r->heading.count, step = r->heading.time_step;
   qn_record_heading_read (&r->heading, r->lines, r->first);
-  if (count > 0) {
-    r->heading.count = count;
-    r->heading.time_step = step > 0 ? step : r->heading.time_step;
-  }
+  pass_count (r);
   if (r->packed)
     return TRUE;
   survey (r);
@@ -533,9 +528,9 @@ read_any (Reading *r)
   return read_samples (r) && check_count (r);
 }
 
-static gboolean
-parse (const char *text, gsize size, const char *name, const char *unit, double time_step,
-       gboolean spectrum, QnRecord *record, GError **error)
+gboolean
+qn_record_parse (const char *text, gsize size, const char *name, const char *unit,
+                 double time_step, gboolean spectrum, QnRecord *record, GError **error)
 {
   gsize length;
   g_autofree char *decoded = qn_text_decode (text, size, NULL, &length);
@@ -568,34 +563,14 @@ parse (const char *text, gsize size, const char *name, const char *unit, double 
   return done;
 }
 
-static gboolean
-read_file (const char *path, const char *unit, double time_step, gboolean spectrum,
-           QnRecord *record, GError **error)
+gboolean
+qn_record_read (const char *path, const char *unit, double time_step, gboolean spectrum,
+                QnRecord *record, GError **error)
 {
   gsize length;
   *record = (QnRecord){ 0 };
   g_autofree char *text = qn_file_read (path, &length, error);
   return text != NULL
-         && parse (text, length, path, unit, time_step, spectrum, record, error);
-}
-
-gboolean
-qn_record_parse (const char *text, gsize size, const char *name, const char *unit,
-                 double time_step, QnRecord *record, GError **error)
-{
-  return parse (text, size, name, unit, time_step, FALSE, record, error);
-}
-
-gboolean
-qn_record_read (const char *path, const char *unit, double time_step, QnRecord *record,
-                GError **error)
-{
-  return read_file (path, unit, time_step, FALSE, record, error);
-}
-
-gboolean
-qn_record_read_spectrum (const char *path, const char *unit, QnRecord *record,
-                         GError **error)
-{
-  return read_file (path, unit, 0, TRUE, record, error);
+         && qn_record_parse (text, length, path, unit, time_step, spectrum, record,
+                             error);
 }

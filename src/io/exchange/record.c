@@ -195,7 +195,7 @@ qn_project_read_record (QnProject *project, gsize index, const char *folder,
   g_autofree char *path =
     qn_file_inside (folder != NULL ? folder : own, motion->record, allow_outside, &cause);
   if (path == NULL
-      || !qn_record_read (path, motion->unit, motion->time_step, &record, &cause))
+      || !qn_record_read (path, motion->unit, motion->time_step, FALSE, &record, &cause))
     return fail_at_key (project, index, cause, error);
   gboolean reaches = reaches_duration (project, index, &record, &cause);
   gboolean done = reaches && take_record (project, index, &record, error);

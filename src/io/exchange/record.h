@@ -12,7 +12,8 @@
  * The kind is told from the contents, encoded in UTF-8, UTF-16 or Windows-1252. Units are m/s2, cm/s2
  * (also gal), mm/s2, um/s2, nm/s2, ft/s2, in/s2 and g = 9.80665 m/s2 (also mg, %g, g/10), however
  * spelt. Where a file does not state its unit or its time step, they must be given. It is an error to
- * give another one than the file states, and for its heading to state two; where it has the unit from
+ * give another one than the file states, and for its heading to state two, or
+ * another number of samples than there are; where it has the unit from
  * its largest acceleration alone, that must be the one of the data. Records of velocity and of
  * displacement, and spectra, are refused. Raw data of K-NET have an offset, which goes where the
  * largest acceleration that their heading states is one without it.
@@ -28,20 +29,17 @@ typedef struct QnRecord {
   double offset;    /* m/s2, taken off raw data */
 } QnRecord;
 
-/* Reads a record. unit (nullable) and time_step (0: not given) are those that the file does not say.
+/* Reads a record, or if `spectrum` accelerations by periods, s. unit (nullable) and time_step (0: not given)
+ * are those that the file does not say.
  * `record` is overwritten without being cleared and holds nothing on failure. Errors: QN_IO_ERROR,
  * with the line where there is one. */
 gboolean qn_record_read (const char *path, const char *unit, double time_step,
-                         QnRecord *record, GError **error);
+                         gboolean spectrum, QnRecord *record, GError **error);
 
 /* The same from memory; `name` stands for the file in messages. */
 gboolean qn_record_parse (const char *text, gsize length, const char *name,
-                          const char *unit, double time_step, QnRecord *record,
-                          GError **error);
-
-/* Reads a spectrum in the same way: accelerations by periods, s. */
-gboolean qn_record_read_spectrum (const char *path, const char *unit, QnRecord *record,
-                                  GError **error);
+                          const char *unit, double time_step, gboolean spectrum,
+                          QnRecord *record, GError **error);
 
 void qn_record_clear (QnRecord *record);
 

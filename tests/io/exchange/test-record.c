@@ -10,7 +10,7 @@ parse (const char *text, const char *unit, double time_step)
 {
   QnRecord record;
   GError *error = NULL;
-  qn_record_parse (text, strlen (text), "r", unit, time_step, &record, &error);
+  qn_record_parse (text, strlen (text), "r", unit, time_step, FALSE, &record, &error);
   g_assert_no_error (error);
   return record;
 }
@@ -21,7 +21,7 @@ assert_refused (const char *text, const char *unit, double time_step, const char
   QnRecord record;
   GError *error = NULL;
   g_assert_false (
-    qn_record_parse (text, strlen (text), "r", unit, time_step, &record, &error));
+    qn_record_parse (text, strlen (text), "r", unit, time_step, FALSE, &record, &error));
   if (strstr (error->message, message) == NULL)
     g_error ("'%s' is not in '%s'", message, error->message);
   g_assert_cmpuint (record.count, ==, 0);
@@ -141,7 +141,7 @@ test_people (void)
     g_convert ("t [s]\ta [m/s2]\r\n0\t0\r\n0.01\t1\r\n0.02\t-2\r\n0.03\t0.5", -1,
                "UTF-16", "UTF-8", NULL, &length, NULL);
   QnRecord record;
-  g_assert_true (qn_record_parse (wide, length, "r", NULL, 0, &record, NULL));
+  g_assert_true (qn_record_parse (wide, length, "r", NULL, 0, FALSE, &record, NULL));
   assert_motion (record, 0);
 }
 
