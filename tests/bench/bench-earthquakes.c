@@ -71,16 +71,19 @@ measure_block (FILE *csv, const char *contacts, gboolean follow)
 {
   const double p = test_earthquake_block_frequency ();
   gboolean met = TRUE;
-  for (int i = 0; i < 20; i++) {
-    double pulse = G_PI / (p * (1 + 0.5 * i)), error = 0;
-    int impacts;
-    double exact = test_earthquake_exact_boundary (pulse, &impacts);
-    double found = least_amplitude (test_earthquake_init_block, pulse, 0.95 * exact,
-                                    1.05 * exact, follow, &error);
+  for (int i = 0; i < 25; i++) {
+    int impacts, halves = i < 20 ? 1 : 2;
+    double ratio = i < 20 ? 1 + 0.5 * i : i - 18;
+    double pulse = halves * G_PI / (p * ratio), error = 0;
+    double exact = test_earthquake_exact_boundary (halves, pulse, &impacts);
+    double found = least_amplitude (halves == 1 ? test_earthquake_init_block
+                                                : test_earthquake_init_block_sine,
+                                    pulse, 0.95 * exact, 1.05 * exact, follow, &error);
     gboolean fits = fabs (found / exact - 1) < 0.05 && error < 1e-3;
     met = met && fits;
-    bench_csv_row (csv, "block omega/p %g (g),%s,%.4f,%.4f,%.1e,%s", 1 + 0.5 * i,
-                   contacts, exact / TEST_G, found / TEST_G, error, fits ? "yes" : "no");
+    bench_csv_row (csv, "block %s omega/p %g (g),%s,%.4f,%.4f,%.1e,%s",
+                   halves == 1 ? "half-sine" : "sine", ratio, contacts, exact / TEST_G,
+                   found / TEST_G, error, fits ? "yes" : "no");
   }
   return met;
 }

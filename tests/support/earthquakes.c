@@ -62,7 +62,7 @@ set_up (QnModel *model, double stiffness, double friction, double duration, doub
  * - a cos(s alpha - theta), s the side it rocks to, with Housner's loss of speed at impacts.
  * Whether it overturns, and after how many impacts. */
 static gboolean
-exact_overturns (double amplitude, double pulse, int *impacts)
+exact_overturns (double amplitude, int halves, double pulse, int *impacts)
 {
   const double h = 1e-4, alpha = atan (WIDTH / HEIGHT),
                radius = 0.5 * hypot (WIDTH, HEIGHT);
@@ -71,7 +71,7 @@ exact_overturns (double amplitude, double pulse, int *impacts)
   *impacts = 0;
   for (double t = 0; t < 12; t += h) {
     double k[4][2], x = theta, v = speed;
-    double now = t < pulse ? amplitude * sin (G_PI * t / pulse) : 0;
+    double now = t < pulse ? amplitude * sin (halves * G_PI * t / pulse) : 0;
     if (side == 0) {
       if (fabs (now) <= G * WIDTH / HEIGHT)
         continue;
@@ -79,7 +79,7 @@ exact_overturns (double amplitude, double pulse, int *impacts)
     }
     for (int i = 0; i < 4; i++) {
       double part = i == 0 ? 0 : i == 3 ? h : 0.5 * h, s = t + part;
-      double a = s < pulse ? amplitude * sin (G_PI * s / pulse) : 0;
+      double a = s < pulse ? amplitude * sin (halves * G_PI * s / pulse) : 0;
       if (i > 0) {
         x = theta + part * k[i - 1][0];
         v = speed + part * k[i - 1][1];
@@ -113,6 +113,14 @@ test_earthquake_init_block (QnModel *model, double amplitude, double pulse)
           (QnPulse){ QN_PULSE_HALF_SINE, amplitude, pulse, 0 });
 }
 
+void
+test_earthquake_init_block_sine (QnModel *model, double amplitude, double pulse)
+{
+  test_model_init_block_on_plane (model, WIDTH, HEIGHT);
+  set_up (model, 1e9, 20, 4, 0.8, 0, (QnPulse){ QN_PULSE_SINE, amplitude, pulse, 0 });
+  model->analysis.dynamic.of = QN_DAMPING_IMPACT;
+}
+
 double
 test_earthquake_block_frequency (void)
 {
@@ -120,22 +128,22 @@ test_earthquake_block_frequency (void)
 }
 
 double
-test_earthquake_exact_boundary (double pulse, int *impacts)
+test_earthquake_exact_boundary (int halves, double pulse, int *impacts)
 {
   double low = G * WIDTH / HEIGHT, high = low;
   int ignored;
   do
     high *= 1.1;
-  while (!exact_overturns (high, pulse, &ignored));
+  while (!exact_overturns (high, halves, pulse, &ignored));
   low = high / 1.1;
   while (high - low > 1e-4 * high) {
     double middle = 0.5 * (low + high);
-    if (exact_overturns (middle, pulse, &ignored))
+    if (exact_overturns (middle, halves, pulse, &ignored))
       high = middle;
     else
       low = middle;
   }
-  exact_overturns (high, pulse, impacts);
+  exact_overturns (high, halves, pulse, impacts);
   return high;
 }
 

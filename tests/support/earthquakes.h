@@ -12,9 +12,12 @@
  * without being cleared. */
 void test_earthquake_init_block (QnModel *model, double amplitude, double pulse);
 
+/* The same under a full sine, with damping by impact. */
+void test_earthquake_init_block_sine (QnModel *model, double amplitude, double pulse);
+
 /* Least amplitude that overturns the same block by the exact equation of a rigid one with Housner's
- * impact, m/s2, and after how many impacts. */
-double test_earthquake_exact_boundary (double pulse, int *impacts);
+ * impact, m/s2, and after how many impacts. The pulse has so many halves of a sine. */
+double test_earthquake_exact_boundary (int halves, double pulse, int *impacts);
 
 /* p of that block, 1/s: sqrt (3 g / (4 R)). */
 double test_earthquake_block_frequency (void);

@@ -16,7 +16,7 @@ test_overturning_boundary (gconstpointer follow)
   for (int i = 0; i < 20; i++) {
     double omega = p * (1 + 0.5 * i), pulse = G_PI / omega;
     int impacts;
-    double exact = test_earthquake_exact_boundary (pulse, &impacts);
+    double exact = test_earthquake_exact_boundary (1, pulse, &impacts);
     g_test_message ("omega/p %.1f: least amplitude %.4f g, %d impacts", omega / p,
                     exact / TEST_G, impacts);
     g_assert_cmpint (impacts, ==, 0);
@@ -28,6 +28,27 @@ test_overturning_boundary (gconstpointer follow)
     }
   }
   g_test_message ("largest error of the energy balance %.1e", energy_error);
+  g_assert_cmpfloat (energy_error, <, 1e-3);
+}
+
+/* The same under a full sine that overturns it after one impact: what damping by impact leaves decides. */
+static void
+test_overturning_after_impact (gconstpointer follow)
+{
+  const double p = test_earthquake_block_frequency ();
+  double energy_error = 0;
+  for (int i = 2; i < 6; i++) {
+    double pulse = 2 * G_PI / (p * i);
+    int impacts;
+    double exact = test_earthquake_exact_boundary (2, pulse, &impacts);
+    g_assert_cmpint (impacts, ==, 1);
+    for (int k = 0; k < 2; k++) {
+      QnModel model;
+      test_earthquake_init_block_sine (&model, (k == 0 ? 0.98 : 1.02) * exact, pulse);
+      g_assert_cmpint (test_earthquake_overturns (&model, follow != NULL, &energy_error),
+                       ==, k);
+    }
+  }
   g_assert_cmpfloat (energy_error, <, 1e-3);
 }
 
@@ -76,6 +97,7 @@ QN_TESTS
     const char *name;
     GTestDataFunc test;
   } tests[] = { { "overturning-boundary", test_overturning_boundary },
+                { "overturning-after-impact", test_overturning_after_impact },
                 { "column", test_column },
                 { "arch", test_arch } };
   for (gsize i = 0; i < G_N_ELEMENTS (tests); i++) {
