@@ -163,7 +163,7 @@ on_export (Dialog *dialog)
                                     .endings = folder ? NULL : endings[dialog->format],
                                     .chosen = on_chosen,
                                     .folder = folder };
-  qn_chooser_ask (GTK_WINDOW (dialog->form->root), &dialog->chooser, &question, dialog);
+  qn_chooser_ask (GTK_WIDGET (dialog->form->root), &dialog->chooser, &question, dialog);
 }
 
 /* ---- fields ---- */

@@ -189,7 +189,7 @@ on_export (Dialog *dialog)
                                     .name = g_strdelimit (proposed, "/", '-'),
                                     .endings = typed_endings[dialog->format],
                                     .chosen = on_file_chosen };
-  qn_chooser_ask (GTK_WINDOW (dialog->base.root), &dialog->chooser, &question, dialog);
+  qn_chooser_ask (GTK_WIDGET (dialog->base.root), &dialog->chooser, &question, dialog);
 }
 
 static void

@@ -325,7 +325,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     form->selected = (int) draft->model.ground_count - 1;
     return TRUE;
   case IMPORT:
-    qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (form->base.root)), &form->chooser,
+    qn_chooser_ask (form->base.root, &form->chooser,
                     &(QnFileQuestion){ .title = _ ("Import Ground Motion"),
                                        .accept = _ ("_Import"),
                                        .chosen = on_chosen },

@@ -270,8 +270,7 @@ ask (Form *form, guint field)
                                                           : _ ("capacity.csv"),
                           .endings = field == EXPORT_PICTURE ? pictures : tables,
                           .chosen = on_export_chosen };
-  qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (form->base.root)), &form->chooser,
-                  &question, form);
+  qn_chooser_ask (form->base.root, &form->chooser, &question, form);
 }
 
 /* ---- fields ---- */

@@ -467,8 +467,7 @@ add_files (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .kind = folder ? NULL : &kind,
                                     .folder = folder,
                                     .many = TRUE };
-  qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (compare->page)), &compare->chooser,
-                  &question, compare);
+  qn_chooser_ask (compare->page, &compare->chooser, &question, compare);
 }
 
 static void
@@ -578,8 +577,7 @@ export_sheet (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .endings = endings,
                                     .chosen = on_file_chosen };
   Compare *compare = data;
-  qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (compare->page)), &compare->chooser,
-                  &question, compare);
+  qn_chooser_ask (compare->page, &compare->chooser, &question, compare);
 }
 
 /* ---- building ---- */

@@ -528,8 +528,7 @@ export_file (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .name = _ ("envelope.pdf"),
                                     .endings = endings,
                                     .chosen = export_to };
-  qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (self->base.root)), &self->chooser,
-                  &question, self);
+  qn_chooser_ask (self->base.root, &self->chooser, &question, self);
 }
 
 /* The same without asking. */

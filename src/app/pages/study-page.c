@@ -192,8 +192,7 @@ save_as (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .endings = endings,
                                     .chosen = on_saved,
                                     .path = qn_draft_get_path (self->draft) };
-  qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (self->page)), &self->chooser,
-                  &question, self);
+  qn_chooser_ask (self->page, &self->chooser, &question, self);
 }
 
 static void

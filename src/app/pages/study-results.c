@@ -411,6 +411,5 @@ qn_study_page_export (QnStudyPage *self, const char *what)
                                     .endings = table ? tables : figures,
                                     .chosen = on_chosen };
   self->exported = g_intern_string (what);
-  qn_chooser_ask (GTK_WINDOW (gtk_widget_get_root (self->page)), &self->chooser,
-                  &question, self);
+  qn_chooser_ask (self->page, &self->chooser, &question, self);
 }

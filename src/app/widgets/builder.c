@@ -18,6 +18,9 @@ qn_builder_new (const char *name)
   for (GSList *each = objects; each != NULL; each = each->next)
     if (GTK_IS_LABEL (each->data) || GTK_IS_HEADER_BAR (each->data))
       qn_shortened_tell (each->data);
+    else if (GTK_IS_SPIN_BUTTON (each->data))
+      g_object_set (gtk_editable_get_delegate (each->data), "input-hints",
+                    GTK_INPUT_HINT_NO_EMOJI, NULL);
     else if (GTK_IS_WINDOW (each->data))
       qn_dialog_attend (each->data);
   return builder;

@@ -132,7 +132,7 @@ forget (gpointer data, GObject *gone)
 }
 
 void
-qn_chooser_ask (GtkWindow *parent, GObject **kept, const QnFileQuestion *question,
+qn_chooser_ask (GtkWidget *widget, GObject **kept, const QnFileQuestion *question,
                 gpointer data)
 {
   static void (*const begin[]) (GtkFileDialog *, GtkWindow *, GCancellable *,
@@ -166,7 +166,8 @@ qn_chooser_ask (GtkWindow *parent, GObject **kept, const QnFileQuestion *questio
   g_object_set_data (G_OBJECT (cancellable), "qn-asked", asked);
   g_object_weak_ref (holder, forget, cancellable);
   g_set_object (kept, holder);
-  begin[way_of (question)](dialog, parent, cancellable, on_done, asked);
+  begin[way_of (question)](dialog, GTK_WINDOW (gtk_widget_get_root (widget)), cancellable,
+                           on_done, asked);
 }
 
 #else
@@ -182,11 +183,11 @@ on_response (GtkNativeDialog *chooser, int response, const Asked *asked)
 }
 
 void
-qn_chooser_ask (GtkWindow *parent, GObject **kept, const QnFileQuestion *question,
+qn_chooser_ask (GtkWidget *widget, GObject **kept, const QnFileQuestion *question,
                 gpointer data)
 {
   GtkFileChooserNative *native = gtk_file_chooser_native_new (
-    question->title, parent,
+    question->title, GTK_WINDOW (gtk_widget_get_root (widget)),
     question->name != NULL ? GTK_FILE_CHOOSER_ACTION_SAVE
     : question->folder     ? GTK_FILE_CHOOSER_ACTION_SELECT_FOLDER
                            : GTK_FILE_CHOOSER_ACTION_OPEN,

@@ -32,9 +32,9 @@ typedef struct QnFileQuestion {
   gboolean folder, many; /* folders, in place of files to be read; several at once */
 } QnFileQuestion;
 
-/* Asks over `parent`, in the folder that was chosen from last; *kept holds the chooser while it is there, in
+/* Asks over the window of a widget, in the folder that was chosen from last; *kept holds the chooser while it is there, in
  * place of what it held, and `data` must live as long. */
-void qn_chooser_ask (GtkWindow *parent, GObject **kept, const QnFileQuestion *question,
+void qn_chooser_ask (GtkWidget *widget, GObject **kept, const QnFileQuestion *question,
                      gpointer data);
 
 /* The path of a file to be written with its ending, as above; NULL with an error. The caller frees it. */

@@ -136,7 +136,7 @@ choose_file (QnWindow *self, gsize i)
                                     .endings = exports[i].endings,
                                     .chosen = on_chosen };
   self->exported = i;
-  qn_chooser_ask (GTK_WINDOW (self), &self->chooser, &question, self);
+  qn_chooser_ask (GTK_WIDGET (self), &self->chooser, &question, self);
 }
 
 /* ---- figures and what else has a dialog of its own ---- */

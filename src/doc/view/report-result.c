@@ -205,7 +205,9 @@ write_joints (QnPages *pages, const QnReportRun *run, size_t step, QnUnits units
     qn_result_cracks (model, run->contacts, &run->file->result, step);
   g_autoptr (GArray) lines = qn_cracks_by_line (run->contacts, cracks, NULL);
   g_autofree char *joints =
-    g_strdup_printf (_ ("%u joints have opened; the widest of them:"), cracks->len);
+    g_strdup_printf (ngettext ("%u joint has opened:",
+                               "%u joints have opened; the widest of them:", cracks->len),
+                     cracks->len);
   g_autofree char *whole = g_strdup_printf (
     _ (
       "By whole lines of joints (%u): the widest crack of each, and the mean over all of "
