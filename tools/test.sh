@@ -191,8 +191,9 @@ if [ "$mode" = --quick ]; then
   echo "== quick tests"
   check build-test -- --timeout-multiplier 3 --no-suite slow --no-suite all
 else
-  # Sources of a target together, and GTK's headers once: most of the time is the compiler's.
-  sanitized=(-Doptimization=1 -Ddebug=false -Dc_args=-g1 "-Db_sanitize=address,undefined"
+  # Sources of a target together, where names of one may hide those of another, and GTK's headers once:
+  # most of the time is the compiler's.
+  sanitized=(-Doptimization=1 -Ddebug=false "-Dc_args=-g1 -Wno-shadow" "-Db_sanitize=address,undefined"
     -Db_lundef=false -Dunity=on -Dunity_size=8 -Db_pch=true)
   # with_clang COMMAND TEST-OPTION...: builds, or checks.
   with_clang () {

@@ -311,8 +311,8 @@ settle_mechanism (const QnModel *model, const QnContacts *contacts, QnBudget *bu
 
 /* *softens: whether joints may lose strength. */
 static QnStatus
-follow (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
-        QnResult *result, bool *softens, QnDiag *diag)
+follow_load (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
+             QnResult *result, bool *softens, QnDiag *diag)
 {
   QnPath path;
   bool stands;
@@ -343,7 +343,7 @@ follow_jack (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
                      ? result->steps[result->step_count - 1].multiplier
                          * (1 - model->analysis.multiplier_tolerance)
                      : 0;
-  QnStatus status = follow (&jacked, contacts, budget, &found, &softens, diag);
+  QnStatus status = follow_load (&jacked, contacts, budget, &found, &softens, diag);
   if (status != QN_OK)
     return status;
   qn_statistics_add (&found.statistics, &result->statistics);
@@ -372,7 +372,7 @@ run (const QnModel *model, const QnContacts *contacts, QnBudget *budget, QnResul
              ? add_broken_bound (model, contacts, budget, result, diag)
              : status;
   }
-  QnStatus status = follow (model, contacts, budget, result, &softens, diag);
+  QnStatus status = follow_load (model, contacts, budget, result, &softens, diag);
   if (status == QN_OK && softens && model->analysis.procedure == QN_PROCEDURE_LOAD
       && model->stage_count == 0 && result->outcome == QN_OUTCOME_NOT_CONVERGED)
     status = follow_jack (model, contacts, budget, result, diag);
