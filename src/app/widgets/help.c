@@ -222,7 +222,10 @@ qn_help_show (GtkWindow *parent, const char *page)
     GtkWidget *sidebar = gtk_stack_sidebar_new ();
     gtk_stack_sidebar_set_stack (GTK_STACK_SIDEBAR (sidebar), GTK_STACK (stack));
     GtkWidget *box = gtk_paned_new (GTK_ORIENTATION_HORIZONTAL);
-    gtk_paned_set_start_child (GTK_PANED (box), sidebar);
+    /* Where the list is too wide for a small window, the paned would cut off its beginning. */
+    GtkWidget *scroller = gtk_scrolled_window_new ();
+    gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), sidebar);
+    gtk_paned_set_start_child (GTK_PANED (box), scroller);
     gtk_paned_set_resize_start_child (GTK_PANED (box), FALSE);
     gtk_paned_set_end_child (GTK_PANED (box), stack);
     gtk_paned_set_shrink_end_child (GTK_PANED (box), FALSE);
@@ -232,6 +235,10 @@ qn_help_show (GtkWindow *parent, const char *page)
     GtkWidget *window = qn_dialog_new (parent, _ ("Help"), 900, 720);
     gtk_window_set_modal (GTK_WINDOW (window), FALSE);
     gtk_window_set_child (GTK_WINDOW (window), box);
+    int usual;
+    gtk_widget_measure (sidebar, GTK_ORIENTATION_HORIZONTAL, -1, NULL, &usual, NULL,
+                        NULL);
+    gtk_paned_set_position (GTK_PANED (box), MIN (usual, 900 - LEAST_PAGE));
     qn_help_set_page (window, page);
     qn_dialog_present (window, sidebar);
     return;
