@@ -9,22 +9,15 @@
 #include <math.h>
 #include <string.h>
 
-typedef struct Kind Kind;
-
-/* Makes a project of the keys that the user has given. */
-typedef gboolean (*Maker) (const Kind *kind, const char *const *keys, double friction,
-                           QnProject *project, GError **error);
-
-struct Kind {
+typedef struct Kind {
   const char *name;
-  Maker make;
-  /* What masonry is where the user says nothing else. */
-  const char *parameters; /* JSON members */
+  /* What masonry is where the user says nothing else; a strip of a façade has keys of its own. */
+  const char *parameters; /* JSON members, or NULL */
   const char *choice;     /* one more, or NULL, */
   const char *instead;    /* unless a key that begins like this is given */
   const char
     *poisson; /* of the elastic material that its cells are of; NULL: dry joints */
-};
+} Kind;
 
 /* "0.4x.2" and "0.4,.2" mean [0.4, 0.2], and ".2" 0.2; everything else is left to JSON. */
 static char *
@@ -124,8 +117,7 @@ make_masonry (const Kind *kind, const char *const *keys, double friction,
 }
 
 static gboolean
-make_facade (const Kind *kind, const char *const *keys, double friction,
-             QnProject *project, GError **error)
+make_facade (const char *const *keys, double friction, QnProject *project, GError **error)
 {
   g_autoptr (GPtrArray) given = g_ptr_array_new_with_free_func (g_free);
   if (!add_overrides (given, "", keys, error))
@@ -133,20 +125,20 @@ make_facade (const Kind *kind, const char *const *keys, double friction,
   g_autofree char *text =
     qn_facade_dup_project ((const char *const *) given->pdata, friction, error);
   return text != NULL
-         && qn_project_parse (text, strlen (text), kind->name, NULL, project, error);
+         && qn_project_parse (text, strlen (text), "facade-strip", NULL, project, error);
 }
 
 /* clang-format off */
 static const Kind kinds[] = {
-  { "wall", make_masonry, "\"length\": 4, \"height\": 2.4, \"unit\": [0.4, 0.2], \"bond\": \"running\"", NULL, NULL, NULL },
-  { "arch", make_masonry, "\"shape\": \"circular\", \"span\": 4, \"ring\": 0.5, \"voussoirs\": 15", "\"rise\": 2", "springing", NULL },
-  { "column", make_masonry, "\"height\": 3, \"width\": [0.8, 0.7], \"drums\": 6", NULL, NULL, NULL },
-  { "buttress", make_masonry, "\"height\": 3, \"width\": [1.5, 0.6], \"courses\": 10, \"side\": \"right\"", NULL, NULL, NULL },
-  { "portal", make_masonry, "\"span\": 2, \"pier\": [0.6, 2.4], \"courses\": 6", "\"lintel\": 0.4", "arch", NULL },
-  { "rubble", make_masonry, "\"width\": [3, 3], \"height\": 3, \"stone\": 0.4, \"irregularity\": 0.4, \"seed\": 1", NULL, NULL, NULL },
-  { "grid", make_masonry, "\"size\": [3, 3], \"cells\": [12, 12]", NULL, NULL, "0.2" },
-  { "voronoi", make_masonry, "\"size\": [3, 3], \"cell\": 0.3, \"seed\": 1", NULL, NULL, "0" },
-  { .name = "facade-strip", .make = make_facade },
+  { "wall", "\"length\": 4, \"height\": 2.4, \"unit\": [0.4, 0.2], \"bond\": \"running\"", NULL, NULL, NULL },
+  { "arch", "\"shape\": \"circular\", \"span\": 4, \"ring\": 0.5, \"voussoirs\": 15", "\"rise\": 2", "springing", NULL },
+  { "column", "\"height\": 3, \"width\": [0.8, 0.7], \"drums\": 6", NULL, NULL, NULL },
+  { "buttress", "\"height\": 3, \"width\": [1.5, 0.6], \"courses\": 10, \"side\": \"right\"", NULL, NULL, NULL },
+  { "portal", "\"span\": 2, \"pier\": [0.6, 2.4], \"courses\": 6", "\"lintel\": 0.4", "arch", NULL },
+  { "rubble", "\"width\": [3, 3], \"height\": 3, \"stone\": 0.4, \"irregularity\": 0.4, \"seed\": 1", NULL, NULL, NULL },
+  { "grid", "\"size\": [3, 3], \"cells\": [12, 12]", NULL, NULL, "0.2" },
+  { "voronoi", "\"size\": [3, 3], \"cell\": 0.3, \"seed\": 1", NULL, NULL, "0" },
+  { .name = "facade-strip" },
 };
 /* clang-format on */
 
@@ -172,7 +164,8 @@ qn_project_generate (const char *kind_name, const char *const *keys, double fric
                  kind_name);
     return FALSE;
   }
-  if (!kind->make (kind, keys, friction, project, error))
+  if (kind->parameters == NULL ? !make_facade (keys, friction, project, error)
+                               : !make_masonry (kind, keys, friction, project, error))
     return FALSE;
   if (project->warnings->len == 0)
     return TRUE;
