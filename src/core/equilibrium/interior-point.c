@@ -74,11 +74,14 @@ qn_ip_add_flows (const QnIpProblem *p, const double *z, double scale, double *ou
 {
   for (int32_t c = 0; c < p->cell_count; c++) {
     const QnIpCell *cell = &p->cells[c];
+    double normal = out[2 * c], shear = out[2 * c + 1];
     for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
-      out[2 * c] += scale * p->bounds[i].opening * z[i];
-      if (!cell->no_shear)
-        out[2 * c + 1] += scale * p->bounds[i].shear * z[i];
+      normal += scale * p->bounds[i].opening * z[i];
+      shear += scale * p->bounds[i].shear * z[i];
     }
+    out[2 * c] = normal;
+    if (!cell->no_shear)
+      out[2 * c + 1] = shear;
   }
 }
 
@@ -172,17 +175,11 @@ qn_ip_step_measure (QnIpStep *ip)
   ip->power = qn_dot (ip->at.s, ip->at.z, (size_t) p->bound_count);
 }
 
-static double
-yielding (const QnIpStep *ip, int32_t i)
-{
-  return ip->at.s[i] + ip->proximal * ip->at.z[i];
-}
-
 void
 qn_ip_step_weights (const QnIpStep *ip, double *w)
 {
   for (int32_t i = 0; i < ip->problem->bound_count; i++)
-    w[i] = ip->at.z[i] / yielding (ip, i);
+    w[i] = ip->at.z[i] / (ip->at.s[i] + ip->proximal * ip->at.z[i]);
 }
 
 /* The direction that takes `share` off the residuals and has ip->products as s dz + z ds. */
@@ -190,17 +187,18 @@ static void
 solve_for_share (QnIpStep *ip, double share, QnIpVector *out)
 {
   const QnIpProblem *p = ip->problem;
+  const double *s = ip->at.s, *z = ip->at.z, proximal = ip->proximal;
 
   for (int32_t i = 0; i < p->bound_count; i++)
-    out->z[i] = (ip->products[i] - ip->at.z[i] * share * ip->rz[i]) / yielding (ip, i);
+    out->z[i] = (ip->products[i] - z[i] * share * ip->rz[i]) / (s[i] + proximal * z[i]);
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
     ip->right[i] = share * ip->ry[i];
   qn_ip_add_flows (p, out->z, -1, ip->right);
   ip->solve (ip, share, out);
   for (int32_t i = 0; i < p->bound_count; i++) {
     double left = share * ip->rz[i] - out->s[i];
-    out->z[i] = (ip->products[i] - ip->at.z[i] * left) / yielding (ip, i);
-    out->s[i] = left + ip->proximal * out->z[i];
+    out->z[i] = (ip->products[i] - z[i] * left) / (s[i] + proximal * z[i]);
+    out->s[i] = left + proximal * out->z[i];
   }
 }
 
@@ -211,8 +209,10 @@ way_to_boundary (const QnIpStep *ip, const QnIpVector *step)
   double most = 1e-300;
 
   for (int32_t i = 0; i < ip->problem->bound_count; i++) {
-    most = qn_max (-step->s[i] / ip->at.s[i], most);
-    most = qn_max (-step->z[i] / ip->at.z[i], most);
+    if (-step->s[i] > most * ip->at.s[i])
+      most = -step->s[i] / ip->at.s[i];
+    if (-step->z[i] > most * ip->at.z[i])
+      most = -step->z[i] / ip->at.z[i];
   }
   return 1 / most;
 }
@@ -283,15 +283,9 @@ qn_ip_inverse_init (QnIpInverse *inverse, const QnIpProblem *p, QnPool *pool)
 
   inverse->cells = qn_pool_alloc (pool, 4 * cells, sizeof (double));
   inverse->axes = qn_pool_alloc (pool, 2 * cells, sizeof (double));
+  inverse->normals = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof (double));
   inverse->turns = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof (double));
   inverse->coupling = 1;
-}
-
-/* What a row of G has of the normal force. */
-static double
-row_normal (const QnIpInverse *inverse, const QnIpBound *bound)
-{
-  return bound->opening + inverse->coupling * (bound->normal - bound->opening);
 }
 
 /* Every term a sum without cancellation however different the weights: the determinant by Cauchy and Binet,
@@ -307,21 +301,21 @@ qn_ip_invert_cell (QnIpInverse *inverse, const QnIpProblem *p, int32_t c, const 
   double nn = axis_n, nt = 0.0, tn = 0.0, tt = axis_t, determinant = axis_n * axis_t;
   double *found = inverse->cells + 4 * (size_t) c, *axes = inverse->axes + 2 * (size_t) c;
   double *turns = inverse->turns + cell->first_bound;
+  double *normals = inverse->normals + cell->first_bound;
 
   w += cell->first_bound;
   for (int32_t i = 0; i < cell->bound_count; i++) {
     const QnIpBound *b = &bounds[i];
-    double normal = row_normal (inverse, b);
+    double normal = b->opening + inverse->coupling * (b->normal - b->opening);
+    normals[i] = normal;
     nn += w[i] * b->opening * normal;
     nt += w[i] * b->opening * b->shear;
     tn += w[i] * b->shear * normal;
     tt += w[i] * b->shear * b->shear;
     determinant += w[i] * (b->opening * normal * axis_t + b->shear * b->shear * axis_n);
     for (int32_t j = 0; j < i; j++)
-      determinant +=
-        w[i] * w[j]
-        * (normal * bounds[j].shear - b->shear * row_normal (inverse, &bounds[j]))
-        * (b->opening * bounds[j].shear - b->shear * bounds[j].opening);
+      determinant += w[i] * w[j] * (normal * bounds[j].shear - b->shear * normals[j])
+                     * (b->opening * bounds[j].shear - b->shear * bounds[j].opening);
   }
   found[0] = cell->no_shear ? 1.0 / nn : tt / determinant;
   found[1] = cell->no_shear ? 0.0 : -nt / determinant;
@@ -340,21 +334,19 @@ qn_ip_answer_cell (const QnIpInverse *inverse, const QnIpProblem *p, int32_t c,
   const QnIpCell *cell = &p->cells[c];
   const QnIpBound *bounds = p->bounds + cell->first_bound;
   const double *turns = inverse->turns + cell->first_bound;
+  const double *normals = inverse->normals + cell->first_bound;
   double *g = out->s + cell->first_bound;
   double axis_n = inverse->axes[2 * c] * normal;
   double axis_t = inverse->axes[2 * c + 1] * shear, yn = axis_n, yt = axis_t;
 
   for (int32_t i = 0; i < cell->bound_count; i++) {
-    const QnIpBound *b = &bounds[i];
-    double row = row_normal (inverse, b);
-    double turn = turns[i] * (b->opening * shear - b->shear * normal);
-    yn -= turn * b->shear;
+    double row = normals[i], along = bounds[i].shear;
+    double turn = turns[i] * (bounds[i].opening * shear - along * normal);
+    yn -= turn * along;
     yt += turn * row;
-    g[i] += row * axis_n + b->shear * axis_t;
-    for (int32_t j = 0; j < cell->bound_count; j++)
-      if (j != i)
-        g[j] +=
-          turn * (row * bounds[j].shear - b->shear * row_normal (inverse, &bounds[j]));
+    g[i] += row * axis_n + along * axis_t;
+    for (int32_t j = 0; j < cell->bound_count; j++) /* nothing for j = i */
+      g[j] += turn * (row * bounds[j].shear - along * normals[j]);
   }
   out->y[2 * c] += yn;
   out->y[2 * c + 1] += yt;

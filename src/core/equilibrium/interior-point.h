@@ -130,6 +130,7 @@ typedef struct QnIpInverse {
   double
     *turns; /* bound_count: factors of the same inverse as a sum without cancellation,
                     diag (axes) + sum of turn g^ f^' */
+  double *normals;       /* bound_count: G's columns of normal forces, as coupled */
   double regularization; /* r, on the diagonal of H */
   double coupling;       /* G in it is F' + coupling (G - F'); 1: exact */
 } QnIpInverse;
