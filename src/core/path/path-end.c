@@ -159,9 +159,11 @@ qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status)
     break;
   case QN_SOLVE_FAILED:
   case QN_SOLVE_NO_MEMORY:
-    if (may_end_on_plateau (trace) && motion > eq->runaway)
+    if (may_end_on_plateau (trace)
+        && (motion > eq->runaway || qn_path_end_creeps (trace, QN_PATH_LEAST_GAIN))) {
       qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
-    else
+      trace->path->result->mechanism_uncertain = motion <= eq->runaway;
+    } else
       qn_path_end_finish (trace, QN_OUTCOME_NOT_CONVERGED, QN_STOP_STEP_TOO_SMALL);
     break;
   }
