@@ -44,7 +44,7 @@
 #define QN_PATH_LEAN 0.01 /* first motion from an unstable equilibrium / allowed motion */
 
 /* Plateau of non-associative joints: the multiplier changes by at most PLATEAU, as it does where it does not
- * dip, while the motion grows PLATEAU_GROWTH times; if no further step converges, by at most LEAST_GAIN while the motion doubled. */
+ * dip, while the motion grows PLATEAU_GROWTH times; where no step converges, by LEAST_GAIN while it doubles. */
 #define QN_PATH_PLATEAU        1e-4
 #define QN_PATH_PLATEAU_GROWTH 10
 #define QN_PATH_LEAST_GAIN     0.02
