@@ -259,8 +259,8 @@ test_demand (void)
   cli_do ("report", model, "--set", "report.demand=0.4", "--sections", "title", "-o", pdf,
           NULL);
   assert_words (pdf,
-                WORDS ("Demand, a load multiplier of 0.4: not met",
-                       "project: figure\u00a01.", "Assumptions: The structure, its loads",
+                WORDS ("Demand, a load multiplier of 0.4: not met", "project: figure",
+                       "Assumptions: The structure, its loads",
                        "What Was Not Checked: Forces and motion out of"),
                 NULL);
   cli_fails (2, "--demand", "report", model, "--demand", "-1", "-o", pdf, NULL);

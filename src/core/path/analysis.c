@@ -161,7 +161,7 @@ wants_bound (const QnModel *model, const QnContacts *contacts, const QnResult *r
 }
 
 /* Limit analysis beside a path, whose time counts with it: the associative bound and, where `known` is finite,
- * collapses below it that are proved. NO_MEMORY is the only error. */
+ * collapses below it that are proved; neither, if cancelled. NO_MEMORY is the only error. */
 static QnStatus
 solve_rigid (const QnModel *model, const QnContacts *contacts, double known,
              QnBudget *budget, QnResult *found, QnResult *result, QnDiag *diag)
@@ -174,7 +174,8 @@ solve_rigid (const QnModel *model, const QnContacts *contacts, double known,
   *found = (QnResult){ 0 };
   QnStatus status =
     qn_limit_run (&rigid, contacts, known, qn_budget_go_on, budget, found, NULL);
-  bool bounded = status == QN_OK && found->has_associative_bound;
+  bool bounded = status == QN_OK && found->has_associative_bound
+                 && found->outcome != QN_OUTCOME_CANCELLED;
   if (status == QN_OK && known < INFINITY)
     status = qn_result_prove (&rigid, contacts, found, NULL);
   if (status != QN_OK)
