@@ -69,25 +69,26 @@ tell (Page *self, const char *text)
   qn_bound_form_show (self);
 }
 
+static const QnLoad *
+load_of (Page *self)
+{
+  const QnModel *model = qn_document_get_model (self->document);
+  gsize load = qn_find_vehicle_load (model);
+  return load == G_MAXSIZE ? NULL : &model->live_loads[load];
+}
+
 static void
 update_actions (Page *self)
 {
   QnEnvelopePlace least;
   const gboolean found = self->envelope.count > 0;
-  const struct {
-    const char *name;
-    gboolean enabled;
-  } actions[] = {
-    { "run", self->thread == NULL },
-    { "cancel", self->thread != NULL },
-    { "put", found },
-    { "worst", found && qn_envelope_find_least (&self->envelope, &least) },
-    { "export", found && self->thread == NULL },
-  };
-  for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
-    g_simple_action_set_enabled (G_SIMPLE_ACTION (g_action_map_lookup_action (
-                                   G_ACTION_MAP (self->actions), actions[i].name)),
-                                 actions[i].enabled);
+  qn_actions_enable (self->actions, "run",
+                     self->thread == NULL && load_of (self) != NULL);
+  qn_actions_enable (self->actions, "cancel", self->thread != NULL);
+  qn_actions_enable (self->actions, "put", found);
+  qn_actions_enable (self->actions, "worst",
+                     found && qn_envelope_find_least (&self->envelope, &least));
+  qn_actions_enable (self->actions, "export", found && self->thread == NULL);
 }
 
 /* ---- the position that is shown ---- */
@@ -209,14 +210,6 @@ animate (Page *self, gboolean on)
 
 /* ---- what is chosen ---- */
 
-static const QnLoad *
-load_of (Page *self)
-{
-  const QnModel *model = qn_document_get_model (self->document);
-  gsize load = qn_find_vehicle_load (model);
-  return load == G_MAXSIZE ? NULL : &model->live_loads[load];
-}
-
 static gboolean
 set_convoy (QnModel *model, gpointer data, GError **error)
 {
@@ -292,6 +285,7 @@ show (gpointer data, guint field, QnValue *value)
     return TRUE;
   case ANIMATE:
     value->number = self->tick != 0;
+    value->disabled = e->count == 0;
     return TRUE;
   case PROGRESS:
     return self->thread != NULL;
@@ -354,6 +348,7 @@ on_changed (Page *self)
                    "place to place, and the least multiplier is its adequacy factor."));
   else
     tell_position (self);
+  update_actions (self);
 }
 
 /* ---- finding it ---- */
@@ -426,10 +421,6 @@ run (GSimpleAction *action, GVariant *parameter, gpointer data)
   Page *self = data;
   g_autoptr (GError) error = NULL;
   forget (self);
-  if (load_of (self) == NULL) {
-    on_changed (self); /* which says so */
-    return;
-  }
   if (!qn_envelope_init (&self->envelope, qn_document_get_model (self->document),
                          &self->settings, &error)) {
     tell (self, error->message);
@@ -594,6 +585,5 @@ qn_envelope_page_new (QnDocument *document)
   qn_help_set_page (self->base.root, "bridges");
   connect (self);
   on_changed (self);
-  update_actions (self);
   return self->base.root;
 }

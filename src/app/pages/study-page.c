@@ -27,19 +27,13 @@ qn_study_page_update_actions (QnStudyPage *self)
   int count;
   gboolean varied = qn_draft_count (self->draft) > 0
                     || qn_draft_get_plan (self->draft, &count) == QN_PLAN_COMBINATIONS;
-  const struct {
-    const char *name;
-    gboolean enabled;
-  } actions[] = { { "run", self->job == NULL && varied },
-                  { "cancel", self->job != NULL },
-                  { "undo", qn_draft_can_undo (self->draft) && self->job == NULL },
-                  { "redo", qn_draft_can_redo (self->draft) && self->job == NULL },
-                  { "save-as", self->job == NULL },
-                  { "export", self->folder != NULL } };
-  for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
-    g_simple_action_set_enabled (G_SIMPLE_ACTION (g_action_map_lookup_action (
-                                   G_ACTION_MAP (self->actions), actions[i].name)),
-                                 actions[i].enabled);
+  const gboolean idle = self->job == NULL;
+  qn_actions_enable (self->actions, "run", idle && varied);
+  qn_actions_enable (self->actions, "cancel", !idle);
+  qn_actions_enable (self->actions, "undo", idle && qn_draft_can_undo (self->draft));
+  qn_actions_enable (self->actions, "redo", idle && qn_draft_can_redo (self->draft));
+  qn_actions_enable (self->actions, "save-as", idle);
+  qn_actions_enable (self->actions, "export", self->folder != NULL);
 }
 
 /* ---- plan ---- */

@@ -93,7 +93,7 @@ choose (QnStudyPage *self, gint64 row)
       text, " · %s %.4g%s%s", qn_table_column_text (&self->table, (gsize) figure.column),
       qn_table_number (&self->table, (gsize) row, (gsize) figure.column),
       found->mechanism != NULL ? " · " : "",
-      found->mechanism != NULL ? qn_study_mechanism_text (found->mechanism) : "");
+      found->mechanism != NULL ? qn_study_word (found->mechanism) : "");
   qn_study_page_tell (self, text->str);
   gtk_widget_queue_draw (self->plot);
 }

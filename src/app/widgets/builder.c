@@ -57,3 +57,10 @@ qn_actions_insert (GtkWidget *widget, const char *prefix, GSimpleActionGroup *gr
   gtk_widget_insert_action_group (widget, prefix, G_ACTION_GROUP (group));
   g_signal_connect_object (widget, "notify::root", G_CALLBACK (on_root), group, 0);
 }
+
+void
+qn_actions_enable (GSimpleActionGroup *group, const char *name, gboolean enabled)
+{
+  GAction *action = g_action_map_lookup_action (G_ACTION_MAP (group), name);
+  g_simple_action_set_enabled (G_SIMPLE_ACTION (action), enabled);
+}

@@ -16,3 +16,4 @@ GtkWidget *qn_builder_take_widget (GtkBuilder *builder, const char *id);
 /* Actions of a widget and of what is in it, whose names begin so (a constant): also after it has moved into
  * another window, where GTK 4.8 forgets them. */
 void qn_actions_insert (GtkWidget *widget, const char *prefix, GSimpleActionGroup *group);
+void qn_actions_enable (GSimpleActionGroup *group, const char *name, gboolean enabled);

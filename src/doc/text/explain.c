@@ -106,26 +106,10 @@ qn_explain_finding (const QnModel *model, const QnFinding *finding)
 const char *
 qn_explain_outcome_label (const QnResult *result)
 {
-  static const char *const texts[QN_OUTCOME_COUNT] = {
-    [QN_OUTCOME_COLLAPSE] = N_ ("Collapse"),
-    [QN_OUTCOME_TARGET_REACHED] = N_ ("Target reached"),
-    [QN_OUTCOME_SNAP] = N_ ("Stopped at a limit point"),
-    [QN_OUTCOME_UNBOUNDED] = N_ ("No limit found"),
-    [QN_OUTCOME_DEAD_LOAD_UNSTABLE] = N_ ("Dead load does not stand"),
-    [QN_OUTCOME_CANCELLED] = N_ ("Cancelled"),
-    [QN_OUTCOME_NOT_CONVERGED] = N_ ("Not converged"),
-    [QN_OUTCOME_REST] = N_ ("At rest"),
-  };
-  if (result->history.width > 0 && result->outcome == QN_OUTCOME_COLLAPSE)
-    return _ ("Overturns");
-  if (result->history.width > 0
-      && (result->outcome == QN_OUTCOME_TARGET_REACHED
-          || result->outcome == QN_OUTCOME_REST))
-    return _ ("Stands");
-  if (result->outcome == QN_OUTCOME_TARGET_REACHED
-      && qn_result_find_buckling (result) != NULL)
-    return _ ("Buckled");
-  return _ (texts[result->outcome]);
+  return result->outcome == QN_OUTCOME_TARGET_REACHED && result->history.width == 0
+             && qn_result_find_buckling (result) != NULL
+           ? _ ("Buckled")
+           : qn_outcome_text (result->outcome, result->history.width > 0);
 }
 
 const char *

@@ -49,6 +49,26 @@ task_of (const QnModel *model, const QnResult *result)
                  .control_target = stage->control_target };
 }
 
+const char *
+qn_outcome_text (QnOutcome outcome, gboolean in_time)
+{
+  static const char *const texts[QN_OUTCOME_COUNT] = {
+    [QN_OUTCOME_COLLAPSE] = N_ ("Collapse"),
+    [QN_OUTCOME_TARGET_REACHED] = N_ ("Target reached"),
+    [QN_OUTCOME_SNAP] = N_ ("Stopped at a limit point"),
+    [QN_OUTCOME_UNBOUNDED] = N_ ("No limit found"),
+    [QN_OUTCOME_DEAD_LOAD_UNSTABLE] = N_ ("Dead load does not stand"),
+    [QN_OUTCOME_CANCELLED] = N_ ("Cancelled"),
+    [QN_OUTCOME_NOT_CONVERGED] = N_ ("Not converged"),
+    [QN_OUTCOME_REST] = N_ ("At rest"),
+  };
+  if (in_time && outcome == QN_OUTCOME_COLLAPSE)
+    return _ ("Overturns");
+  if (in_time && (outcome == QN_OUTCOME_TARGET_REACHED || outcome == QN_OUTCOME_REST))
+    return _ ("Stands");
+  return _ (texts[outcome]);
+}
+
 char *
 qn_stage_dup_name (const QnModel *model, int32_t stage)
 {

@@ -6,6 +6,9 @@
 
 #include <glib.h>
 
+/* One or two words, translated: "Collapse"; "Overturns" in time. A static string. */
+const char *qn_outcome_text (QnOutcome outcome, gboolean in_time);
+
 /* One to three sentences: what the outcome is, at which multiplier, in which stage, and what
  * made the procedure stop there. Free with g_free(). */
 char *qn_outcome_dup_reason (const QnModel *model, const QnResult *result);

@@ -161,7 +161,7 @@ describe_group (const QnTable *table, const QnRow *like, int column)
 char *
 qn_mechanism_share_dup_name (const QnMechanismShare *share)
 {
-  const char *kind = qn_study_mechanism_text (share->kind);
+  const char *kind = qn_study_word (share->kind);
   if (share->shape == 0)
     return g_strdup (kind);
   if (kind == NULL)

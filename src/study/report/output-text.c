@@ -1,6 +1,7 @@
 #include "study/report/output-text.h"
 
 #include "core/result/mechanism.h"
+#include "io/text/outcome-text.h"
 #include "render/scene/motion.h"
 
 #include <glib/gi18n-lib.h>
@@ -39,10 +40,13 @@ qn_study_output_text (QnStudyOutput output)
 }
 
 const char *
-qn_study_mechanism_text (const char *kind)
+qn_study_word (const char *name)
 {
+  for (int i = 0; i < QN_OUTCOME_COUNT; i++)
+    if (g_strcmp0 (name, qn_outcome_names[i]) == 0)
+      return qn_outcome_text ((QnOutcome) i, FALSE);
   for (int i = 0; i < QN_MECHANISM_KIND_COUNT; i++)
-    if (g_strcmp0 (kind, qn_mechanism_kind_names[i]) == 0)
+    if (g_strcmp0 (name, qn_mechanism_kind_names[i]) == 0)
       return qn_mechanism_kind_text ((QnMechanismKind) i);
-  return kind;
+  return name;
 }

@@ -6,5 +6,5 @@
 /* Name with its unit, translated: "Largest displacement (m)". */
 const char *qn_study_output_text (QnStudyOutput output);
 
-/* The word for a kind of mechanism, translated; `kind` itself where it is none that is known. */
-const char *qn_study_mechanism_text (const char *kind);
+/* The word for an outcome or kind of mechanism, translated; `name` itself where it is neither. */
+const char *qn_study_word (const char *name);

@@ -1,7 +1,9 @@
 #include "study/report/summary.h"
-#include "io/text/text-format.h"
 
+#include "io/text/outcome-text.h"
+#include "io/text/text-format.h"
 #include "study/report/column.h"
+#include "study/report/output-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -11,25 +13,21 @@ static void
 append_outcomes (GString *text, const QnTable *table)
 {
   gsize failed = 0;
+  guint counts[QN_OUTCOME_COUNT] = { 0 };
   const char *const title = table->study->title;
-  g_autoptr (GHashTable) counts = g_hash_table_new (g_str_hash, g_str_equal);
   for (gsize i = 0; i < table->rows->len; i++) {
     const QnRow *row = &g_array_index (table->rows, QnRow, i);
     failed += row->failed;
-    if (row->outcome != NULL)
-      g_hash_table_insert (
-        counts, row->outcome,
-        GUINT_TO_POINTER (GPOINTER_TO_UINT (g_hash_table_lookup (counts, row->outcome))
-                          + 1));
+    for (int o = 0; o < QN_OUTCOME_COUNT; o++)
+      counts[o] += g_strcmp0 (row->outcome, qn_outcome_names[o]) == 0;
   }
   qn_text_append (text, "%s\n", title != NULL ? title : table->study->name);
   qn_text_append (text, _ ("%u of %zu cases are computed, %zu failed\n"),
                   table->rows->len, qn_study_case_count (table->study), failed);
-  g_autoptr (GList) outcomes =
-    g_list_sort (g_hash_table_get_keys (counts), (GCompareFunc) strcmp);
-  for (GList *i = outcomes; i != NULL; i = i->next)
-    qn_text_append (text, "  %-22s %u\n", (const char *) i->data,
-                    GPOINTER_TO_UINT (g_hash_table_lookup (counts, i->data)));
+  for (int o = 0; o < QN_OUTCOME_COUNT; o++)
+    if (counts[o] > 0)
+      qn_text_append (text, "  %6u  %s\n", counts[o],
+                      qn_outcome_text ((QnOutcome) o, FALSE));
 }
 
 static void
@@ -137,8 +135,8 @@ append_combinations (GString *text, const QnTable *table, gsize column)
       g_snprintf (number, sizeof number, "%.6g", least[i]);
     qn_text_append (text, "  %4u  %10s  %s%s%s\n", i + 1,
                     rows[i] == NULL || isfinite (least[i]) ? number
-                    : rows[i]->failed                      ? "failed"
-                                                           : rows[i]->outcome,
+                    : rows[i]->failed                      ? _ ("No answer")
+                                      : qn_study_word (rows[i]->outcome),
                     name, i == worst && least[i] < INFINITY ? "  " : "",
                     i == worst && least[i] < INFINITY ? _ ("← least") : "");
   }
