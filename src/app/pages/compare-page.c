@@ -153,18 +153,14 @@ on_cell_key (GtkEventControllerKey *controller, guint key, guint code,
   GtkWidget *cell = gtk_event_controller_get_widget (GTK_EVENT_CONTROLLER (controller));
   QnRun *run = qn_compare_cell_get_run (cell);
   guint at;
-  if ((key == GDK_KEY_Delete || key == GDK_KEY_KP_Delete)
-      && g_ptr_array_find (compare->shown, run, &at)) {
-    remove_run (compare, at);
-    return TRUE;
-  }
-  if (!(state & GDK_ALT_MASK) || (key != GDK_KEY_Left && key != GDK_KEY_Right)
-      || !g_ptr_array_find (compare->shown, run, &at))
+  if (!g_ptr_array_find (compare->shown, run, &at))
     return FALSE;
-  if (key == GDK_KEY_Right)
-    move_run (compare, run, at + 1);
-  else if (at > 0)
-    move_run (compare, run, at - 1);
+  if (key == GDK_KEY_Delete || key == GDK_KEY_KP_Delete)
+    remove_run (compare, at);
+  else if ((state & GDK_ALT_MASK) && (key == GDK_KEY_Left || key == GDK_KEY_Right))
+    move_run (compare, run, key == GDK_KEY_Right ? at + 1 : at - 1);
+  else
+    return FALSE;
   return TRUE;
 }
 
@@ -343,16 +339,37 @@ choose_first (Compare *compare)
 {
   const GPtrArray *runs = qn_document_get_runs (compare->document);
   guint first = runs->len > MOST_RUNS ? runs->len - MOST_RUNS : 0;
+  g_ptr_array_set_size (compare->shown, 0);
   for (guint i = first; i < runs->len; i++)
     g_ptr_array_add (compare->shown, qn_run_ref (g_ptr_array_index (runs, i)));
+}
+
+/* Those that were solved again stand where they stood before; whether there are any. */
+static gboolean
+take_successors (Compare *compare)
+{
+  const GPtrArray *runs = qn_document_get_runs (compare->document);
+  gboolean any = FALSE;
+  for (guint i = 0; i < compare->shown->len; i++) {
+    g_autoptr (QnRun) old = qn_run_ref (compare->shown->pdata[i]);
+    for (guint k = 0; qn_compare_find_document (compare, old) == NULL && k < runs->len;
+         k++)
+      if (g_strcmp0 (((QnRun *) runs->pdata[k])->name, old->name) == 0) {
+        qn_run_unref (compare->shown->pdata[i]);
+        compare->shown->pdata[i] = qn_run_ref (runs->pdata[k]);
+        any = TRUE;
+      }
+  }
+  return any;
 }
 
 static void
 on_runs_changed (Compare *compare)
 {
-  if (compare->shown->len < 2) {
-    g_ptr_array_set_size (compare->shown, 0);
+  const gboolean few = compare->shown->len < 2;
+  if (few)
     choose_first (compare);
+  if (few || take_successors (compare)) {
     fill (compare);
   } else {
     each_cell (compare, show_name, compare); /* they may have other ones */
@@ -473,8 +490,7 @@ add_files (GSimpleAction *action, GVariant *parameter, gpointer data)
 static void
 add_path (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
-  Compare *compare = data;
-  qn_batch_add (compare->batch, g_variant_get_string (parameter, NULL));
+  on_file_added (data, g_variant_get_string (parameter, NULL), NULL);
 }
 
 /* ---- motion and zoom ---- */

@@ -72,16 +72,6 @@ dup_changes (Compare *compare, const QnRun *run)
 
 enum { RUN, CHANGED, MULTIPLIER, PART, MOVED, STEPS, OUTCOME, COLUMNS };
 
-/* Whether all runs on show are of one project. */
-static gboolean
-is_one_project (Compare *compare)
-{
-  const GPtrArray *shown = compare->shown;
-  return shown->len > 0
-         && count_of (compare, qn_compare_find_document (compare, shown->pdata[0]))
-              == shown->len;
-}
-
 /* What differs is told of one project's runs, in place of the steps. */
 static void
 put_row (Compare *compare, int row, gboolean changed, const char *const texts[COLUMNS])
@@ -136,7 +126,11 @@ qn_compare_fill_table (Compare *compare)
                                        _ ("Multiplier"), _ ("Of the first"),
                                        _ ("Moved"),      _ ("Steps"),
                                        _ ("Outcome") };
-  const gboolean changed = is_one_project (compare);
+  const GPtrArray *shown = compare->shown;
+  const gboolean changed = /* all are of one project */
+    shown->len > 0
+    && count_of (compare, qn_compare_find_document (compare, shown->pdata[0]))
+         == shown->len;
   GtkWidget *child;
   double first = NAN;
   while ((child = gtk_widget_get_first_child (compare->table)) != NULL)

@@ -386,7 +386,7 @@ qn_study_page_move_load (GtkWidget *page, const char *path, const GArray *line)
   QnStudyPage *self = g_object_get_data (G_OBJECT (page), "qn-study");
   qn_draft_move_load (self->draft, path, (const QnVec2 *) (void *) line->data, line->len,
                       STEPS_OF_LOAD);
-  gtk_drop_down_set_selected (self->figure, QN_STUDY_ROW_ENVELOPE);
+  gtk_drop_down_set_selected (self->figure, QN_STUDY_FIGURE_ENVELOPE);
   show_now (self);
 }
 

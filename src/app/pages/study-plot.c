@@ -25,18 +25,10 @@ column_of (QnStudyPage *self, GtkDropDown *choice)
 gboolean
 qn_study_page_chosen_figure (QnStudyPage *self, QnStudyFigure *figure)
 {
-  static const QnStudyFigureKind kinds[] = {
-    [QN_STUDY_ROW_CUMULATIVE] = QN_STUDY_FIGURE_CUMULATIVE,
-    [QN_STUDY_ROW_SCATTER] = QN_STUDY_FIGURE_SCATTER,
-    [QN_STUDY_ROW_HISTOGRAM] = QN_STUDY_FIGURE_HISTOGRAM,
-    [QN_STUDY_ROW_TORNADO] = QN_STUDY_FIGURE_TORNADO,
-    [QN_STUDY_ROW_ENVELOPE] = QN_STUDY_FIGURE_ENVELOPE,
-    [QN_STUDY_ROW_SURFACE] = QN_STUDY_FIGURE_SURFACE,
-  };
   guint row = gtk_drop_down_get_selected (self->figure);
-  if (self->folder == NULL || row >= G_N_ELEMENTS (kinds))
+  if (self->folder == NULL || row >= QN_STUDY_FIGURE_MECHANISMS)
     return FALSE;
-  *figure = (QnStudyFigure){ .kind = kinds[row],
+  *figure = (QnStudyFigure){ .kind = (QnStudyFigureKind) row,
                              .column = column_of (self, self->of),
                              .parameters = { column_of (self, self->by),
                                              column_of (self, self->by_second) } };
@@ -181,8 +173,9 @@ static void
 on_figure (QnStudyPage *self)
 {
   guint row = gtk_drop_down_get_selected (self->figure);
-  gboolean surface = row == QN_STUDY_ROW_SURFACE;
-  gboolean by = surface || row == QN_STUDY_ROW_SCATTER || row == QN_STUDY_ROW_ENVELOPE;
+  gboolean surface = row == QN_STUDY_FIGURE_SURFACE;
+  gboolean by =
+    surface || row == QN_STUDY_FIGURE_SCATTER || row == QN_STUDY_FIGURE_ENVELOPE;
   gtk_widget_set_visible (GTK_WIDGET (self->by), by);
   gtk_widget_set_visible (self->over, by);
   gtk_widget_set_visible (GTK_WIDGET (self->by_second), surface);

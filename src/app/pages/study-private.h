@@ -35,16 +35,6 @@ typedef struct QnStudyPage {
   GtkLabel *status, *statistics, *failed;
 } QnStudyPage;
 
-/* Figures that can be chosen, as in the list of study-page.ui. */
-enum {
-  QN_STUDY_ROW_CUMULATIVE,
-  QN_STUDY_ROW_SCATTER,
-  QN_STUDY_ROW_HISTOGRAM,
-  QN_STUDY_ROW_TORNADO,
-  QN_STUDY_ROW_ENVELOPE,
-  QN_STUDY_ROW_SURFACE
-};
-
 /* study-page.c: the line under the figure; which actions can be used; the draft shown anew, soon:
  * rows are made anew outside of the signals of their own widgets. */
 void qn_study_page_tell (QnStudyPage *self, const char *text);

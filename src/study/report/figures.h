@@ -4,16 +4,17 @@
 #include "render/figure/plot.h"
 #include "study/report/table.h"
 
+/* In the order of the list of study-page.ui, which has all but the last. */
 typedef enum {
-  QN_STUDY_FIGURE_SCATTER,   /* an output over a parameter, a point for every case */
-  QN_STUDY_FIGURE_HISTOGRAM, /* of an output */
   QN_STUDY_FIGURE_CUMULATIVE, /* share of the cases up to a value, with what is sure of it: of a
                                  multiplier the fragility */
+  QN_STUDY_FIGURE_SCATTER,   /* an output over a parameter, a point for every case */
+  QN_STUDY_FIGURE_HISTOGRAM, /* of an output */
   QN_STUDY_FIGURE_TORNADO, /* which parameter matters: Sobol indices of a plan "sobol", ranges
                                  of a plan "one-at-a-time", else rank correlations */
-  QN_STUDY_FIGURE_SURFACE, /* an output over two parameters: cells of a grid, else points */
   QN_STUDY_FIGURE_ENVELOPE, /* least and greatest value of an output over a parameter: of a
                                moving load by its place */
+  QN_STUDY_FIGURE_SURFACE, /* an output over two parameters: cells of a grid, else points */
   QN_STUDY_FIGURE_MECHANISMS, /* a typical case of every shape or kind of mechanism */
   QN_STUDY_FIGURE_COUNT
 } QnStudyFigureKind;
