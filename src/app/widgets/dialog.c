@@ -102,14 +102,16 @@ fit_screen (GtkWidget *dialog)
   GdkSurface *surface =
     parent != NULL ? gtk_native_get_surface (GTK_NATIVE (parent)) : NULL;
   GdkRectangle screen;
-  int width, height, usual;
+  int width, height, least, usual;
   if (surface == NULL)
     return;
   GdkDisplay *display = gdk_surface_get_display (surface);
   gdk_monitor_get_geometry (gdk_display_get_monitor_at_surface (display, surface),
                             &screen);
   gtk_window_get_default_size (window, &width, &height);
-  gtk_widget_measure (dialog, GTK_ORIENTATION_VERTICAL, width, NULL, &usual, NULL, NULL);
+  gtk_widget_measure (dialog, GTK_ORIENTATION_HORIZONTAL, -1, &least, NULL, NULL, NULL);
+  gtk_widget_measure (dialog, GTK_ORIENTATION_VERTICAL, MAX (width, least), NULL, &usual,
+                      NULL, NULL);
   if (MAX (height, usual) > screen.height)
     height = screen.height;
   gtk_window_set_default_size (window, MIN (width, screen.width), height);
