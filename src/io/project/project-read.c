@@ -142,7 +142,10 @@ keep_extras (const QnJsonValue *root, cJSON *document, QnProject *project)
           : !check_extra (&place))
       return FALSE;
     cJSON_DetachItemViaPointer (document, child);
-    qn_project_put_extra (project, child->string, child);
+    if (project->extras == NULL)
+      project->extras = cJSON_CreateObject ();
+    cJSON_AddItemToObject (project->extras, child->string,
+                           child); /* no key comes twice */
   }
   return TRUE;
 }
