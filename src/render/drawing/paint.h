@@ -4,6 +4,7 @@
 #include "render/drawing/color.h"
 
 #include <cairo.h>
+#include <stdbool.h>
 
 /* Dashes of 4 pt with gaps of 2.5 pt, or a whole line; `unit` px are a point. */
 static inline void
