@@ -278,9 +278,9 @@ qn_edit_join_bodies (QnModel *model, const QnMechanism *mechanism, GError **erro
     const QnId lead = qn_model_find_block (model, names->pdata[first]);
     for (guint b = first; lead != QN_NONE && body[first] != QN_NONE && b < names->len;
          b++) {
-      const QnId id = qn_model_find_block (model, names->pdata[b]);
-      if (id != QN_NONE && body[b] == body[first]
-          && model->blocks[id].thickness == model->blocks[lead].thickness
+      const QnId id =
+        body[b] == body[first] ? qn_model_find_block (model, names->pdata[b]) : QN_NONE;
+      if (id != QN_NONE && model->blocks[id].thickness == model->blocks[lead].thickness
           && model->blocks[id].unit_weight == model->blocks[lead].unit_weight)
         g_array_append_val (ids, id);
     }
