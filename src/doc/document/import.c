@@ -87,11 +87,8 @@ take_over (QnProject *draft, gpointer data, GError **error)
   qn_model_clear (&draft->model);
   draft->model = copy;
   const cJSON *extra = imported->extras != NULL ? imported->extras->child : NULL;
-  for (; extra != NULL; extra = extra->next) {
-    g_autofree char *json = qn_project_dup_extra (imported, extra->string);
-    if (!qn_project_set_extra (draft, extra->string, json, error))
-      return FALSE;
-  }
+  for (; extra != NULL; extra = extra->next)
+    qn_project_put_extra (draft, extra->string, cJSON_Duplicate (extra, 1));
   return TRUE;
 }
 
