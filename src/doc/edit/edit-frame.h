@@ -57,7 +57,7 @@ gboolean qn_edit_set_line_load (QnModel *model, QnBeamSet set, gboolean live,
 /* Sum of the beam's line loads, dead or live (set 0). */
 QnVec2 qn_model_line_load (const QnModel *model, QnId beam, gboolean live);
 
-/* ---- beams together with blocks (edit-frame-move.c) ---- */
+/* ---- beams together with blocks ---- */
 
 /* As qn_edit_transform(); nodes of the beams go along where they stand free or at given points
  * of blocks that stay, and nodes on blocks of the set go with these. */
@@ -69,7 +69,7 @@ gboolean qn_edit_transform_all (QnProject *draft, QnPartSet set, QnTransform tra
 gboolean qn_edit_copy_all (QnProject *draft, QnPartSet set, QnTransform transform,
                            int copies, GError **error);
 
-/* ---- nodes (edit-node.c) ---- */
+/* ---- nodes ---- */
 
 /* Places nearer to each other than this, m, are one. */
 double qn_place_reach (QnVec2 at);
@@ -110,7 +110,7 @@ guint qn_model_node_beams (const QnModel *model, QnId node);
 gboolean qn_edit_add_node_force (QnModel *model, QnId node, gboolean live, QnVec2 force,
                                  GError **error);
 
-/* ---- sections (edit-section.c) ---- */
+/* ---- sections ---- */
 
 /* Whether it is a rectangle, or has area and inertia, which stay what they are. */
 gboolean qn_edit_set_section_shape (QnModel *model, QnId section, gboolean rectangle,

@@ -3,7 +3,7 @@
  * A DXF file is a list of pairs: a line with a number that says what the next line is. Every pair is
  * checked, so that a bad file is refused with its line; entities that are no outlines are counted
  * and left out. What an entity says of its shape is kept as it is, in its own coordinates:
- * dxf-import.h puts it in its place.
+ * dxf-import.c puts it in its place.
  */
 #pragma once
 
