@@ -389,9 +389,7 @@ qn_project_put_extra (QnProject *project, const char *member, cJSON *value)
     project->extras = cJSON_CreateObject ();
   if (value == NULL)
     cJSON_DeleteItemFromObjectCaseSensitive (project->extras, member);
-  else if (cJSON_GetObjectItemCaseSensitive (project->extras, member) != NULL)
-    cJSON_ReplaceItemInObjectCaseSensitive (project->extras, member, value);
-  else
+  else if (!cJSON_ReplaceItemInObjectCaseSensitive (project->extras, member, value))
     cJSON_AddItemToObject (project->extras, member, value);
 }
 

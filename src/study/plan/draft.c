@@ -36,9 +36,7 @@ parameter (const QnDraft *draft, guint index)
 static void
 set (cJSON *object, const char *key, cJSON *value)
 {
-  if (cJSON_HasObjectItem (object, key))
-    cJSON_ReplaceItemInObjectCaseSensitive (object, key, value);
-  else
+  if (!cJSON_ReplaceItemInObjectCaseSensitive (object, key, value))
     cJSON_AddItemToObject (object, key, value);
 }
 
