@@ -141,8 +141,10 @@ qn_underlay_take_photo (QnUnderlay *underlay, cairo_surface_t *photo, GError **e
   return underlay->image != NULL;
 }
 
-char *
-qn_underlay_dup_name (const char *path, const char *folder)
+/* How a project in `folder` (nullable: not saved yet) calls an image: by a path from there
+ * where it lies within the folder, by the whole path otherwise. */
+static char *
+dup_name (const char *path, const char *folder)
 {
   g_autofree char *whole = g_canonicalize_filename (path, NULL);
   g_autofree char *base = folder != NULL ? g_canonicalize_filename (folder, NULL) : NULL;
@@ -297,7 +299,7 @@ qn_document_insert_picture (QnDocument *document, const char *path, QnBox view,
                           .width = MAX (box.max.x - box.min.x, 1e-3),
                           .opacity = 0.6 };
   const char *folder = qn_document_get_folder (document);
-  g_autofree char *name = qn_underlay_dup_name (path, folder);
+  g_autofree char *name = dup_name (path, folder);
   g_autofree char *json = qn_underlay_to_json (name, &underlay);
   return qn_document_edit_extra (document, _ ("Add Picture"), NULL, MEMBER, json, error);
 }
@@ -348,7 +350,7 @@ qn_document_carry_picture (QnDocument *document, const char *path, GError **erro
     return FALSE;
   if (image == NULL)
     return TRUE;
-  g_autofree char *name = qn_underlay_dup_name (image, new_folder);
+  g_autofree char *name = dup_name (image, new_folder);
   g_autofree char *present = dup_image (document, NULL, &underlay, NULL);
   if (g_strcmp0 (present, name) == 0)
     return TRUE;

@@ -41,10 +41,6 @@ gboolean qn_underlay_take_photo (QnUnderlay *underlay, cairo_surface_t *photo,
 gboolean qn_underlay_locate (const QnProject *project, const char *folder, char **path,
                              QnUnderlay *underlay, GError **error);
 
-/* How a project in `folder` (nullable: not saved yet) calls an image: by a path from there
- * where it lies within the folder, by the whole path otherwise. The caller frees it. */
-char *qn_underlay_dup_name (const char *path, const char *folder);
-
 /* The value of `underlay` as JSON text, for qn_document_edit_extra(). Free with g_free(). */
 char *qn_underlay_to_json (const char *image, const QnUnderlay *underlay);
 

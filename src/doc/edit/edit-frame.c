@@ -14,12 +14,23 @@ refuse_no_beam (GError **error)
   return qn_edit_refuse_nothing (error, _ ("No beam is selected"));
 }
 
+/* Places nearer to each other, relative to their coordinates, are one. */
+#define SAME_PLACE 1e-9
+
+static double
+place_reach (QnVec2 at)
+{
+  return SAME_PLACE * MAX (1.0, MAX (fabs (at.x), fabs (at.y)));
+}
+
 /* ---- adding ---- */
 
-QnId
-qn_edit_take_node (QnModel *model, QnVec2 at)
+/* The node at a place, added where there is none: riding on the block that lies there, or standing
+ * free. QN_NONE where memory runs out. */
+static QnId
+take_node (QnModel *model, QnVec2 at)
 {
-  QnId there = qn_model_node_near (model, at, qn_place_reach (at));
+  QnId there = qn_model_node_near (model, at, place_reach (at));
   if (there != QN_NONE)
     return there;
   g_autofree char *name = qn_edit_dup_new_name (model, qn_model_find_node, "n", "", 1);
@@ -63,8 +74,8 @@ qn_edit_add_beam (QnModel *model, QnVec2 from, QnVec2 to, QnBeamStyle style,
   QnId section = take_section (model, style.section, error);
   if (section == QN_NONE)
     return FALSE;
-  QnId first = qn_edit_take_node (model, from);
-  QnId second = first != QN_NONE ? qn_edit_take_node (model, to) : QN_NONE;
+  QnId first = take_node (model, from);
+  QnId second = first != QN_NONE ? take_node (model, to) : QN_NONE;
   QnBeam *beam = second != QN_NONE ? qn_model_add_beam (model, name) : NULL;
   if (beam == NULL)
     return qn_edit_no_memory (error);
@@ -427,7 +438,7 @@ copy_one (QnModel *model, const Original *original, QnTransform step, GError **e
   for (int end = 0; end < 2; end++) {
     gsize before = model->node_count;
     ends[end] = qn_transform_apply (step, original->at[end]);
-    if (qn_edit_take_node (model, ends[end]) == QN_NONE)
+    if (take_node (model, ends[end]) == QN_NONE)
       return qn_edit_no_memory (error);
     is_new[end] = model->node_count > before;
   }
@@ -549,21 +560,12 @@ qn_edit_remove_unused_sections (QnModel *model)
     model->beams[i].section = follow[model->beams[i].section];
 }
 
-/* Places nearer to each other, relative to their coordinates, are one. */
-#define SAME_PLACE 1e-9
-
 /* ---- where nodes are ---- */
-
-double
-qn_place_reach (QnVec2 at)
-{
-  return SAME_PLACE * MAX (1.0, MAX (fabs (at.x), fabs (at.y)));
-}
 
 QnId
 qn_model_block_under (const QnModel *model, QnVec2 at)
 {
-  const double reach = qn_place_reach (at);
+  const double reach = place_reach (at);
   for (QnId i = (QnId) model->block_count - 1; i >= 0; i--) {
     const QnVec2 *v = qn_model_block_vertices (model, i);
     if (qn_polygon_depth (v, (gsize) model->blocks[i].vertex_count, at) >= -reach)
@@ -583,7 +585,7 @@ dup_end_text (const QnModel *model, QnVec2 at, const char *nothing)
 char *
 qn_beam_end_dup_text (const QnModel *model, QnVec2 at)
 {
-  QnId node = qn_model_node_near (model, at, qn_place_reach (at));
+  QnId node = qn_model_node_near (model, at, place_reach (at));
   return node != QN_NONE ? g_strdup_printf (_ ("at node %s"), model->nodes[node].name)
                          : dup_end_text (model, at, _ ("free"));
 }
@@ -642,7 +644,7 @@ qn_edit_place_node (QnModel *model, QnId id, QnVec2 at, GError **error)
   QnNode *node = &model->nodes[id];
   QnVec2 from = node->at;
   node->at = qn_vec2 (INFINITY, INFINITY); /* not found as its own neighbour */
-  QnId other = qn_model_node_near (model, at, qn_place_reach (at));
+  QnId other = qn_model_node_near (model, at, place_reach (at));
   if (other != QN_NONE) {
     node->at = from;
     /* Everything that named the one names the other; rebuilding leaves out a node without

@@ -71,9 +71,6 @@ gboolean qn_edit_copy_all (QnProject *draft, QnPartSet set, QnTransform transfor
 
 /* ---- nodes ---- */
 
-/* Places nearer to each other than this, m, are one. */
-double qn_place_reach (QnVec2 at);
-
 /* The block that a node or the end of a tie at this place would ride on, or QN_NONE: the one that contains
  * it, or has it on its outline, the last of several. */
 QnId qn_model_block_under (const QnModel *model, QnVec2 at);
@@ -85,10 +82,6 @@ char *qn_tie_end_dup_text (const QnModel *model, QnVec2 at);
 /* The node nearest to a place and not farther than `reach`, or QN_NONE; of those that the project
  * names, not those that cut a beam. */
 QnId qn_model_node_near (const QnModel *model, QnVec2 at, double reach);
-
-/* The node at a place, added where there is none: riding on the block that lies there, or standing
- * free. QN_NONE where memory runs out. */
-QnId qn_edit_take_node (QnModel *model, QnVec2 at);
 
 /* Puts a node somewhere: on another node it becomes one with that; on a block it rides there;
  * elsewhere it stands free. */

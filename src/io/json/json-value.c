@@ -183,9 +183,9 @@ qn_json_value_warn (const QnJsonValue *place, const char *message)
   g_free (path);
 }
 
-/* Members of one object follow each other, so that its entry is the last one. */
-void
-qn_json_value_keep_unknown (const QnJsonValue *object, const cJSON *member)
+/* Puts a copy of one member aside. Members of one object follow each other, so that its entry is the last. */
+static void
+keep_unknown (const QnJsonValue *object, const cJSON *member)
 {
   QnReader *reader = object->reader;
   if (!reader->keeps_unknown)
@@ -247,7 +247,7 @@ qn_json_value_check_keys (const QnJsonValue *object, const char *const *keys, gs
     QnJsonValue member = qn_json_value_child (object, child);
     if (!qn_json_value_unknown (&member, keys, count))
       return FALSE;
-    qn_json_value_keep_unknown (object, child);
+    keep_unknown (object, child);
   }
   return TRUE;
 }

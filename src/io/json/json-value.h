@@ -83,9 +83,6 @@ gboolean qn_json_value_unknown (const QnJsonValue *member, const char *const *ke
 gboolean qn_json_value_check_keys (const QnJsonValue *object, const char *const *keys,
                                    gsize count);
 
-/* Puts a copy of one member aside in the reader's `unknown`. */
-void qn_json_value_keep_unknown (const QnJsonValue *object, const cJSON *member);
-
 /* Values of a place. Each returns FALSE with the error recorded where the value is missing, of
  * another type or out of range. Strings are borrowed from the tree. */
 gboolean qn_json_value_object (const QnJsonValue *place);
