@@ -116,17 +116,8 @@ make_masonry (const Kind *kind, const char *const *keys, double friction,
                               (const char *const *) overrides->pdata, project, error);
 }
 
-static gboolean
-make_facade (const char *const *keys, double friction, QnProject *project, GError **error)
-{
-  g_autoptr (GPtrArray) given = g_ptr_array_new_with_free_func (g_free);
-  if (!add_overrides (given, "", keys, error))
-    return FALSE;
-  g_autofree char *text =
-    qn_facade_dup_project ((const char *const *) given->pdata, friction, error);
-  return text != NULL
-         && qn_project_parse (text, strlen (text), "facade-strip", NULL, project, error);
-}
+static gboolean make_facade (const char *const *keys, double friction, QnProject *project,
+                             GError **error);
 
 /* clang-format off */
 static const Kind kinds[] = {
@@ -431,21 +422,25 @@ dup_project (const List *lists, double friction)
   return qn_file_writer_steal (out, &length);
 }
 
-char *
-qn_facade_dup_project (const char *const *overrides, double friction, GError **error)
+static gboolean
+make_facade (const char *const *keys, double friction, QnProject *project, GError **error)
 {
   List lists[KEY_COUNT];
+  g_autoptr (GPtrArray) given = g_ptr_array_new_with_free_func (g_free);
+  gboolean ok = add_overrides (given, "", keys, error);
+  const char *const *overrides = (const char *const *) given->pdata;
   QnReader reader = { .name = "facade-strip", .overrides = overrides };
   cJSON *document = cJSON_Parse (usual);
-  gboolean ok = document != NULL;
   for (; ok && *overrides != NULL; overrides++)
     ok = qn_json_override (document, *overrides, error);
-  const QnJsonValue keys = qn_json_value_root (&reader, document);
-  if (ok && !read_keys (&keys, lists)) {
+  const QnJsonValue root = qn_json_value_root (&reader, document);
+  if (ok && !read_keys (&root, lists)) {
     reader.error->code = QN_IO_ERROR_OVERRIDE; /* somebody has just typed it */
     g_propagate_error (error, reader.error);
     ok = FALSE;
   }
   cJSON_Delete (document);
-  return ok ? dup_project (lists, friction) : NULL;
+  g_autofree char *text = ok ? dup_project (lists, friction) : NULL;
+  return ok
+         && qn_project_parse (text, strlen (text), "facade-strip", NULL, project, error);
 }

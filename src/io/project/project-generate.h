@@ -11,8 +11,3 @@
  * and holds nothing then. */
 gboolean qn_project_generate (const char *kind, const char *const *keys, double friction,
                               QnProject *project, GError **error);
-
-/* The text of a project, NULL with QN_IO_ERROR_OVERRIDE. `overrides`: KEY=JSON, ended by
- * NULL. */
-char *qn_facade_dup_project (const char *const *overrides, double friction,
-                             GError **error);
