@@ -348,13 +348,12 @@ qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
       : qn_text_printf (_ ("no equilibrium above %.4f, the associative bound."), bound);
   g_autofree char *safe = dup_broken_bond (model, result);
   g_autofree char *coarse = dup_coarse_pairs (model, result);
-  const char *parts[6] = { from, to };
-  gsize count = 2;
-  char *const more[] = { passed, safe, coarse };
+  GString *text = g_string_new (from);
+  const char *const more[] = { to, passed, safe, coarse };
   for (gsize i = 0; i < G_N_ELEMENTS (more); i++)
     if (more[i] != NULL)
-      parts[count++] = more[i];
-  return g_strjoinv (" ", (char **) parts);
+      g_string_append_printf (text, " %s", more[i]);
+  return g_string_free (text, FALSE);
 }
 
 /* Where the path has left a branch that lost its stability; NULL where it has not. */
