@@ -304,18 +304,17 @@ qn_live_loads_dup_amount (const QnModel *model, double multiplier, QnUnits units
     double factor = qn_model_load_factor (model, load);
     if (load->set != 0)
       continue;
-    QnVec2 force = load->vector;
+    QnVec2 force = qn_vec2_scale (factor, load->vector);
     if (load->kind == QN_LOAD_SETTLEMENT || load->moment != 0.0)
       return NULL;
     if (load->kind == QN_LOAD_VEHICLE)
-      force.y = -vehicle_weight (model, load);
+      force.y = -factor * vehicle_weight (model, load);
     else if (load->kind != QN_LOAD_WEIGHT && load->kind != QN_LOAD_FORCE
-             && load->kind != QN_LOAD_NODE) /* with its factor */
-      force = qn_vec2_scale (1.0 / factor,
-                             qn_model_load_resultant (model, model->dead_load_count + i));
+             && load->kind != QN_LOAD_NODE)
+      force = qn_model_load_resultant (model, model->dead_load_count + i);
     *(load->kind == QN_LOAD_WEIGHT ? &weights : &forces) = true;
-    sum = qn_vec2_add_scaled (sum, factor, force);
-    total += factor * qn_vec2_length (force);
+    sum = qn_vec2_add (sum, force);
+    total += qn_vec2_length (force);
   }
   double size = qn_vec2_length (sum);
   if (weights == forces || !(size > ONE_DIRECTION * total))
