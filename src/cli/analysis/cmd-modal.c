@@ -29,17 +29,10 @@ write_modes (const ModalOptions *options, const QnModel *model, const QnModes *m
     for (size_t b = 0; b < modes->block_count; b++) {
       const double *shape =
         modes->shapes + (i * (modes->block_count + modes->node_count) + b) * QN_DOF_COUNT;
-      const double row[] = { modes->omega[i],
-                             modes->omega[i] / (2 * G_PI),
-                             (double) b,
-                             model->blocks[b].centroid.x,
-                             model->blocks[b].centroid.y,
-                             shape[QN_DOF_UX],
-                             shape[QN_DOF_UY],
-                             shape[QN_DOF_RZ] };
-      qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT ",", i + 1);
-      qn_file_writer_numbers (writer, row, G_N_ELEMENTS (row), ",");
-      qn_file_writer_puts (writer, "\n");
+      const QnVec2 at = model->blocks[b].centroid;
+      qn_file_writer_csv (writer, "%zu,%g,%g,%zu,%g,%g,%g,%g,%g\n", i + 1,
+                          modes->omega[i], modes->omega[i] / (2 * G_PI), b, at.x, at.y,
+                          shape[QN_DOF_UX], shape[QN_DOF_UY], shape[QN_DOF_RZ]);
     }
   qn_cli_must (qn_file_writer_commit (writer, QN_TROUBLE));
 }

@@ -153,10 +153,8 @@ write_history (const History *history, const char *path)
                          unit[0], unit[0], unit[1], unit[1], unit[2], unit[2]);
   for (guint i = 0; i < history->samples->len; i++) {
     const QnLawSample *s = &g_array_index (history->samples, QnLawSample, i);
-    const double row[] = { s->elongation[0], s->elongation[1], s->force[0],
-                           s->force[1],      s->tangent[0],    s->tangent[1] };
-    qn_file_writer_numbers (writer, row, G_N_ELEMENTS (row), ",");
-    qn_file_writer_puts (writer, "\n");
+    qn_file_writer_csv (writer, "%g,%g,%g,%g,%g,%g\n", s->elongation[0], s->elongation[1],
+                        s->force[0], s->force[1], s->tangent[0], s->tangent[1]);
   }
   qn_cli_must (qn_file_writer_commit (writer, QN_TROUBLE));
 }

@@ -47,9 +47,9 @@ put_array (QnFileWriter *writer, const char *type, const char *name, size_t comp
                          "<DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%zu\" "
                          "format=\"ascii\">\n",
                          type, name, components);
-  for (size_t i = 0; i < count; i++) {
-    qn_file_writer_numbers (writer, values + i * components, components, " ");
-    qn_file_writer_puts (writer, "\n");
+  for (size_t i = 0; i < count * components; i++) {
+    qn_file_writer_number (writer, values[i]);
+    qn_file_writer_puts (writer, (i + 1) % components == 0 ? "\n" : " ");
   }
   qn_file_writer_puts (writer, "</DataArray>\n");
 }

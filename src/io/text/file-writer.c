@@ -136,14 +136,6 @@ qn_file_writer_puts_number (QnFileWriter *writer, const char *text, double numbe
 }
 
 void
-qn_file_writer_numbers (QnFileWriter *writer, const double *numbers, gsize count,
-                        const char *between)
-{
-  for (gsize i = 0; i < count; i++)
-    qn_file_writer_puts_number (writer, i > 0 ? between : "", numbers[i]);
-}
-
-void
 qn_file_writer_quoted (QnFileWriter *writer, const char *text)
 {
   qn_file_writer_puts (writer, "\"");

@@ -43,10 +43,6 @@ void qn_file_writer_rounded (QnFileWriter *writer, double number, const char *fo
 /* A text, and the number behind it. */
 void qn_file_writer_puts_number (QnFileWriter *writer, const char *text, double number);
 
-/* Numbers with a text between them. */
-void qn_file_writer_numbers (QnFileWriter *writer, const double *numbers, gsize count,
-                             const char *between);
-
 /* A field of a table in quotes, which are doubled within. */
 void qn_file_writer_quoted (QnFileWriter *writer, const char *text);
 
