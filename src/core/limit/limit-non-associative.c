@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* REST: from no forces; FORCES: from those that are given; GO_ON: from where the one before was lost. */
+/* REST: from no forces; FORCES: from those of elastic joints; GO_ON: from where the one before was lost. */
 typedef enum { REST, FORCES, GO_ON } Start;
 
 /* How collapses are sought. Measured on the six walls and seeded walls of 20 to 2,500 blocks
@@ -75,7 +75,7 @@ typedef struct Search {
   QnLimitProblem limit;
   QnCollapse collapse;
   QnLimitInterval *interval;
-  double *forces;    /* cell_count x 2: those that a collapse is sought from, */
+  double *forces;    /* then: cell_count x 2, those that a collapse is sought from, */
   double multiplier; /* and their scaled multiplier */
   Collapse found[QN_LIMIT_STARTS];
   int32_t count;
@@ -328,7 +328,7 @@ search_clear (Search *search)
   }
 }
 
-/* `forces` of pairs and then ties, at a multiplier: what a collapse is sought from. */
+/* `forces` of pairs and then ties, at a multiplier: what a collapse is sought from; NULL: from rest. */
 static QnStatus
 search_init (Search *search, const double *forces, double multiplier, QnDiag *diag)
 {
@@ -338,10 +338,11 @@ search_init (Search *search, const double *forces, double multiplier, QnDiag *di
 
   if (status)
     return status;
-  search->forces = qn_alloc (2 * (size_t) limit->ip.cell_count, sizeof (double));
+  int32_t count = forces != NULL ? 2 * limit->ip.cell_count : 0;
+  search->forces = qn_alloc ((size_t) count, sizeof (double));
   if (search->forces == NULL)
     return qn_diag_no_memory (diag);
-  for (int32_t i = 0; i < 2 * limit->ip.cell_count; i++)
+  for (int32_t i = 0; i < count; i++)
     search->forces[i] = forces[2 * limit->cell_pairs[i / 2] + i % 2] / limit->force_unit;
   search->multiplier = multiplier / qn_limit_problem_multiplier (limit, 1);
   status = qn_collapse_init (&search->collapse, &limit->ip, diag);
@@ -374,8 +375,7 @@ qn_limit_non_associative (const QnModel *model, const QnContacts *contacts, doub
   if (status || interval->solution.outcome != QN_OUTCOME_COLLAPSE)
     return status;
   interval->associative = interval->solution.upper_bound;
-  status = search_init (&search, interval->solution.forces,
-                        interval->solution.lower_bound, diag);
+  status = search_init (&search, NULL, 0, diag);
   if (!status)
     status = seek_all (&search, diag);
   conclude (&search);

@@ -92,11 +92,11 @@ typedef struct QnLimitInterval {
   QnLimitSolution solution; /* that of the lowest collapse, and the effort of all */
 } QnLimitInterval;
 
-/* The collapses without associativity that are found directly (collapse.h), from rest and from the
- * associative forces, with joints so stiff that the multiplier does not depend on them any more, by
- * the model's multiplier tolerance. solution.outcome is that of the associative program where this
- * has no optimum; DEAD_LOAD_UNSTABLE where a mechanism goes on without live load. Where `known` is finite
- * (another collapse), only one that lies below it for certain is sought, by one start. */
+/* The collapses without associativity that are found directly (collapse.h), from rest, with joints so stiff
+ * that the multiplier does not depend on them any more, by the model's multiplier tolerance. solution.outcome
+ * is that of the associative program where this has no optimum; DEAD_LOAD_UNSTABLE where a mechanism goes on
+ * without live load. Where `known` is finite (another collapse), only one that lies below it for certain is
+ * sought, by one start. */
 QnStatus qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
                                    double known, QnProgressFunc progress, void *user_data,
                                    QnLimitInterval *interval, QnDiag *diag);
