@@ -60,7 +60,7 @@ solve_system (QnIpStep *ip, double share, QnIpVector *out)
                              .v = c->right_v,
                              .lambda = share * c->r_lambda };
 
-  for (int32_t r = 0; r < c->problem->row_count; r++)
+  for (int32_t r = 0; r < c->ip.problem->row_count; r++)
     c->right_v[r] = share * c->rv[r];
   qn_ip_kkt_solve (&c->kkt, &right, out);
 }
@@ -71,7 +71,7 @@ qn_collapse_init (QnCollapse *c, const QnIpProblem *p, QnDiag *diag)
   size_t rows = (size_t) p->row_count;
   QnPool *pool = &c->pool;
 
-  *c = (QnCollapse){ .ip = { .together = true, .solve = solve_system }, .problem = p };
+  *c = (QnCollapse){ .ip = { .together = true, .solve = solve_system } };
   qn_ip_step_init (&c->ip, p, &tuning.steps, pool);
   c->w = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof (double));
   c->rv = qn_pool_alloc (pool, rows, sizeof (double));
@@ -93,7 +93,7 @@ qn_collapse_clear (QnCollapse *c)
 void
 qn_collapse_centre (QnCollapse *c, double strength)
 {
-  const QnIpProblem *p = c->problem;
+  const QnIpProblem *p = c->ip.problem;
 
   qn_ip_apply_bounds (p, c->ip.at.y, c->ip.rz);
   for (int32_t i = 0; i < p->bound_count; i++) {
@@ -107,7 +107,7 @@ void
 qn_collapse_start (QnCollapse *c, const double *y, double lambda, double strength,
                    double coupling)
 {
-  const QnIpProblem *p = c->problem;
+  const QnIpProblem *p = c->ip.problem;
   size_t size = 2 * (size_t) p->cell_count * sizeof (double);
 
   c->least_coupling = coupling;
@@ -125,7 +125,7 @@ qn_collapse_start (QnCollapse *c, const double *y, double lambda, double strengt
 void
 qn_collapse_start_elastic (QnCollapse *c)
 {
-  const QnIpProblem *p = c->problem;
+  const QnIpProblem *p = c->ip.problem;
   double lambda = 0, residual, slack, *y = c->ip.step.y;
 
   qn_collapse_start (c, NULL, 0, 1, 1);
@@ -143,7 +143,7 @@ qn_collapse_start_elastic (QnCollapse *c)
 static void
 find_residuals (QnCollapse *c)
 {
-  const QnIpProblem *p = c->problem;
+  const QnIpProblem *p = c->ip.problem;
 
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
     c->ip.ry[i] = p->cells[i / 2].no_shear && i % 2 == 1
@@ -166,7 +166,7 @@ qn_collapse_proves_infeasible (const QnCollapse *c, const QnIpProblem *p)
   double power = qn_dot (p->constant, c->ip.at.v, (size_t) p->row_count);
   double proof = power - qn_ip_limit_term (p, c->ip.at.z), worst = 0;
 
-  if (c->problem->load != NULL)
+  if (c->ip.problem->load != NULL)
     worst = fabs (p->load_gain - c->r_lambda);
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
     worst = qn_worse (
@@ -179,7 +179,7 @@ qn_collapse_proves_infeasible (const QnCollapse *c, const QnIpProblem *p)
 static bool
 proves_unbounded (const QnCollapse *c)
 {
-  const QnIpProblem *p = c->problem;
+  const QnIpProblem *p = c->ip.problem;
   double proof = c->ip.at.lambda, worst = 0;
 
   if (p->load == NULL)
@@ -199,7 +199,7 @@ proves_unbounded (const QnCollapse *c)
 static double
 find_misfit (const QnCollapse *c, double tolerance)
 {
-  const QnIpProblem *p = c->problem;
+  const QnIpProblem *p = c->ip.problem;
   double work = p->load != NULL
                   ? p->load_gain * fmax (fabs (c->ip.at.lambda), c->least_multiplier)
                   : 1 + qn_ip_quadratic_term (p, c->ip.at.y);
@@ -223,7 +223,7 @@ least_power (const QnCollapse *c)
 {
   double excess = 0;
 
-  for (int32_t i = 0; c->own_flow && i < c->problem->bound_count; i++)
+  for (int32_t i = 0; c->own_flow && i < c->ip.problem->bound_count; i++)
     excess += fabs (c->ip.rz[i]) * c->ip.at.z[i];
   return fmin (c->ip.power, c->excess * excess);
 }
@@ -248,7 +248,7 @@ is_stable (const QnCollapse *c)
 static void
 find_growth (QnCollapse *c)
 {
-  const QnIpProblem *p = c->problem;
+  const QnIpProblem *p = c->ip.problem;
   const QnIpVector right = { .y = c->ip.right, .v = c->right_v };
 
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
@@ -268,7 +268,7 @@ judge_iterate (const QnCollapse *c, double misfit)
 {
   if (misfit <= 1)
     return QN_OUTCOME_COLLAPSE;
-  if (!c->own_flow && qn_collapse_proves_infeasible (c, c->problem))
+  if (!c->own_flow && qn_collapse_proves_infeasible (c, c->ip.problem))
     return QN_OUTCOME_DEAD_LOAD_UNSTABLE;
   return !c->own_flow && proves_unbounded (c) ? QN_OUTCOME_UNBOUNDED
                                               : QN_OUTCOME_NOT_CONVERGED;
@@ -287,7 +287,7 @@ step_on (QnCollapse *c, bool *ok)
   if (c->kkt.error < tuning.worst_solution) {
     double reach = c->own_flow ? 0 : 1 - part;
     qn_ip_vector_add (&c->ip.at, fmin (1, fmax (tuning.to_boundary, reach) * length),
-                      &c->ip.step, c->problem);
+                      &c->ip.step, c->ip.problem);
   } else {
     *ok = c->kkt.inverse.regularization < tuning.most_proximal;
     c->kkt.inverse.regularization *= tuning.more_proximal;
@@ -300,7 +300,7 @@ QnOutcome
 qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
                     bool (*go_on) (void *), void *data)
 {
-  const QnIpProblem *p = c->problem;
+  const QnIpProblem *p = c->ip.problem;
   double *coupling = &c->kkt.inverse.coupling, least = c->least_coupling, best = INFINITY;
   int32_t idle = 0;
   bool ok = true;
@@ -346,7 +346,7 @@ void
 qn_collapse_project (QnCollapse *c, bool fixed, double *lambda, double *y,
                      double *residual, double *slack)
 {
-  const QnIpProblem *p = c->problem;
+  const QnIpProblem *p = c->ip.problem;
   const QnIpVector right = { .y = c->ip.right, .v = c->right_v };
   QnIpVector *step = &c->ip.trial;
 

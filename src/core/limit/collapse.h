@@ -35,9 +35,8 @@
 #include "core/result/result.h"
 
 typedef struct QnCollapse {
-  QnIpStep ip;                /* its iterate: collapse, or certificate */
-  QnPool pool;                /* of vectors */
-  const QnIpProblem *problem; /* borrowed */
+  QnIpStep ip; /* its iterate: collapse, or certificate */
+  QnPool pool; /* of vectors */
   QnIpKkt kkt;
   double growth; /* of a collapse: d lambda / d log (1 / compliance) */
   double least_coupling;
