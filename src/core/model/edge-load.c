@@ -360,35 +360,14 @@ resolve_fill (Resolver *r)
   return status == QN_OK ? qn_model_add_soil (r->model, r->source, r->diag) : status;
 }
 
-/* The fill that lies at x, NULL for none, and the height at which a load stands there; NAN beside
- * everything. */
-static const QnLoad *
-find_surface (const Resolver *r, double x, double *height)
-{
-  const QnSeenEdges *top = &r->seen[QN_BLOCK_SIDE_TOP];
-
-  *height = NAN;
-  for (size_t i = 0; i < r->model->dead_load_count; i++) {
-    const QnLoad *load = &r->model->dead_loads[i];
-    *height = load->kind == QN_LOAD_FILL ? qn_load_surface_at (load, x) : NAN;
-    if (!isnan (*height))
-      return load;
-  }
-  for (size_t i = 0; i < top->count; i++) {
-    QnVec2 left = top->items[i].ends[1], right = top->items[i].ends[0];
-    if (x >= left.x && x <= right.x)
-      *height = left.y + (right.y - left.y) * ((x - left.x) / (right.x - left.x));
-  }
-  return NULL;
-}
-
 /* A load between two x: the middle of what is spread; `along` is how long it is at the surface. */
 static void
 add_source (Resolver *r, double x, double force, double along, QnShare *shares)
 {
   const QnLoad *load = r->load;
   double height;
-  const QnLoad *fill = find_surface (r, x, &height);
+  const QnLoad *fill =
+    qn_model_find_road (r->model, &r->seen[QN_BLOCK_SIDE_TOP], x, &height);
   QnSource source = {
     .x = x,
     .surface = height,
@@ -466,7 +445,7 @@ resolve_vehicle (Resolver *r)
     for (int32_t i = 0; i < vehicle->axle_count && status == QN_OK; i++) {
       double x = qn_load_behind_front (r->model, load, n, vehicle->axles[i].at);
       double height;
-      find_surface (r, x, &height);
+      qn_model_find_road (r->model, &r->seen[QN_BLOCK_SIDE_TOP], x, &height);
       beside += isnan (height);
       if (x > near[0] && x < near[1])
         add_source (r, x, vehicle->axles[i].load, 0, shares);

@@ -185,3 +185,22 @@ qn_model_find_seen_edges (const QnModel *model, QnBlockSide from, QnSeenEdges *s
   free (room);
   return done;
 }
+
+const QnLoad *
+qn_model_find_road (const QnModel *model, const QnSeenEdges *top, double x,
+                    double *height)
+{
+  *height = NAN;
+  for (size_t i = 0; i < model->dead_load_count; i++) {
+    const QnLoad *load = &model->dead_loads[i];
+    *height = load->kind == QN_LOAD_FILL ? qn_load_surface_at (load, x) : NAN;
+    if (!isnan (*height))
+      return load;
+  }
+  for (size_t i = 0; i < top->count; i++) {
+    QnVec2 left = top->items[i].ends[1], right = top->items[i].ends[0];
+    if (x >= left.x && x <= right.x)
+      *height = left.y + (right.y - left.y) * ((x - left.x) / (right.x - left.x));
+  }
+  return NULL;
+}

@@ -21,3 +21,8 @@ typedef struct QnSeenEdges {
  * merging the envelopes of halves. Edges along the rays are not seen. Where blocks overlap, the one
  * that lies in front in the middle of the common stretch hides the other. False when memory runs out. */
 bool qn_model_find_seen_edges (const QnModel *model, QnBlockSide from, QnSeenEdges *seen);
+
+/* The fill that lies at x, NULL for none, and the height at which a vehicle stands there, on the first fill or
+ * else on the blocks, whose edges seen from above are `top`; NAN beside both. */
+const QnLoad *qn_model_find_road (const QnModel *model, const QnSeenEdges *top, double x,
+                                  double *height);

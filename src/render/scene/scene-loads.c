@@ -293,24 +293,6 @@ add_settlement (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId ind
   set_behind (label, qn_vec2_scale (-1, along), 1);
 }
 
-/* Where a vehicle stands: on the first fill there, or else on the blocks; not-a-number beside both. */
-static double
-find_road (const QnModel *model, const QnSeenEdges *top, double x)
-{
-  for (size_t k = 0; k < model->dead_load_count; k++)
-    if (model->dead_loads[k].kind == QN_LOAD_FILL) {
-      double y = qn_load_surface_at (&model->dead_loads[k], x);
-      if (!isnan (y))
-        return y;
-    }
-  for (size_t i = 0; i < top->count; i++) {
-    QnVec2 left = top->items[i].ends[1], right = top->items[i].ends[0];
-    if (left.x <= x && x <= right.x)
-      return qn_vec2_lerp (left, right, (x - left.x) / (right.x - left.x)).y;
-  }
-  return (double) NAN;
-}
-
 /* The axles of a vehicle where they stand, as wheels on the surface. */
 static void
 add_axles (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
@@ -325,7 +307,8 @@ add_axles (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
   for (int32_t n = 0; n < load->convoy; n++)
     for (int32_t i = 0; i < vehicle->axle_count; i++) {
       double x = qn_load_behind_front (model, load, n, vehicle->axles[i].at);
-      double y = find_road (model, &top, x);
+      double y;
+      qn_model_find_road (model, &top, x, &y);
       if (isnan (y))
         continue;
       QnVec2 wheel[24];
