@@ -140,9 +140,10 @@ check_vehicle (const QnVehicle *vehicle, QnSubject of)
                && qn_require (of, vehicle->axle_count + vehicle->line_count > 0,
                               QN_PROBLEM_VEHICLE_EMPTY, "axles", 0);
 
-  for (int32_t i = 0; i < 2 * vehicle->axle_count && holds; i++)
+  for (int32_t i = 0; i < vehicle->axle_count && holds; i++)
     holds =
-      qn_require_number (of, "axles", (&vehicle->axles[0].at)[i], QN_RANGE_NOT_NEGATIVE);
+      qn_require_number (of, "axles", vehicle->axles[i].at, QN_RANGE_NOT_NEGATIVE)
+      && qn_require_number (of, "axles", vehicle->axles[i].load, QN_RANGE_NOT_NEGATIVE);
   for (int32_t i = 0; i < vehicle->line_count && holds; i++) {
     const QnLineLoad *line = &vehicle->lines[i];
     holds =
