@@ -21,8 +21,8 @@
  * reduced at the rate of mu. Otherwise an infeasible start reaches the boundary of some pairs early, steps
  * become very short, and the path seems to turn back.
  *
- * The step is that of limit analysis (interior-point.h). For interior points on friction without associativity: Kleinert, Simeon & Obermayr
- * 2014, on rigid bodies in time.
+ * The step is that of limit analysis (interior-point.h). For interior points on friction without
+ * associativity: Kleinert, Simeon & Obermayr 2014, on rigid bodies in time.
  */
 #pragma once
 

@@ -14,8 +14,7 @@
 
 /* Tuning. A step that converges within QUICK iterations lets the next one be LONGER times as long, one that
  * fails is repeated SHORTER times as short. */
-#define NEWTON_BUDGET                                                                    \
-  12 /* of a viscous step; more: it is too long; as many: the next is half as long */
+#define NEWTON_BUDGET   12 /* of a viscous step: after as many the next one is shorter */
 #define QUICK           6
 #define LONGER          4
 #define SHORTER         8

@@ -1,9 +1,9 @@
 /* One step of the trace.
  *
- * Every step climbs the same ladder. Newton's method; then the central path, which takes the step as a whole, where there are joints for it; then a shorter step. What is left
- * is a jump with the measure held: the structure moves until it rests, by viscous relaxation. That
- * comes last because under damping joints slide that would not otherwise: it rests below the path,
- * and Newton's method fails from there again.
+ * Every step climbs the same ladder. Newton's method; then the central path, which takes the step as a
+ * whole, where there are joints for it; then a shorter step. What is left is a jump with the measure held:
+ * the structure moves until it rests, by viscous relaxation. That comes last because under damping joints
+ * slide that would not otherwise: it rests below the path, and Newton's method fails from there again.
  */
 #include "core/base/numbers.h"
 #include "core/base/tolerance.h"
@@ -122,7 +122,6 @@ solve_linear (QnPathTrace *trace, double *step)
   QnSolveStatus status;
   QnTarget target;
 
-  trace->jumped = false;
   for (int cut = 0;; cut++) {
     target = target_of (trace, *step);
     trace->refused = false;
