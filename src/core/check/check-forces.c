@@ -306,9 +306,27 @@ take_damage (QnCheck *check, size_t step, size_t p)
     qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, at.damage, found);
 }
 
+/* Whether some law of a pair takes other normal forces after another way. Across a pair without joints laws are
+ * elastic whatever came before, and the force is that of the law's answer. */
+static bool
+may_differ (const QnCheck *check, size_t p, const double force[2], const double found[2])
+{
+  const QnPairSprings *springs = &check->assembly.springs[p];
+  QnLawKind a = springs->a.kind, b = springs->b.kind;
+  double s = springs->slant, c = sqrt (1 - s * s);
+
+  if (qn_law_is_plastic (a) || qn_law_is_plastic (b))
+    return !is_plastic (springs);
+  return (a != QN_LAW_ELASTIC || b != QN_LAW_ELASTIC)
+         && qn_check_agrees (
+           c * force[1] - s * force[0], c * found[1] - s * found[0],
+           force_tolerance (check, springs, check->assembly.elongations + 2 * p));
+}
+
 /* Whether a pair may have another force than its law answers to the step before; *response then is one with
  * this force. Where the structure has moved on a way that no result tells, from a step at which it came to
- * rest on and in time, any flow of a joint that explains its force is accepted, and any force of a member. */
+ * rest on and in time, any flow of a joint that explains its force is accepted, and any normal force of a
+ * member. */
 static bool
 explain (QnCheck *check, size_t p, const double force[2], QnPairResponse *response)
 {
@@ -318,7 +336,7 @@ explain (QnCheck *check, size_t p, const double force[2], QnPairResponse *respon
     return false;
   if (flow_to (check, p, force, response))
     return true;
-  check->unknown[p] = !is_plastic (&check->assembly.springs[p]);
+  check->unknown[p] = may_differ (check, p, force, response->force);
   return check->unknown[p];
 }
 

@@ -545,8 +545,47 @@ test_unequal_sides (void)
   }
 }
 
+/* In time a member may have any normal force, for its way is not told, but no other shear force than its law's;
+ * one that is elastic has no other force at all. */
+static void
+test_member_in_time (void)
+{
+  for (int elastic = 0; elastic < 2; elastic++) {
+    g_auto (TestRun) run = { 0 };
+    QnModel *model = &run.model;
+    test_model_init_block_on_plane (model, 0.5, 0.5);
+    QnLaw *law = &model->laws[0];
+    law->kind = elastic ? QN_LAW_ELASTIC : QN_LAW_CONCRETE;
+    law->basis = QN_BASIS_SURFACE;
+    law->kn = law->ks = 1e9;
+    law->strength = 2e7;
+    test_model_add_weight_loads (model, 1);
+    model->live_load_count = 0;
+    model->analysis.procedure = QN_PROCEDURE_DYNAMIC;
+    model->analysis.dynamic.duration = 0.02;
+    model->analysis.dynamic.time_step = 0.001;
+    QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+    motion->kind = QN_SIGNAL_PULSE;
+    motion->direction = qn_vec2 (1, 0);
+    motion->pulse = (QnPulse){ QN_PULSE_HALF_SINE, 1, 0.02, 0 };
+    test_run_solve (&run);
+    QnPairResult *pair = &run.result.pairs[0];
+    double *again =
+      run.result.step_forces + 2 * (run.result.step_count - 1) * run.result.pair_count;
+    const double force[2] = { pair->normal_force, pair->shear_force };
+    g_assert_cmpint (run.result.outcome, !=, QN_OUTCOME_NOT_CONVERGED);
+    g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+    pair->shear_force = again[1] = force[1] + 0.1 * fabs (force[0]);
+    g_assert_true (tells (&run, QN_CLAIM_FORCES));
+    pair->shear_force = again[1] = force[1];
+    pair->normal_force = again[0] = 1.1 * force[0];
+    g_assert_cmpint (tells (&run, QN_CLAIM_FORCES), ==, elastic);
+  }
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/result-check/member-in-time", test_member_in_time);
   g_test_add_func ("/result-check/unequal-sides", test_unequal_sides);
   g_test_add_func ("/core/result-check/crushed-and-relieved-on-an-unknown-way",
                    test_crushed_and_relieved_on_an_unknown_way);
