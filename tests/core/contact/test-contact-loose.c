@@ -244,9 +244,7 @@ test_force_beside_its_block (void)
   for (size_t i = 0; i < G_N_ELEMENTS (places); i++) {
     g_auto (QnModel) model;
     g_auto (QnContacts) contacts;
-    test_model_init (&model);
-    test_model_add_base (&model, 0, -1, 3, 1);
-    test_model_add_rectangle (&model, "block", 0, 0, 1, 1);
+    test_model_init_stack (&model, 1, 1, 1);
     QnLoad *load = qn_model_add_dead_load (&model);
     load->kind = QN_LOAD_FORCE;
     load->block = 1;
