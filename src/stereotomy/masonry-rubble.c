@@ -1,5 +1,4 @@
 /* Rubble: a seeded Voronoi tessellation, its short edges closed, within a trapezium. */
-#include "core/base/box-tree.h"
 #include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
@@ -175,11 +174,8 @@ tessellate (const QnVec2 *sites, size_t count, const QnRing *outline, QnRing *st
 {
   QnRings cells = { 0 };
   QnStatus status = divide (sites, count, outline, &cells, diag);
-  QnBox *boxes = qn_alloc (cells.count, sizeof *boxes);
   QnBoxTree tree = { 0 };
-  for (size_t i = 0; boxes != NULL && i < cells.count; i++)
-    boxes[i] = qn_box_of_points (cells.items[i].points, cells.items[i].count);
-  if (status == QN_OK && (boxes == NULL || !qn_box_tree_init (&tree, boxes, cells.count)))
+  if (status == QN_OK && !qn_rings_tree (&cells, 0, &tree))
     status = qn_diag_no_memory (diag);
   for (size_t i = 0; i < count && status == QN_OK; i++) {
     QnId cell = cell_of (&cells, &tree, sites[i]);
@@ -193,7 +189,6 @@ tessellate (const QnVec2 *sites, size_t count, const QnRing *outline, QnRing *st
     qn_rings_clear (&parts);
   }
   qn_box_tree_clear (&tree);
-  free (boxes);
   qn_rings_clear (&cells);
   return status;
 }
