@@ -3,7 +3,6 @@
 #include "core/base/numbers.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 void
@@ -115,11 +114,8 @@ double
 qn_ip_largest (const double *values, int32_t count)
 {
   double most = 0.0;
-  for (int32_t i = 0; i < count; i++) {
-    double size = fabs (values[i]);
-    if (size > most || isnan (size)) /* nothing is greater than a NaN: it stays */
-      most = size;
-  }
+  for (int32_t i = 0; i < count; i++)
+    most = qn_worse (most, fabs (values[i]));
   return most;
 }
 
