@@ -163,7 +163,7 @@ on_close_gaps (Panel *panel)
   QnDraft draft;
   if (qn_canvas_begin_edit (panel->canvas, &draft))
     qn_canvas_end_edit (panel->canvas, &draft, _ ("Close Gaps"), NULL,
-                        qn_edit_close_gaps (draft.model, width, NULL, &draft.error));
+                        qn_edit_close_gaps (draft.model, width, &draft.error));
 }
 
 static void

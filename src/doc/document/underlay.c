@@ -306,10 +306,10 @@ qn_document_insert_picture (QnDocument *document, const char *path, QnBox view,
 
 /* Path of the present picture, or NULL with an error. */
 static char *
-dup_image (QnDocument *document, const char *folder, QnUnderlay *underlay, GError **error)
+dup_image (QnDocument *document, QnUnderlay *underlay, GError **error)
 {
   char *path = NULL;
-  if (qn_underlay_locate (qn_document_get_project (document), folder, &path, underlay,
+  if (qn_underlay_locate (qn_document_get_project (document), NULL, &path, underlay,
                           error)
       && path == NULL)
     g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
@@ -322,7 +322,7 @@ qn_document_place_picture (QnDocument *document, const char *name, const char *k
                            const QnUnderlay *underlay, GError **error)
 {
   QnUnderlay before;
-  g_autofree char *image = dup_image (document, NULL, &before, error);
+  g_autofree char *image = dup_image (document, &before, error);
   if (image == NULL)
     return FALSE;
   if (underlay->rectified && !qn_rectify_is_convex (underlay->points))
@@ -351,7 +351,7 @@ qn_document_carry_picture (QnDocument *document, const char *path, GError **erro
   if (image == NULL)
     return TRUE;
   g_autofree char *name = dup_name (image, new_folder);
-  g_autofree char *present = dup_image (document, NULL, &underlay, NULL);
+  g_autofree char *present = dup_image (document, &underlay, NULL);
   if (g_strcmp0 (present, name) == 0)
     return TRUE;
   g_autofree char *json = qn_underlay_to_json (name, &underlay);

@@ -338,7 +338,7 @@ close_gaps (QnModel *model, const QnFinding *finding, GError **error)
       width = fmax (width, CLOSE_REACH * gaps.items[i].width);
     qn_gaps_clear (&gaps);
   }
-  return qn_edit_close_gaps (model, width, NULL, error);
+  return qn_edit_close_gaps (model, width, error);
 }
 
 gboolean
@@ -530,15 +530,13 @@ set_shapes (QnModel *model, const QnId *ids, guint count, const QnRing *shapes,
 }
 
 gboolean
-qn_edit_close_gaps (QnModel *model, double width, QnGapClosing *closing, GError **error)
+qn_edit_close_gaps (QnModel *model, double width, GError **error)
 {
   QnRings rings;
-  QnGapClosing own;
-  if (closing == NULL)
-    closing = &own;
+  QnGapClosing closing;
   if (!to_rings (model, &rings))
     return qn_edit_no_memory (error);
-  if (qn_gaps_close (&rings, least_gap (model), width, closing, NULL) != QN_OK) {
+  if (qn_gaps_close (&rings, least_gap (model), width, &closing, NULL) != QN_OK) {
     qn_rings_clear (&rings);
     return qn_edit_no_memory (error);
   }

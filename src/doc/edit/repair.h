@@ -54,7 +54,5 @@ double qn_model_usual_gap (const QnModel *model);
 char *qn_gaps_dup_text (const QnGaps *gaps);
 
 /* Lets blocks grow to the middle of all gaps up to `width` (m, > 0) between them, freed from walls and
- * masonry where they were part of such. `closing` (nullable) is overwritten. Refused where there
- * are none. */
-gboolean qn_edit_close_gaps (QnModel *model, double width, QnGapClosing *closing,
-                             GError **error);
+ * masonry where they were part of such. Refused where there are none. */
+gboolean qn_edit_close_gaps (QnModel *model, double width, GError **error);

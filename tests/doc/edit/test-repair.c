@@ -155,7 +155,7 @@ open_mortar (void)
 static gboolean
 close_gaps (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_close_gaps (model, *(const double *) data, NULL, error);
+  return qn_edit_close_gaps (model, *(const double *) data, error);
 }
 
 /* Joints that are equally wide when they are written have one width. */
