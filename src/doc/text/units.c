@@ -127,6 +127,9 @@ qn_units_factor (QnUnits units, QnQuantity quantity)
   return row != NULL ? row->factor : 1.0;
 }
 
+/* From here on numbers that are longer than their digits have a power of ten. */
+#define LEAST_POWER 1e6
+
 char *
 qn_units_format (QnUnits units, QnQuantity quantity, double value, int digits)
 {
@@ -138,6 +141,8 @@ qn_units_format (QnUnits units, QnQuantity quantity, double value, int digits)
   double shown = value / qn_units_factor (units, quantity);
   /* "-0" would make the reader look for a reason. */
   g_ascii_formatd (number, sizeof number, format, shown == 0.0 ? 0.0 : shown);
+  if (fabs (shown) >= 1.0 && fabs (shown) < LEAST_POWER && strchr (number, 'e') != NULL)
+    g_ascii_formatd (number, sizeof number, "%.0f", g_ascii_strtod (number, NULL));
 
   GString *text = g_string_new (number);
   g_string_replace (text, ".", localeconv ()->decimal_point, 1);

@@ -59,7 +59,7 @@ QnUnits qn_units_of_motion (QnUnits units);
 double qn_units_factor (QnUnits units, QnQuantity quantity);
 
 /* The number alone, with the locale's decimal sign and at most `digits` significant digits
- * (1 to 17); "∞" for infinity. The caller frees it. */
+ * (1 to 17), without a power of ten below a million; "∞" for infinity. The caller frees it. */
 char *qn_units_format (QnUnits units, QnQuantity quantity, double value, int digits);
 
 /* The number with its unit after a no-break space. The caller frees it. */

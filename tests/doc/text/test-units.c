@@ -147,6 +147,12 @@ test_format (void)
   check_format (QN_UNITS_SI, QN_QUANTITY_ROTATION, 0.0125, 6, "12.5\u00a0mrad");
   check_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, -0.0, 6, "0");
   check_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, INFINITY, 6, "∞");
+  /* Longer than its digits. */
+  check_format (cm_kn, QN_QUANTITY_FORCE, 1.6949e6, 3, "1690\u00a0kN");
+  check_format (cm_kn, QN_QUANTITY_FORCE, -9.996e5, 3, "-1000\u00a0kN");
+  check_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, 123456.0, 4, "123500");
+  check_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, 1.5e6, 4, "1.5e+06");
+  check_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, 1.5e-6, 4, "1.5e-06");
 }
 
 /* What a field shows with all its digits is what it reads. */
