@@ -539,7 +539,7 @@ place_legend (QnCanvas *self, const QnScene *scene, QnFurniture *furniture)
   };
   double least = INFINITY;
   QnVec2 best = corners[0];
-  for (gsize i = 0; i < G_N_ELEMENTS (corners); i++) {
+  for (gsize i = 0; i < G_N_ELEMENTS (corners) && least > 0.0; i++) {
     furniture->x = corners[i].x;
     furniture->y = corners[i].y;
     double hidden = hidden_by (self, scene, legend_box (furniture));
