@@ -244,14 +244,31 @@ driver_example_path (const char *name)
   return g_build_filename (g_getenv ("QUOIN_EXAMPLES"), name, NULL);
 }
 
-QnWindow *
-driver_open_example (const char *name)
+static QnWindow *
+open_path (const char *path)
 {
   QnWindow *window = driver_open_window (1280, 800);
-  g_autofree char *path = driver_example_path (name);
   g_assert_true (qn_window_open_path (window, path));
   driver_settle ();
   return window;
+}
+
+QnWindow *
+driver_open_example (const char *name)
+{
+  g_autofree char *path = driver_example_path (name);
+  return open_path (path);
+}
+
+QnWindow *
+driver_open_copy (const char *folder, const char *name)
+{
+  g_autofree char *source = driver_example_path (name);
+  g_autofree char *text = NULL;
+  g_autofree char *path = g_build_filename (folder, "wall.quoin", NULL);
+  g_assert_true (g_file_get_contents (source, &text, NULL, NULL));
+  g_assert_true (g_file_set_contents (path, text, -1, NULL));
+  return open_path (path);
 }
 
 static gboolean

@@ -15,6 +15,9 @@ QnWindow *driver_open_window (int width, int height);
 /* A window with a file of the examples. */
 QnWindow *driver_open_example (const char *name);
 
+/* The same of a copy that may be written to, wall.quoin in the folder. */
+QnWindow *driver_open_copy (const char *folder, const char *name);
+
 /* Parts of windows and of their drawing; borrowed. */
 static inline QnCanvas *
 canvas_of (QnWindow *window)

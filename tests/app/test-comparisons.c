@@ -16,18 +16,25 @@ count_pictures (GtkWidget *dialog)
   return count;
 }
 
-/* The words beneath a picture, a new string. */
-static char *
-dup_words (GtkWidget *picture)
+static GtkWidget *
+label_of (GtkWidget *picture)
 {
   GtkWidget *label = gtk_widget_get_first_child (picture);
   while (!GTK_IS_LABEL (label))
     label = gtk_widget_get_next_sibling (label);
-  return g_strdup (gtk_label_get_text (GTK_LABEL (label)));
+  return label;
 }
 
-static void
-test_comparison (void)
+/* The words beneath a picture, a new string. */
+static char *
+dup_words (GtkWidget *picture)
+{
+  return g_strdup (gtk_label_get_text (GTK_LABEL (label_of (picture))));
+}
+
+/* A wall solved by load control and by limit analysis. */
+static QnWindow *
+open_two_runs (void)
 {
   driver_pass_over_gtk ();
   QnWindow *window = driver_open_example ("ferris-tin-loi/wall3.quoin");
@@ -36,6 +43,13 @@ test_comparison (void)
   driver_activate (window, "win.run-limit::associative");
   driver_wait_for_job (window);
   driver_activate (window, "win.compare");
+  return window;
+}
+
+static void
+test_comparison (void)
+{
+  QnWindow *window = open_two_runs ();
   GtkWidget *dialog = driver_find_page ("Comparison");
   g_assert_cmpuint (count_pictures (dialog), ==, 2);
   GtkWidget *first = driver_find_widget (dialog, driver_is_cell, NULL);
@@ -194,21 +208,13 @@ find_middle (GtkWidget *widget, double *x, double *y)
 static void
 test_drag_caption (void)
 {
-  driver_pass_over_gtk ();
-  QnWindow *window = driver_open_example ("ferris-tin-loi/wall3.quoin");
-  driver_activate (window, "win.run");
-  driver_wait_for_job (window);
-  driver_activate (window, "win.run-limit::associative");
-  driver_wait_for_job (window);
-  driver_activate (window, "win.compare");
+  QnWindow *window = open_two_runs ();
   GtkWidget *dialog = driver_find_page ("Comparison");
   GtkWidget *first = driver_find_widget (dialog, driver_is_cell, NULL);
   GtkWidget *second = gtk_widget_get_next_sibling (first);
   g_autofree char *words = dup_words (second);
   double x0, y0, x1, y1;
-  GtkWidget *label = gtk_widget_get_first_child (first);
-  while (!GTK_IS_LABEL (label))
-    label = gtk_widget_get_next_sibling (label);
+  GtkWidget *label = label_of (first);
   find_middle (label, &x0, &y0);
   find_middle (second, &x1, &y1);
   driver_point_at (label, 0.5 * gtk_widget_get_width (label),

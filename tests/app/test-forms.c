@@ -245,13 +245,7 @@ static void
 test_study (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
-  g_autofree char *source = driver_example_path ("ferris-tin-loi/wall3.quoin");
-  g_autofree char *path = g_build_filename (folder, "wall.quoin", NULL);
-  g_autofree char *text = NULL;
-  g_assert_true (g_file_get_contents (source, &text, NULL, NULL));
-  g_assert_true (g_file_set_contents (path, text, -1, NULL));
-  QnWindow *window = driver_open_window (1280, 800);
-  g_assert_true (qn_window_open_path (window, path));
+  QnWindow *window = driver_open_copy (folder, "ferris-tin-loi/wall3.quoin");
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.65);
   driver_settle ();

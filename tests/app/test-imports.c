@@ -21,16 +21,24 @@ is_joints_choice (GtkWidget *widget, gconstpointer data)
          && g_str_has_prefix (gtk_string_object_get_string (item), "Close: blocks");
 }
 
+/* Begins to import an example: its dialog. */
+static GtkWidget *
+begin_import (QnWindow *window, const char *example)
+{
+  g_autofree char *path = driver_example_path (example);
+  driver_activate_target (window, "win.take-path", g_variant_new_string (path));
+  GtkWidget *dialog = driver_find_dialog ("Import");
+  g_assert_nonnull (dialog);
+  return dialog;
+}
+
 /* A drawing is previewed with its extents, taken over as one step, and undone. */
 static void
 test_import (void)
 {
   QnWindow *window = driver_open_window (1280, 800);
   QnDocument *document = qn_window_get_document (window);
-  g_autofree char *path = driver_example_path ("dxf/wall-gaps.dxf");
-  driver_activate_target (window, "win.take-path", g_variant_new_string (path));
-  GtkWidget *dialog = driver_find_dialog ("Import");
-  g_assert_nonnull (dialog);
+  GtkWidget *dialog = begin_import (window, "dxf/wall-gaps.dxf");
   driver_screenshot (dialog, "import");
   driver_press (dialog, "Import");
   gsize count = model_of (window)->block_count;
@@ -43,8 +51,7 @@ test_import (void)
   g_assert_cmpuint (model_of (window)->block_count, ==, 0);
   driver_activate (window, "win.redo");
   g_assert_cmpuint (model_of (window)->block_count, ==, count);
-  driver_activate_target (window, "win.take-path", g_variant_new_string (path));
-  dialog = driver_find_dialog ("Import");
+  dialog = begin_import (window, "dxf/wall-gaps.dxf");
   driver_press (dialog, "Add to Drawing");
   g_assert_cmpuint (model_of (window)->block_count, ==, 2 * count);
   driver_discard (window);
@@ -107,10 +114,7 @@ test_mortar (void)
 {
   QnWindow *window = driver_open_window (1280, 800);
   QnDocument *document = qn_window_get_document (window);
-  g_autofree char *path = driver_example_path ("dxf/wall-mortar.dxf");
-  driver_activate_target (window, "win.take-path", g_variant_new_string (path));
-  GtkWidget *dialog = driver_find_dialog ("Import");
-  g_assert_nonnull (dialog);
+  GtkWidget *dialog = begin_import (window, "dxf/wall-mortar.dxf");
   driver_screenshot (dialog, "import-mortar");
   driver_press (dialog, "Import");
   gsize faces = qn_document_get_contacts (document)->face_count;
@@ -118,8 +122,7 @@ test_mortar (void)
   g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
   driver_activate (window, "win.undo");
 
-  driver_activate_target (window, "win.take-path", g_variant_new_string (path));
-  dialog = driver_find_dialog ("Import");
+  dialog = begin_import (window, "dxf/wall-mortar.dxf");
   GtkWidget *choice = driver_find_widget (dialog, is_joints_choice, NULL);
   g_assert_nonnull (choice);
   gtk_drop_down_set_selected (GTK_DROP_DOWN (choice), 0);
@@ -151,9 +154,7 @@ static void
 test_layers (void)
 {
   QnWindow *window = driver_open_window (1280, 800);
-  g_autofree char *path = driver_example_path ("dxf/wall-clean.dxf");
-  driver_activate_target (window, "win.take-path", g_variant_new_string (path));
-  GtkWidget *dialog = driver_find_dialog ("Import");
+  GtkWidget *dialog = begin_import (window, "dxf/wall-clean.dxf");
   GtkWidget *choice = driver_find_widget (dialog, is_role_choice, NULL);
   g_assert_nonnull (choice);
   driver_screenshot (dialog, "import-layers");

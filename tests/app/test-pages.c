@@ -32,13 +32,7 @@ test_keys (void)
                                           { "win.study", "Study", "uncertainty" } };
   driver_pass_over_gtk ();
   test_autoscratch char *folder = test_scratch_new ();
-  g_autofree char *source = driver_example_path ("06-arch.quoin");
-  g_autofree char *path = g_build_filename (folder, "arch.quoin", NULL);
-  g_autofree char *text = NULL;
-  g_assert_true (g_file_get_contents (source, &text, NULL, NULL));
-  g_assert_true (g_file_set_contents (path, text, -1, NULL));
-  QnWindow *window = driver_open_window (1280, 800);
-  g_assert_true (qn_window_open_path (window, path));
+  QnWindow *window = driver_open_copy (folder, "06-arch.quoin");
   QnDocument *document = qn_window_get_document (window);
   for (gsize i = 0; i < G_N_ELEMENTS (pages); i++) {
     driver_activate (window, "win.select-all");

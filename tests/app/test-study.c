@@ -11,21 +11,6 @@
 
 #include <string.h>
 
-/* A copy of an example that may be written to, in a window. */
-static QnWindow *
-open_copy (const char *folder, const char *example)
-{
-  g_autofree char *source = driver_example_path (example);
-  g_autofree char *text = NULL;
-  g_autofree char *path = g_build_filename (folder, "wall.quoin", NULL);
-  g_assert_true (g_file_get_contents (source, &text, NULL, NULL));
-  g_assert_true (g_file_set_contents (path, text, -1, NULL));
-  QnWindow *window = driver_open_window (1280, 800);
-  g_assert_true (qn_window_open_path (window, path));
-  driver_settle ();
-  return window;
-}
-
 static gboolean
 shows (GtkWidget *widget, gconstpointer data)
 {
@@ -136,7 +121,7 @@ static void
 test_vary (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
-  QnWindow *window = open_copy (folder, "ferris-tin-loi/wall3.quoin");
+  QnWindow *window = driver_open_copy (folder, "ferris-tin-loi/wall3.quoin");
   driver_open_analysis (window);
   GtkWidget *friction = driver_find_widget (GTK_WIDGET (window), shows, "0.65");
   g_assert_nonnull (friction);
@@ -379,7 +364,7 @@ test_every_number (void)
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     char *folder = test_scratch_new ();
-    QnWindow *window = open_copy (folder, cases[i].example);
+    QnWindow *window = driver_open_copy (folder, cases[i].example);
     QnDocument *document = qn_window_get_document (window);
     QnSelection *selection = qn_document_get_selection (document);
     QnId beam = 0, block = (QnId) qn_document_get_model (document)->block_count - 1;
@@ -434,7 +419,7 @@ static void
 test_edit (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
-  QnWindow *window = open_copy (folder, "ferris-tin-loi/wall3.quoin");
+  QnWindow *window = driver_open_copy (folder, "ferris-tin-loi/wall3.quoin");
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.65);
   driver_wait (has_study, NULL);
@@ -492,7 +477,7 @@ static void
 test_distribution (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
-  QnWindow *window = open_copy (folder, "01-sliding-block.quoin");
+  QnWindow *window = driver_open_copy (folder, "01-sliding-block.quoin");
   driver_pass_over_gtk ();
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.5);
@@ -541,7 +526,7 @@ static void
 test_surface (void)
 {
   test_autoscratch char *folder = test_scratch_new ();
-  QnWindow *window = open_copy (folder, "ferris-tin-loi/wall3.quoin");
+  QnWindow *window = driver_open_copy (folder, "ferris-tin-loi/wall3.quoin");
   gtk_widget_activate_action (GTK_WIDGET (window), "win.vary", "(sd)", "laws[0].friction",
                               0.65);
   driver_wait (has_study, NULL);
@@ -605,7 +590,7 @@ test_moving_load (void)
     { 0, 0.6 }, { 2.2, 2.8 }, { 5.8, 2.8 }, { 8, 0.6 }
   };
   test_autoscratch char *folder = test_scratch_new ();
-  QnWindow *window = open_copy (folder, "studies/arch-bridge.quoin");
+  QnWindow *window = driver_open_copy (folder, "studies/arch-bridge.quoin");
   driver_activate (window, "win.tool::path");
   for (gsize i = 0; i < G_N_ELEMENTS (corners); i++)
     driver_click (window, corners[i][0], corners[i][1]);
