@@ -76,10 +76,9 @@ own_window (QnWindow *self, GVariant *parameter)
   }
   GtkWidget *window = qn_dialog_new (NULL, NULL, 900, 640);
   GtkWidget *run = gtk_button_new_from_icon_name ("media-playback-start-symbolic");
-  g_autofree char *hint =
-    qn_action_dup_tooltip (_ ("Solve, or run the study"), "win.run-shown");
   gtk_actionable_set_action_name (GTK_ACTIONABLE (run), "win.run-shown");
-  gtk_widget_set_tooltip_text (run, hint);
+  gtk_widget_set_tooltip_text (run, _ ("Solve, or run the study"));
+  qn_action_complete_tooltips (run);
   gtk_header_bar_pack_end (GTK_HEADER_BAR (gtk_window_get_titlebar (GTK_WINDOW (window))),
                            run);
   gtk_window_set_modal (GTK_WINDOW (window), FALSE);
