@@ -535,14 +535,9 @@ on_entered (GtkWidget *widget, QnBoundForm *form)
   qn_value_clear (&entered.value);
 }
 
+/* `what`: the property, or the row of a list. */
 static void
-on_notify (GtkWidget *widget, GParamSpec *pspec, QnBoundForm *form)
-{
-  on_entered (widget, form);
-}
-
-static void
-on_row_selected (GtkWidget *widget, GtkListBoxRow *row, QnBoundForm *form)
+on_entered_by (GtkWidget *widget, gpointer what, QnBoundForm *form)
 {
   on_entered (widget, form);
 }
@@ -610,10 +605,10 @@ connect (QnBoundForm *form, GtkWidget *widget)
     GCallback callback;
   } signals[] = {
     { qn_quantity_entry_get_type, "committed", G_CALLBACK (on_entered) },
-    { gtk_drop_down_get_type, "notify::selected", G_CALLBACK (on_notify) },
-    { gtk_list_box_get_type, "row-selected", G_CALLBACK (on_row_selected) },
+    { gtk_drop_down_get_type, "notify::selected", G_CALLBACK (on_entered_by) },
+    { gtk_list_box_get_type, "row-selected", G_CALLBACK (on_entered_by) },
     { gtk_check_button_get_type, "toggled", G_CALLBACK (on_entered) },
-    { gtk_switch_get_type, "notify::active", G_CALLBACK (on_notify) },
+    { gtk_switch_get_type, "notify::active", G_CALLBACK (on_entered_by) },
     { gtk_spin_button_get_type, "value-changed", G_CALLBACK (on_entered) },
     { gtk_range_get_type, "value-changed", G_CALLBACK (on_entered) },
     { gtk_entry_get_type, "activate", G_CALLBACK (on_entered) },
