@@ -655,7 +655,7 @@ connect (QnBoundForm *form, GtkWidget *widget)
 static gboolean
 is_named (GtkWidget *button)
 {
-  return !GTK_IS_TOGGLE_BUTTON (button)
+  return GTK_IS_BUTTON (button) && !GTK_IS_TOGGLE_BUTTON (button)
          && gtk_button_get_label (GTK_BUTTON (button)) != NULL
          && gtk_actionable_get_action_name (GTK_ACTIONABLE (button)) == NULL;
 }
@@ -663,7 +663,7 @@ is_named (GtkWidget *button)
 static gboolean
 is_command (GtkWidget *widget)
 {
-  return GTK_IS_BUTTON (widget) && is_named (widget) && gtk_widget_get_visible (widget)
+  return is_named (widget) && gtk_widget_get_visible (widget)
          && gtk_widget_get_sensitive (widget);
 }
 
@@ -705,13 +705,10 @@ add_menus (QnBoundForm *form)
   static const GActionEntry entries[] = {
     { .name = "press", .activate = press, .parameter_type = "i" }
   };
-  g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
-  g_action_map_add_action_entries (G_ACTION_MAP (group), entries, G_N_ELEMENTS (entries),
-                                   form);
-  qn_actions_insert (form->root, "form", group);
+  qn_actions_insert (form->root, "form", entries, G_N_ELEMENTS (entries), form);
   gboolean any = FALSE;
   for (guint i = 0; i < form->kind->field_count; i++)
-    any = any || (GTK_IS_BUTTON (form->widgets[i]) && is_named (form->widgets[i]));
+    any = any || is_named (form->widgets[i]);
   for (guint i = 0; any && i < form->kind->field_count; i++)
     if (GTK_IS_DROP_DOWN (form->widgets[i]) && form->kind->fields[i].step == NULL)
       qn_context_menu_attach (form->widgets[i], make_menu, form);

@@ -611,10 +611,7 @@ add_actions (Compare *compare)
     { .name = "copy", .activate = copy_by_menu, .parameter_type = "u" },
     { .name = "remove", .activate = remove_by_menu, .parameter_type = "u" },
   };
-  g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
-  g_action_map_add_action_entries (G_ACTION_MAP (group), entries, G_N_ELEMENTS (entries),
-                                   compare);
-  qn_actions_insert (compare->page, "compare", group);
+  qn_actions_insert (compare->page, "compare", entries, G_N_ELEMENTS (entries), compare);
 }
 
 GtkWidget *

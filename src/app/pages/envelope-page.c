@@ -557,11 +557,9 @@ connect (Page *self)
   };
   GtkGesture *drag = gtk_gesture_drag_new ();
   GtkWidget *area = self->base.widgets[AREA], *page = self->base.root;
-  self->actions = g_simple_action_group_new ();
-  g_action_map_add_action_entries (G_ACTION_MAP (self->actions), entries,
-                                   G_N_ELEMENTS (entries), self);
-  qn_actions_insert (page, "envelope", self->actions);
-  g_object_set_data_full (G_OBJECT (page), QN_PAGE_ACTIONS, self->actions,
+  self->actions =
+    qn_actions_insert (page, "envelope", entries, G_N_ELEMENTS (entries), self);
+  g_object_set_data_full (G_OBJECT (page), QN_PAGE_ACTIONS, g_object_ref (self->actions),
                           g_object_unref);
   gtk_widget_set_direction (area, GTK_TEXT_DIR_LTR);
   gtk_widget_set_direction (self->base.widgets[POSITION], GTK_TEXT_DIR_LTR);

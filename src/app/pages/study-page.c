@@ -273,12 +273,10 @@ connect (QnStudyPage *self)
     { .name = "copy-case", .activate = copy_case },
     { .name = "remove", .activate = remove_parameter, .parameter_type = "u" },
   };
-  self->actions = g_simple_action_group_new ();
-  g_action_map_add_action_entries (G_ACTION_MAP (self->actions), entries,
-                                   G_N_ELEMENTS (entries), self);
-  qn_actions_insert (self->page, "study", self->actions);
-  g_object_set_data_full (G_OBJECT (self->page), QN_PAGE_ACTIONS, self->actions,
-                          g_object_unref);
+  self->actions =
+    qn_actions_insert (self->page, "study", entries, G_N_ELEMENTS (entries), self);
+  g_object_set_data_full (G_OBJECT (self->page), QN_PAGE_ACTIONS,
+                          g_object_ref (self->actions), g_object_unref);
   g_signal_connect_swapped (self->plan, "notify::selected", G_CALLBACK (on_plan), self);
   g_signal_connect_swapped (self->count, "value-changed", G_CALLBACK (on_plan), self);
   g_signal_connect_swapped (self->analysis, "notify::selected", G_CALLBACK (on_analysis),

@@ -50,12 +50,16 @@ on_root (GtkWidget *widget, GParamSpec *pspec, GObject *group)
   gtk_widget_insert_action_group (widget, prefix, G_ACTION_GROUP (group));
 }
 
-void
-qn_actions_insert (GtkWidget *widget, const char *prefix, GSimpleActionGroup *group)
+GSimpleActionGroup *
+qn_actions_insert (GtkWidget *widget, const char *prefix, const GActionEntry *entries,
+                   gsize count, gpointer data)
 {
+  g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
+  g_action_map_add_action_entries (G_ACTION_MAP (group), entries, (int) count, data);
   g_object_set_data (G_OBJECT (group), "qn-prefix", (gpointer) prefix);
   gtk_widget_insert_action_group (widget, prefix, G_ACTION_GROUP (group));
   g_signal_connect_object (widget, "notify::root", G_CALLBACK (on_root), group, 0);
+  return group;
 }
 
 void

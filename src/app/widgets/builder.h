@@ -14,6 +14,8 @@ GtkWidget *qn_builder_get_widget (GtkBuilder *builder, const char *id);
 GtkWidget *qn_builder_take_widget (GtkBuilder *builder, const char *id);
 
 /* Actions of a widget and of what is in it, whose names begin so (a constant): also after it has moved into
- * another window, where GTK 4.8 forgets them. */
-void qn_actions_insert (GtkWidget *widget, const char *prefix, GSimpleActionGroup *group);
+ * another window, where GTK 4.8 forgets them. The widget keeps the group. */
+GSimpleActionGroup *qn_actions_insert (GtkWidget *widget, const char *prefix,
+                                       const GActionEntry *entries, gsize count,
+                                       gpointer data);
 void qn_actions_enable (GSimpleActionGroup *group, const char *name, gboolean enabled);
