@@ -352,8 +352,9 @@ take_successors (Compare *compare)
   gboolean any = FALSE;
   for (guint i = 0; i < compare->shown->len; i++) {
     g_autoptr (QnRun) old = qn_run_ref (compare->shown->pdata[i]);
-    for (guint k = 0; qn_compare_find_document (compare, old) == NULL && k < runs->len;
-         k++)
+    if (qn_compare_find_document (compare, old) != NULL)
+      continue;
+    for (guint k = 0; k < runs->len; k++)
       if (g_strcmp0 (((QnRun *) runs->pdata[k])->name, old->name) == 0) {
         qn_run_unref (compare->shown->pdata[i]);
         compare->shown->pdata[i] = qn_run_ref (runs->pdata[k]);
