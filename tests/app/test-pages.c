@@ -56,6 +56,13 @@ test_keys (void)
     g_assert_null (qn_window_get_page (window));
     g_assert_true (gtk_widget_get_mapped (GTK_WIDGET (window->canvas)));
   }
+  /* Into a window of their own and back. */
+  driver_activate (window, "win.envelope");
+  driver_activate (window, "win.own-window");
+  driver_activate (window, "win.own-window");
+  g_assert_null (window->page_window);
+  g_assert_true (gtk_widget_get_root (window->page_box) == GTK_ROOT (window));
+  g_assert_true (gtk_widget_get_mapped (driver_find_page ("Moving Load")));
   /* In a window of their own they keep their actions; they come back when it closes. */
   driver_activate (window, "win.study");
   driver_activate (window, "win.own-window");

@@ -33,6 +33,7 @@ qn_window_take_pages_back (QnWindow *self)
   GtkWidget *window = g_steal_pointer (&self->page_window);
   if (window == NULL)
     return;
+  gtk_window_set_focus (GTK_WINDOW (window), NULL);
   g_object_ref (self->page_box);
   gtk_window_set_child (GTK_WINDOW (window), NULL);
   gtk_paned_set_end_child (self->middle, self->page_box);
