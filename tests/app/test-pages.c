@@ -69,7 +69,7 @@ test_keys (void)
   GtkWidget *apart = window->page_window;
   g_assert_true (GTK_WIDGET (gtk_widget_get_root (window->page_box)) == apart);
   g_assert_true (gtk_widget_get_mapped (GTK_WIDGET (window->canvas)));
-  g_assert_nonnull (driver_find_widget (apart, can_act, "study.move-load"));
+  g_assert_nonnull (driver_find_widget (apart, can_act, "study.save-as"));
   gtk_window_close (GTK_WINDOW (apart));
   driver_settle ();
   g_assert_null (window->page_window);

@@ -582,38 +582,6 @@ test_surface (void)
   driver_discard (window);
 }
 
-/* A path drawn over an arch: the force goes along it. */
-static void
-test_moving_load (void)
-{
-  static const double corners[][2] = {
-    { 0, 0.6 }, { 2.2, 2.8 }, { 5.8, 2.8 }, { 8, 0.6 }
-  };
-  test_autoscratch char *folder = test_scratch_new ();
-  QnWindow *window = driver_open_copy (folder, "studies/arch-bridge.quoin");
-  driver_activate (window, "win.tool::path");
-  for (gsize i = 0; i < G_N_ELEMENTS (corners); i++)
-    driver_click (window, corners[i][0], corners[i][1]);
-  driver_screenshot (GTK_WIDGET (window), "study-path");
-  driver_key ("Return");
-  driver_wait (has_study, NULL);
-  GtkWidget *dialog = driver_find_page ("Study");
-  driver_settle ();
-  gtk_widget_activate_action (dialog, "study.run", NULL);
-  driver_settle ();
-  driver_wait (is_idle, dialog);
-  driver_screenshot (dialog, "study-envelope");
-  g_autofree char *table = g_build_filename (folder, "t.csv", NULL);
-  export_to (dialog, "table", table);
-  g_assert_cmpuint (count_lines (table), ==, 42);
-  /* What Solve gives, with its bound. */
-  g_autofree char *rows = NULL;
-  g_assert_true (g_file_get_contents (table, &rows, NULL, NULL));
-  g_assert_true (
-    g_str_has_prefix (rows, "case,place,collapse_multiplier,associative_multiplier,"));
-  driver_discard (window);
-}
-
 QN_TESTS
 {
   gtk_init ();
@@ -622,5 +590,4 @@ QN_TESTS
   g_test_add_func ("/app/study/edit", test_edit);
   g_test_add_func ("/app/study/distribution", test_distribution);
   g_test_add_func ("/app/study/surface", test_surface);
-  g_test_add_func ("/app/study/moving-load", test_moving_load);
 }

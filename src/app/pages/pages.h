@@ -35,6 +35,3 @@ const char *qn_study_page_get_path (GtkWidget *page);
 
 /* Makes a number of the project vary. */
 void qn_study_page_vary (GtkWidget *page, const char *path, double base);
-
-/* The force moves along a line that has been drawn. */
-void qn_study_page_move_load (GtkWidget *page, const char *path, const GArray *line);

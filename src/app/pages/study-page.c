@@ -9,9 +9,6 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-/* Places of a moving load along its way. */
-#define STEPS_OF_LOAD 41
-
 /* Beyond so many blocks a new study has the bound of limit analysis: the path takes too long. */
 #define SLOW_BLOCKS 1000
 
@@ -223,14 +220,6 @@ export_path (GSimpleAction *action, GVariant *parameter, gpointer data)
   qn_study_page_export_to (data, what, path);
 }
 
-/* The drawing comes back with qn_study_page_move_load(). */
-static void
-move_load (GSimpleAction *action, GVariant *parameter, gpointer data)
-{
-  QnStudyPage *self = data;
-  gtk_widget_activate_action (self->page, "win.tool", "s", "path");
-}
-
 /* ---- the page ---- */
 
 static void
@@ -268,7 +257,6 @@ connect (QnStudyPage *self)
     { .name = "save-as", .activate = save_as },
     { .name = "export", .activate = export_results, .parameter_type = "s" },
     { .name = "export-path", .activate = export_path, .parameter_type = "(ss)" },
-    { .name = "move-load", .activate = move_load },
     { .name = "open-case", .activate = open_case },
     { .name = "copy-case", .activate = copy_case },
     { .name = "remove", .activate = remove_parameter, .parameter_type = "u" },
@@ -375,16 +363,6 @@ qn_study_page_vary (GtkWidget *page, const char *path, double base)
   g_autofree char *text =
     g_strdup_printf (added ? _ ("%s varies now.") : _ ("%s varies already."), words);
   qn_study_page_tell (self, text);
-  show_now (self);
-}
-
-void
-qn_study_page_move_load (GtkWidget *page, const char *path, const GArray *line)
-{
-  QnStudyPage *self = g_object_get_data (G_OBJECT (page), "qn-study");
-  qn_draft_move_load (self->draft, path, (const QnVec2 *) (void *) line->data, line->len,
-                      STEPS_OF_LOAD);
-  gtk_drop_down_set_selected (self->figure, QN_STUDY_FIGURE_ENVELOPE);
   show_now (self);
 }
 

@@ -147,9 +147,7 @@ add_row (QnStudyPage *self, guint index)
   gtk_label_set_text (GTK_LABEL (place), words);
   gtk_widget_set_tooltip_text (place, words);
   if (parameter.kind == QN_DRAFT_OTHER) {
-    gtk_label_set_text (GTK_LABEL (other), parameter.line
-                                             ? _ ("along the line that was drawn")
-                                             : _ ("as the study file says"));
+    gtk_label_set_text (GTK_LABEL (other), _ ("as the study file says"));
     gtk_widget_set_visible (GET (GTK_WIDGET, "values"), FALSE);
   } else {
     gboolean limits =

@@ -17,7 +17,7 @@ qn_tool_find (const char *name)
     if (g_str_equal (qn_tools[i]->name, name))
       return qn_tools[i];
   }
-  return g_str_equal (name, qn_tool_path.name) ? &qn_tool_path : NULL;
+  return NULL;
 }
 
 QnBlockStyle

@@ -39,8 +39,5 @@ extern const QnTool qn_tool_displace;
 extern const QnTool qn_tool_measure;
 extern const QnTool qn_tool_picture;
 
-/* Not in the palette: chosen by what needs its line. */
-extern const QnTool qn_tool_path;
-
 /* Style of single blocks. */
 QnBlockStyle qn_tool_settings_get_block_style (const QnToolSettings *settings);

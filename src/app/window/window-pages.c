@@ -5,12 +5,8 @@
 #include "app/widgets/text-unit.h"
 #include "app/window/action-table.h"
 #include "app/window/window-private.h"
-#include "doc/edit/edit-stage.h"
 #include "study/plan/study.h"
 #include <glib/gi18n.h>
-
-/* The list of growing loads (edit-stage.h). */
-#define LIVE_LOADS 0
 
 /* px of the window below which a page has the place of the drawing, with text of usual size. */
 #define SHARED_HEIGHT 900
@@ -293,37 +289,6 @@ vary (QnWindow *self, GVariant *parameter)
     qn_study_page_vary (page, path, number);
 }
 
-/* The place of the first growing force on a block; -1 where there is none. */
-static int
-find_force (const QnModel *model)
-{
-  for (gsize i = 0; i < qn_model_count_loads (model, LIVE_LOADS); i++)
-    if (qn_model_get_load (model, LIVE_LOADS, i)->kind == QN_LOAD_FORCE)
-      return (int) i;
-  return -1;
-}
-
-/* The corners of the line: x, y after each other. */
-static void
-move_load (QnWindow *self, GVariant *parameter)
-{
-  gsize count;
-  const double *numbers = g_variant_get_fixed_array (parameter, &count, sizeof *numbers);
-  int force = find_force (qn_document_get_model (self->document));
-  if (force < 0) {
-    qn_window_show_error (self,
-                          _ ("No force grows with the multiplier: draw one with the "
-                             "force tool first."));
-    return;
-  }
-  g_autofree char *path = g_strdup_printf ("loads.live[%d]", force);
-  g_autoptr (GArray) line = g_array_new (FALSE, FALSE, sizeof (QnVec2));
-  g_array_append_vals (line, numbers, (guint) count / 2);
-  GtkWidget *page = show_study (self, NULL);
-  if (page != NULL)
-    qn_study_page_move_load (page, path, line);
-}
-
 gboolean
 qn_window_open_study (QnWindow *self, const char *path)
 {
@@ -348,7 +313,6 @@ const QnWindowAction qn_window_page_actions[] = {
   { "figures", NULL, figures, QN_NEEDS_WORK },
   { "study", NULL, study, QN_NEEDS_DRAWN },
   { "vary", "(sd)", vary, QN_NEEDS_DRAWN },
-  { "move-load", "ad", move_load, QN_NEEDS_DRAWN },
   { "close-page", NULL, close_page, 0 },
   { "show-drawing", NULL, show_drawing, 0 },
   { "own-window", NULL, own_window, 0 },

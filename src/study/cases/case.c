@@ -10,7 +10,6 @@
 #include "io/text/io-error.h"
 #include "io/text/number-text.h"
 #include "render/scene/reading.h"
-#include "study/cases/moving-load.h"
 #include "study/cases/shape.h"
 #include "study/plan/sample.h"
 
@@ -43,8 +42,8 @@ qn_case_result_fail (QnCaseResult *result, const char *reason)
     result->numbers[i] = NAN;
 }
 
-/* "path=value" for every path of every parameter, NULL-terminated. Moving loads find their
- * blocks, and combinations what they multiply, in `model` (nullable: they are left out). */
+/* "path=value" for every path of every parameter, NULL-terminated. Combinations find what they
+ * multiply in `model` (nullable: they are left out). */
 static char **
 dup_overrides (const QnStudy *study, const double *values, const QnModel *model)
 {
@@ -57,11 +56,6 @@ dup_overrides (const QnStudy *study, const double *values, const QnModel *model)
                                                  study->factorizations));
   for (guint i = 0; i < study->parameters->len; i++) {
     const QnParameter *parameter = qn_study_parameter (study, i);
-    if (parameter->line != NULL) {
-      if (model != NULL)
-        qn_moving_load_add_overrides (overrides, parameter, values[i], model);
-      continue;
-    }
     qn_number_text (values[i], number);
     for (char **path = parameter->paths; *path != NULL; path++)
       g_ptr_array_add (overrides, g_strconcat (*path, "=", number, NULL));
@@ -74,20 +68,8 @@ dup_overrides (const QnStudy *study, const double *values, const QnModel *model)
   return (char **) g_ptr_array_free (overrides, FALSE);
 }
 
-/* Whether what a case overrides depends on its other parameters. */
-static gboolean
-is_read_twice (const QnStudy *study)
-{
-  if (study->combinations != NULL)
-    return TRUE;
-  for (guint i = 0; i < study->parameters->len; i++)
-    if (qn_study_parameter (study, i)->line != NULL)
-      return TRUE;
-  return FALSE;
-}
-
-/* The project with the values of a case: which block a moving load stands on, and what a combination
- * multiplies, depends on the other parameters. */
+/* The project with the values of a case: what a combination multiplies depends on the other
+ * parameters. */
 static gboolean
 parse (const QnStudy *study, const double *values, QnProject *project, GError **error)
 {
@@ -96,12 +78,12 @@ parse (const QnStudy *study, const double *values, QnProject *project, GError **
   if (!qn_project_parse (base->text, base->text_length, base->name,
                          (const char *const *) overrides, project, error))
     return FALSE;
-  if (!is_read_twice (study))
+  if (study->combinations == NULL)
     return TRUE;
-  g_auto (GStrv) moved = dup_overrides (study, values, &project->model);
+  g_auto (GStrv) combined = dup_overrides (study, values, &project->model);
   qn_project_clear (project);
   return qn_project_parse (base->text, base->text_length, base->name,
-                           (const char *const *) moved, project, error);
+                           (const char *const *) combined, project, error);
 }
 
 /* Reads the case and finds its contacts. */

@@ -2,7 +2,6 @@
 
 #include "core/base/integer.h"
 #include "core/base/polygon.h"
-#include "study/cases/moving-load.h"
 
 #include <math.h>
 #include <string.h>
@@ -17,6 +16,40 @@ static char
 digit_of (double part)
 {
   return digits[LEVELS + qn_to_integer (rint (LEVELS * part), -LEVELS, LEVELS)];
+}
+
+/* A bound of the depth of a point outside of a polygon, from its box; INFINITY within the box. */
+static double
+depth_bound (const QnVec2 *vertices, int32_t count, QnVec2 point)
+{
+  QnVec2 low = vertices[0], high = vertices[0];
+  for (int32_t k = 1; k < count; k++) {
+    low = qn_vec2 (MIN (low.x, vertices[k].x), MIN (low.y, vertices[k].y));
+    high = qn_vec2 (MAX (high.x, vertices[k].x), MAX (high.y, vertices[k].y));
+  }
+  double outside = MAX (MAX (low.x - point.x, point.x - high.x),
+                        MAX (low.y - point.y, point.y - high.y));
+  return outside > 0 ? -outside : INFINITY;
+}
+
+/* The block that a point lies in, or the nearest one. */
+static QnId
+nearest_block (const QnModel *model, QnVec2 point)
+{
+  double best = -INFINITY;
+  QnId nearest = QN_NONE;
+  for (size_t b = 0; b < model->block_count; b++) {
+    const QnVec2 *vertices = qn_model_block_vertices (model, (QnId) b);
+    int32_t count = model->blocks[b].vertex_count;
+    if (depth_bound (vertices, count, point) <= best)
+      continue;
+    double depth = qn_polygon_depth (vertices, (size_t) count, point);
+    if (depth > best) {
+      best = depth;
+      nearest = (QnId) b;
+    }
+  }
+  return nearest;
 }
 
 char *
@@ -37,7 +70,7 @@ qn_shape_dup (const QnModel *model, const double *velocities)
     double x = (i % QN_SHAPE_POINTS + 0.5) / QN_SHAPE_POINTS;
     double y = ((double) (i / QN_SHAPE_POINTS) + 0.5) / QN_SHAPE_POINTS;
     QnVec2 point = { low.x + x * (high.x - low.x), low.y + y * (high.y - low.y) };
-    QnId index = qn_nearest_block (model, point);
+    QnId index = nearest_block (model, point);
     const QnBlock *block = &model->blocks[index];
     const double *v = velocities + (size_t) index * QN_DOF_COUNT;
     /* Away from the block its motion is that of its centroid: a thin ring has few points. */

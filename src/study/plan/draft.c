@@ -261,7 +261,6 @@ qn_draft_parameter (const QnDraft *draft, guint index)
   QnDraftParameter result = { .name = name != NULL ? name : "",
                               .path = g_strdup (cJSON_GetStringValue (path)),
                               .kind = QN_DRAFT_OTHER,
-                              .line = cJSON_HasObjectItem (item, "along"),
                               .levels = count_at (item, "levels") };
   if (result.path == NULL)
     result.path = g_strdup ("");
@@ -388,25 +387,6 @@ qn_draft_vary (QnDraft *draft, const char *path, double base, gboolean whole)
 }
 
 void
-qn_draft_move_load (QnDraft *draft, const char *path, const QnVec2 *line, guint count,
-                    guint steps)
-{
-  guint index;
-  cJSON *points = cJSON_CreateArray ();
-  for (guint i = 0; i < count; i++) {
-    const double xy[] = { line[i].x, line[i].y };
-    cJSON_AddItemToArray (points, cJSON_CreateDoubleArray (xy, 2));
-  }
-  if (find_path (draft, path, &index))
-    cJSON_DeleteItemFromArray (member (draft, "parameters"), (int) index);
-  cJSON *item = add_parameter (draft, path);
-  set (item, "name", cJSON_CreateString ("place"));
-  set (item, "along", points);
-  set (item, "steps", cJSON_CreateNumber (steps));
-  qn_draft_set_plan (draft, QN_PLAN_GRID, 0);
-}
-
-void
 qn_draft_remove (QnDraft *draft, guint index)
 {
   cJSON_DeleteItemFromArray (member (draft, "parameters"), (int) index);
@@ -449,8 +429,7 @@ qn_draft_set_values (QnDraft *draft, guint index, QnDraftKind kind, double first
   cJSON *item = parameter (draft, index);
   int count;
   gboolean needed = qn_plan_is_by_levels (qn_draft_get_plan (draft, &count));
-  static const char *const given[] = { "distribution", "values",  "range", "along",
-                                       "steps",        "offsets", "levels" };
+  static const char *const given[] = { "distribution", "values", "range", "levels" };
   for (gsize i = 0; i < G_N_ELEMENTS (given); i++)
     cJSON_DeleteItemFromObjectCaseSensitive (item, given[i]);
   if (levels <= 0 && (needed || kind == QN_DRAFT_RANGE))

@@ -24,8 +24,7 @@ typedef struct QnDraftParameter {
   char *path;       /* the first one; owned: free with g_free() */
   QnDraftKind kind;
   double first, second;
-  int levels;    /* 0: not given */
-  gboolean line; /* OTHER: the way of a moving load */
+  int levels; /* 0: not given */
 } QnDraftParameter;
 
 /* The values that 5 % and 95 % of all do not exceed; of limits, these. NaN of kinds that a form does not
@@ -63,11 +62,6 @@ QnDraftParameter qn_draft_parameter (const QnDraft *draft, guint index);
 /* Adds the number at a path of the project, whose value is `base`: uniform, a tenth to either side, and
  * of a whole number at least 1. FALSE where it varies already. */
 gboolean qn_draft_vary (QnDraft *draft, const char *path, double base, gboolean whole);
-
-/* Adds the way of the force at `path` ("loads.live[0]") along a line, at `steps` places, in place of
- * one that the force has; the plan becomes a grid. */
-void qn_draft_move_load (QnDraft *draft, const char *path, const QnVec2 *line,
-                         guint count, guint steps);
 
 void qn_draft_remove (QnDraft *draft, guint index);
 void qn_draft_set_name (QnDraft *draft, guint index, const char *name);

@@ -272,8 +272,7 @@ read_paths (const QnJsonValue *parameter, const QnStudy *study, const cJSON *doc
     if (varies_already (study, item->valuestring)
         || g_ptr_array_find_with_equal_func (paths, item->valuestring, g_str_equal, NULL))
       return qn_json_value_failf (&element, _ ("%s varies already"), item->valuestring);
-    if (target->line == NULL
-        && !check_path (&element, item->valuestring, study, document, target, &base))
+    if (!check_path (&element, item->valuestring, study, document, target, &base))
       return FALSE;
     if (index++ == 0)
       target->base = base;
@@ -309,74 +308,12 @@ check_name (const QnJsonValue *place, const char *name, const QnStudy *study)
                                             "another column of the table"));
 }
 
-/* Corners of the way of a moving load, and at how many places of it the load stands. */
-static gboolean
-read_line (const QnJsonValue *place, QnParameter *parameter)
-{
-  QnJsonValue list = qn_json_value_member (place, "along"), corner = { 0 };
-  int32_t steps = 0;
-  double length = 0;
-  if (!qn_json_value_array (&list)
-      || !qn_member_count (place, "steps", QN_REQUIRED, QN_STUDY_MAX_VALUES, &steps))
-    return FALSE;
-  parameter->line = g_new (QnVec2, cJSON_GetArraySize (list.json) + 1);
-  while (qn_json_value_next (&list, &corner)) {
-    QnVec2 *point = &parameter->line[parameter->line_count++];
-    if (!qn_json_value_vec2 (&corner, point))
-      return FALSE;
-    if (parameter->line_count > 1)
-      length += qn_vec2_length (qn_vec2_sub (*point, point[-1]));
-  }
-  if (!(length > 0) || steps < 2)
-    return qn_json_value_fail (
-      &list, _ ("expected at least two different points, and at least 2 steps"));
-  g_autofree double *values = g_new (double, steps);
-  for (int32_t i = 0; i < steps; i++)
-    values[i] = length * i / (steps - 1);
-  qn_distribution_set_values (&parameter->distribution, values, NULL, (gsize) steps);
-  return TRUE;
-}
-
-/* Whether every path leads to a force on a block, and how far each is behind the first. */
-static gboolean
-check_axles (const QnJsonValue *place, const QnStudy *study, QnParameter *parameter)
-{
-  guint count = g_strv_length (parameter->paths);
-  QnJsonValue member = qn_json_value_member (place, "path");
-  QnJsonValue offsets = qn_json_value_member (place, "offsets");
-  g_autoptr (GArray) numbers = g_array_new (FALSE, FALSE, sizeof (double));
-  parameter->offsets = g_new0 (double, count);
-  for (guint i = 0; i < count; i++) {
-    g_autofree char *override = g_strconcat (parameter->paths[i], ".at=[0, 0]", NULL);
-    const char *const overrides[] = { override, NULL };
-    const QnProject *project = &study->project;
-    QnProject probe;
-    gboolean force = strstr (parameter->paths[i], "loads.") == parameter->paths[i]
-                     && qn_project_parse (project->text, project->text_length,
-                                          project->name, overrides, &probe, NULL);
-    if (force)
-      qn_project_clear (&probe);
-    else
-      return qn_json_value_failf (&member, _ ("%s: no force on a block stands at %s"),
-                                  project->name, parameter->paths[i]);
-  }
-  if (offsets.json == NULL)
-    return TRUE;
-  if (!read_numbers (&offsets, QN_RANGE_NOT_NEGATIVE, numbers))
-    return FALSE;
-  if (numbers->len != count)
-    return qn_json_value_fail (&offsets, _ ("expected one offset for every path"));
-  memcpy (parameter->offsets, numbers->data, count * sizeof (double));
-  return TRUE;
-}
-
 static gboolean
 read_parameter (const QnJsonValue *place, QnStudy *study, const cJSON *document)
 {
   static const char *const keys[] = { "name",  "path",   "distribution", "values",
-                                      "range", "levels", "whole",        "along",
-                                      "steps", "offsets" };
-  static const char *const kinds[] = { "distribution", "values", "range", "along" };
+                                      "range", "levels", "whole" };
+  static const char *const kinds[] = { "distribution", "values", "range" };
   const char *name = NULL;
   if (!qn_json_value_object (place)
       || !qn_member_string (place, "name", QN_REQUIRED, &name))
@@ -398,21 +335,19 @@ read_parameter (const QnJsonValue *place, QnStudy *study, const cJSON *document)
   }
   if (count != 1)
     return qn_json_value_fail (
-      place, _ ("expected one of \"distribution\", \"values\", \"range\", \"along\""));
+      place, _ ("expected one of \"distribution\", \"values\", \"range\""));
   int32_t levels = 0;
   bool whole = false;
   QnDistribution *d = &parameter->distribution;
   if (!(given[0].json != NULL   ? read_distribution (&given[0], d)
         : given[1].json != NULL ? read_values (&given[1], NULL, d)
-        : given[2].json != NULL ? read_range (&given[2], d)
-                                : read_line (place, parameter))
+                                : read_range (&given[2], d))
       || !qn_member_count (place, "levels", QN_OPTIONAL, QN_STUDY_MAX_VALUES, &levels)
       || !qn_member_bool (place, "whole", QN_OPTIONAL, &whole))
     return FALSE;
   parameter->levels = (guint) levels;
   parameter->whole = whole;
-  return read_paths (place, study, document, parameter)
-         && (parameter->line == NULL || check_axles (place, study, parameter));
+  return read_paths (place, study, document, parameter);
 }
 
 /* The last parameter of a plan of combinations: their numbers, from 1. */

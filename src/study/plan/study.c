@@ -158,8 +158,6 @@ clear_parameter (gpointer data)
   QnParameter *parameter = data;
   g_free (parameter->name);
   g_strfreev (parameter->paths);
-  g_free (parameter->line);
-  g_free (parameter->offsets);
   qn_distribution_clear (&parameter->distribution);
 }
 

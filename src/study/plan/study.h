@@ -67,16 +67,10 @@ typedef enum {
   QN_STUDY_OUTPUT_COUNT
 } QnStudyOutput;
 
-/* A parameter with a `line` is the way of a moving load along it, m from its start: every path leads
- * to a force, which goes to the block that is nearest there. The axles of a vehicle follow each
- * other at their offsets; those that are not on the line carry nothing. */
 typedef struct QnParameter {
   char *name;   /* owned */
   char **paths; /* owned: what is set in the project, all to the same value; none of
                    that of the combinations */
-  QnVec2 *line; /* owned; NULL: a plain number */
-  guint line_count;
-  double *offsets; /* owned, of a line: how far each path is behind the first, m */
   QnDistribution distribution;
   guint levels;   /* of a continuous distribution in plans by levels; 0: not given */
   gboolean whole; /* values are rounded to whole numbers */

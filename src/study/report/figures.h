@@ -12,8 +12,8 @@ typedef enum {
   QN_STUDY_FIGURE_HISTOGRAM, /* of an output */
   QN_STUDY_FIGURE_TORNADO, /* which parameter matters: Sobol indices of a plan "sobol", ranges
                                  of a plan "one-at-a-time", else rank correlations */
-  QN_STUDY_FIGURE_ENVELOPE, /* least and greatest value of an output over a parameter: of a
-                               moving load by its place */
+  QN_STUDY_FIGURE_ENVELOPE, /* least and greatest value of an output over a parameter: of
+                               a vehicle by its position */
   QN_STUDY_FIGURE_SURFACE, /* an output over two parameters: cells of a grid, else points */
   QN_STUDY_FIGURE_MECHANISMS, /* a typical case of every shape or kind of mechanism */
   QN_STUDY_FIGURE_COUNT
