@@ -174,15 +174,12 @@ take_flow (const QnCheck *check, const QnPairSprings *springs, const QnPairMemor
   bool crushes = s->kind == QN_LAW_MOHR_COULOMB
                  || (other != NULL && other->kind == QN_LAW_MOHR_COULOMB);
   double opening = strain[0] - force[0] / s->kn;
-  bool at_cap = force[0] >= -QN_CHECK_FORCES * check->scale;
-  /* An open joint remembers its dilation by slip alone. */
-  double risen = qn_spring_risen (s, &start, own->slip);
-  if (at_cap && check->relaxed)
-    own->opening = fmin (opening, risen);
-  else if (check->relaxed || (force[0] < 0 && (dilates || crushes)))
-    own->opening = opening;
-  else if (at_cap && (dilates || crushes)) /* crushed, or slid back, on the way there */
-    own->opening = fmin (own->opening, opening);
+  /* An open joint remembers its dilation by slip alone, unless it was crushed on the way there. */
+  double most = force[0] >= -QN_CHECK_FORCES * check->scale
+                  ? qn_spring_risen (s, &start, own->slip)
+                  : INFINITY;
+  if (check->relaxed || dilates || crushes)
+    own->opening = fmin (opening, most);
   return crushes || memory->a.opening + memory->b.opening >= -check->slack;
 }
 
@@ -266,6 +263,20 @@ flow_to (const QnCheck *check, size_t p, const double force[2], QnPairResponse *
   return false;
 }
 
+/* The response of a pair whose elongation differs by what changes a force by `little`, in one of four ways. */
+static bool
+evaluate_near (const QnCheck *check, size_t p, int way, double little,
+               QnPairResponse *response)
+{
+  const QnAssembly *as = &check->assembly;
+  const QnPairSprings *springs = &as->springs[p];
+  double q[2] = { as->elongations[2 * p], as->elongations[2 * p + 1] };
+
+  q[way / 2] +=
+    (way % 2 == 0 ? little : -little) / (way / 2 == 0 ? springs->a.kn : springs->a.ks);
+  return qn_pair_evaluate (springs, &as->committed[p], q, response);
+}
+
 /* What a step states of the bond of a pair: as much damage as the laws answer. More there may be where the
  * structure has moved on the way, and stays from then on: of the bond that explains the force. */
 static void
@@ -301,6 +312,17 @@ take_damage (QnCheck *check, size_t step, size_t p)
         break;
     }
     found = qn_pair_damage (springs, &response->memory);
+  }
+  /* At its strength a brittle bond is whole, or broken, by rounding. */
+  for (int way = 0; way < 4 && !qn_check_agrees (at.damage, found, QN_CHECK_STATE);
+       way++) {
+    QnPairResponse near;
+    if (evaluate_near (check, p, way, 0.1 * QN_CHECK_FORCES * check->scale, &near)
+        && qn_check_agrees (at.damage, qn_pair_damage (springs, &near.memory),
+                            QN_CHECK_STATE)) {
+      *response = near;
+      found = at.damage;
+    }
   }
   if (!qn_check_agrees (at.damage, found, QN_CHECK_STATE))
     qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, at.damage, found);
@@ -516,23 +538,14 @@ state_suits_force (const QnCheck *check, size_t p, const double force[2],
 static bool
 comes_to_state (const QnCheck *check, size_t p, QnPairState state)
 {
-  double little = QN_CHECK_STATE * check->scale;
-  const QnAssembly *as = &check->assembly;
-  const QnPairSprings *springs = &as->springs[p];
-  const double *q = as->elongations + 2 * p;
+  const QnPairSprings *springs = &check->assembly.springs[p];
+  QnPairResponse response = check->assembly.responses[p];
+  bool comes = qn_pair_state (springs, response.phase) == state;
 
-  if (qn_pair_state (springs, as->responses[p].phase) == state)
-    return true;
-  for (int i = 0; i < 4; i++) {
-    double away = i % 2 == 0 ? little : -little;
-    double near[2] = { q[0], q[1] };
-    QnPairResponse response;
-    near[i / 2] += away / (i / 2 == 0 ? springs->a.kn : springs->a.ks);
-    if (qn_pair_evaluate (springs, &as->committed[p], near, &response)
-        && qn_pair_state (springs, response.phase) == state)
-      return true;
-  }
-  return false;
+  for (int way = 0; way < 4 && !comes; way++)
+    comes = evaluate_near (check, p, way, QN_CHECK_STATE * check->scale, &response)
+            && qn_pair_state (springs, response.phase) == state;
+  return comes;
 }
 
 /* Whether the force of a joint whose bond is damaged tells the state, since the structure has moved on a way

@@ -466,12 +466,13 @@ test_crushed_and_relieved_on_an_unknown_way (void)
   g_assert_true (tells (&run, QN_CLAIM_FORCES));
 }
 
-/* Joints of two laws, on a way that no result tells: a joint that dilates beside concrete, in time; and two
- * bonds that soften, of which the one with more cohesion is damaged, on a path that has jumped. */
+/* Joints of two laws, on a way that no result tells: a joint that dilates, and one whose bond softens, beside
+ * concrete, in time; and two bonds that soften, of which the one with more cohesion is damaged, on a path that has
+ * jumped. */
 static void
 test_unequal_sides (void)
 {
-  for (int bonds = 0; bonds < 2; bonds++) {
+  for (int bonds = 0; bonds < 3; bonds++) {
     g_auto (TestRun) run = { 0 };
     QnModel *model = &run.model;
     test_model_init (model);
@@ -479,9 +480,9 @@ test_unequal_sides (void)
     QnLaw *a = &model->laws[0], *b = &model->laws[1];
     test_model_add_base (model, -5, -1, 10, 1);
     test_model_add_weight_loads (model, 1);
-    model->live_load_count = (size_t) bonds;
+    model->live_load_count = bonds == 1;
     model->contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_LOBATTO, .count = 5 };
-    if (bonds == 0) {
+    if (bonds != 1) {
       *a = (QnLaw){ .name = a->name,
                     .kind = QN_LAW_COULOMB,
                     .basis = QN_BASIS_SURFACE,
@@ -506,7 +507,23 @@ test_unequal_sides (void)
       QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
       motion->kind = QN_SIGNAL_PULSE;
       motion->direction = qn_vec2 (1, 0);
-      motion->pulse = (QnPulse){ QN_PULSE_HALF_SINE, 7.1, 0.418, 0 };
+      motion->pulse = (QnPulse){ QN_PULSE_HALF_SINE, bonds == 0 ? 7.1 : 60, 0.418, 0 };
+      if (bonds == 2) {
+        a->kn = a->ks = 4e10;
+        a->dilatancy = 0;
+        a->tension = 1e5;
+        a->cohesion = 2e5;
+        a->fracture_energy_tension = 10;
+        a->fracture_energy_shear = 50;
+        b->kn = b->ks = 5e11;
+        b->kind = QN_LAW_MOHR_COULOMB;
+        b->friction = 1.7;
+        b->cohesion = 4e6;
+        b->tension = 2e6;
+        b->compression = 2e7;
+        model->analysis.geometry = QN_GEOMETRY_LINEAR;
+        model->analysis.dynamic.output_interval = 0.05;
+      }
     } else {
       *a = (QnLaw){ .name = a->name,
                     .kind = QN_LAW_COULOMB,
