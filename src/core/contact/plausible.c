@@ -5,6 +5,7 @@
 #include "core/base/numbers.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,55 +29,26 @@
  * less than this part of their width hang or rest on an edge, whatever the joints. */
 #define LEAST_BEARING 0.25
 
+/* The rows of numbers that are worked out, or not of every item; the others belong to a member of every item, or
+ * to a parameter of laws. */
 typedef enum {
-  FRICTION,
-  COHESION,
-  TENSION,
-  COMPRESSION,
-  YIELD,
-  STRENGTH,
-  STRAIN,
-  FRACTURE_TENSION,
-  FRACTURE_SHEAR,
-  FRACTURE,
-  CRUSHING,
-  DILATION_END, /* the last of those that every basis has, and of the parameters of laws */
-  KN,           /* by basis, here and for KS */
+  KN, /* by basis, here and for KS */
   KS = KN + QN_BASIS_COUNT,
   APEX = KS + QN_BASIS_COUNT,
   UNIT_WEIGHT,
   DENSITY,
-  THICKNESS,
   BLOCK_SIZE,
   EXTENT,
-  GRAVITY,
-  BAR_AREA,
-  TIE_AREA,
-  TIE_ELASTICITY,
-  TIE_YIELD,
   TIE_PRESTRESS,
   TIE_ANCHOR,
-  TIE_SLACK,
-  TIE_PLATE,
-  TIE_WALL,
-  TIE_SHEAR,
-  TIE_COMPRESSION,
-  TIE_STRIP,
-  TIE_BOND,
-  YOUNG,
   SECTION_AREA,
   SECTION_INERTIA,
   SECTION_WIDTH,
   SECTION_HEIGHT,
-  SECTION_YIELD,
-  SECTION_WEIGHT,
   DEAD_WEIGHT,
   DEAD_FORCE,
   DEAD_INTENSITY,
-  PRESSURE, /* of dead loads; of live ones one row further, here and below */
-  FILL = PRESSURE + 2,
-  EARTH = FILL + 2,
-  SETTLEMENT = EARTH + 2,
+  SETTLEMENT,
   TURN,
   TARGET,
   TARGET_TURN,
@@ -84,35 +56,22 @@ typedef enum {
   SIGNAL,
   MASS_DAMPING,
   STIFFNESS_DAMPING,
-  ROW_COUNT
+  FRICTION, /* the first of the parameters of laws */
+  DILATION_END = FRICTION + 11,
+  MEMBERS /* those of every item, from here on */
 } Row;
 
 #define RANGE(entity, key, unit, least, greatest, doubt)                                 \
   {                                                                                      \
-    QN_ENTITY_##entity, key, unit, least, greatest, QN_PROBLEM_DOUBT_##doubt             \
+    QN_ENTITY_##entity, key, unit, least, greatest, QN_PROBLEM_DOUBT_##doubt, 0          \
+  }
+#define MEMBER(entity, type, member, unit, least, greatest, doubt)                       \
+  {                                                                                      \
+    QN_ENTITY_##entity, #member, unit, least, greatest, QN_PROBLEM_DOUBT_##doubt,        \
+      offsetof (type, member)                                                            \
   }
 
-static const QnUsualRange ranges[ROW_COUNT] = {
-  /* Rough joints of rock at low stress reach 70 degrees, tan 2.7 (N. Barton, V. Choubey, The shear
-   * strength of rock joints in theory and practice, Rock Mechanics 10 (1977) 1-54). */
-  [FRICTION] = RANGE (LAW, "friction", "", 0.02, 3, TANGENT),
-  /* EN 1996-1-1:2005, 3.6: initial shear and flexural strengths from 0.05 to 0.4 MPa. EN 1992-1-1:2004,
-   * table 3.1: concrete 1.6 to 5 MPa in tension, 12 to 90 MPa in compression. Natural stone: to 20 and
-   * 400 MPa. EN 1993-1-1:2005, table 3.1: steel from 215 MPa; wires 2 GPa. */
-  [COHESION] = RANGE (LAW, "cohesion", "Pa", 100, 5e7, STRESS),
-  [TENSION] = RANGE (LAW, "tension", "Pa", 100, 5e7, STRESS),
-  [APEX] = RANGE (LAW, "tension", "× cohesion/friction", 0, 1, APEX),
-  [COMPRESSION] = RANGE (LAW, "compression", "Pa", 1e4, 1e9, STRESS),
-  [YIELD] = RANGE (LAW, "yield", "Pa", 1e4, 5e9, STRESS),
-  [STRENGTH] = RANGE (LAW, "strength", "Pa", 1e4, 5e9, STRESS),
-  [STRAIN] = RANGE (LAW, "ultimate_strain", "", 1e-4, 0.5, RATIO),
-  /* Joints of brick and mortar: 5 to 20 J/m2 in tension, 10 to 250 in shear (R. van der Pluijm, cited by
-   * Lourenço 1996, below); concrete 110 to 160 (fib Model Code 2010, 5.1.5.2), crushed a hundred times. */
-  [FRACTURE_TENSION] = RANGE (LAW, "fracture_energy_tension", "J/m2", 0.5, 1e4, ENERGY),
-  [FRACTURE_SHEAR] = RANGE (LAW, "fracture_energy_shear", "J/m2", 0.5, 1e5, ENERGY),
-  [FRACTURE] = RANGE (LAW, "fracture_energy", "J/m2", 0.5, 1e7, ENERGY),
-  [CRUSHING] = RANGE (LAW, "crushing_energy", "J/m2", 50, 1e7, ENERGY),
-  [DILATION_END] = RANGE (LAW, "dilation_end", "m", 1e-6, 0.2, LENGTH),
+static const QnUsualRange ranges[] = {
   /* From a pebble's joint up; stiffer ones stand for what is rigid, here and below. */
   [KN + QN_BASIS_CONTACT] = RANGE (LAW, "kn", "N/m", 1e4, 1e18, STIFFNESS),
   [KS + QN_BASIS_CONTACT] = RANGE (LAW, "ks", "N/m", 1e4, 1e18, STIFFNESS),
@@ -123,56 +82,28 @@ static const QnUsualRange ranges[ROW_COUNT] = {
   /* From rubber up; masonry has 1000 times its strength (EN 1996-1-1:2005, 3.7.2). */
   [KN + QN_BASIS_MATERIAL] = RANGE (LAW, "kn", "Pa", 1e6, 1e18, STIFFNESS),
   [KS + QN_BASIS_MATERIAL] = RANGE (LAW, "ks", "Pa", 1e5, 1e18, STIFFNESS),
+  [APEX] = RANGE (LAW, "tension", "× cohesion/friction", 0, 1, APEX),
   /* EN 1991-1-1:2002, annex A: timber from 3.5, lightweight concrete from 9, masonry 16 to 30, steel
    * 78.5, lead 114 kN/m3. */
   [UNIT_WEIGHT] = RANGE (BLOCK, "unit_weight", "N/m3", 2500, 1.2e5, UNIT_WEIGHT),
   [DENSITY] = RANGE (BLOCK, "density", "kg/m3", 250, 12000, DENSITY),
-  /* From a model of cards to a barrel vault of 100 m. */
-  [THICKNESS] = RANGE (BLOCK, "thickness", "m", 1e-3, 100, LENGTH),
   /* The largest hewn blocks, at Baalbek, are 20 m long. */
   [BLOCK_SIZE] = RANGE (BLOCK, "vertices", "m", 2e-3, 30, LENGTH),
   /* The Pont du Gard was 360 m long. */
   [EXTENT] = RANGE (MODEL, "blocks", "m", 0.02, 500, LENGTH),
-  /* Normal gravity is 9.780 to 9.832 m/s2 (World Geodetic System 1984); often rounded to 10. */
-  [GRAVITY] = RANGE (MODEL, "gravity", "m/s2", 9.5, 10.5, GRAVITY),
-  /* From a wire of 1 mm to a tie of 300 mm. */
-  [BAR_AREA] = RANGE (BAR, "area", "m2", 7e-7, 0.1, AREA),
-  [TIE_AREA] = RANGE (TIE, "area", "m2", 7e-7, 0.1, AREA),
-  /* Ropes of fibres from 1 GPa, carbon up to 600 GPa; yield as of laws. */
-  [TIE_ELASTICITY] = RANGE (TIE, "elasticity", "Pa", 1e9, 1e12, STIFFNESS),
-  [TIE_YIELD] = RANGE (TIE, "yield", "Pa", 1e6, 5e9, STRESS),
   /* Over the free weight, as forces. */
   [TIE_PRESTRESS] = RANGE (TIE, "prestress", "× W", 5e-5, 1e3, FORCE),
   [TIE_ANCHOR] = RANGE (TIE, "anchor", "× W", 5e-5, 1e4, FORCE),
-  [TIE_SLACK] = RANGE (TIE, "slack", "m", 0, 0.1, LENGTH),
-  [TIE_PLATE] = RANGE (TIE, "plate.diameter", "m", 0.02, 3, LENGTH),
-  [TIE_WALL] = RANGE (TIE, "plate.wall", "m", 0.05, 10, LENGTH),
-  [TIE_SHEAR] = RANGE (TIE, "plate.shear", "Pa", 100, 1e7, STRESS),
-  [TIE_COMPRESSION] = RANGE (TIE, "plate.compression", "Pa", 1e4, 1e9, STRESS),
-  [TIE_STRIP] = RANGE (TIE, "strip.width", "m", 0.005, 3, LENGTH),
-  [TIE_BOND] = RANGE (TIE, "strip.fracture_energy", "J/m2", 5, 1e4, ENERGY),
-  [YOUNG] = RANGE (SECTION, "young", "Pa", 1e7, 1.3e12, STIFFNESS),
   [SECTION_AREA] = RANGE (SECTION, "area", "m2", 7e-7, 100, AREA),
   /* As the height of the rectangle with this area. */
   [SECTION_INERTIA] = RANGE (SECTION, "inertia", "m of height", 1e-3, 10, LENGTH),
   [SECTION_WIDTH] = RANGE (SECTION, "width", "m", 1e-3, 100, LENGTH),
   [SECTION_HEIGHT] = RANGE (SECTION, "height", "m", 1e-3, 10, LENGTH),
-  [SECTION_YIELD] = RANGE (SECTION, "yield", "Pa", 1e5, 5e9, STRESS),
-  [SECTION_WEIGHT] = RANGE (SECTION, "unit_weight", "N/m3", 2500, 1.2e5, UNIT_WEIGHT),
   /* Times the weight, which is a force already. */
   [DEAD_WEIGHT] = RANGE (DEAD_LOAD, "direction", "× W", 0.2, 5, WEIGHT),
   /* Over the free weight: less is not seen in any result. */
   [DEAD_FORCE] = RANGE (DEAD_LOAD, "value", "× W", 5e-4, 1e4, FORCE),
   [DEAD_INTENSITY] = RANGE (DEAD_LOAD, "intensity", "N/m", 20, 1e8, FORCE),
-  /* EN 1991-1-1:2002, table 6.2: from 1.5 kN/m2; snow and roofs from 0.4. A live one may be a unit. */
-  [PRESSURE] = RANGE (DEAD_LOAD, "pressure", "Pa", 20, 1e7, STRESS),
-  [PRESSURE + 1] = RANGE (LIVE_LOAD, "pressure", "Pa", 0.5, 1e7, STRESS),
-  /* Expanded clay to ore: EN 1991-1-1:2002, annex A. */
-  [FILL] = RANGE (DEAD_LOAD, "unit_weight", "N/m3", 2500, 5e4, UNIT_WEIGHT),
-  [FILL + 1] = RANGE (LIVE_LOAD, "unit_weight", "N/m3", 2500, 5e4, UNIT_WEIGHT),
-  /* Active in gravel to passive with wall friction (EN 1997-1:2004, annex C). */
-  [EARTH] = RANGE (DEAD_LOAD, "coefficient", "", 0.05, 30, RATIO),
-  [EARTH + 1] = RANGE (LIVE_LOAD, "coefficient", "", 0.05, 30, RATIO),
   /* Over the largest extent of the structure, as the target. */
   [SETTLEMENT] = RANGE (LIVE_LOAD, "value", "× L", 0, 0.5, LENGTH),
   [TURN] = RANGE (LIVE_LOAD, "value", "rad", 0, 2 * QN_PI, ANGLE),
@@ -187,7 +118,57 @@ static const QnUsualRange ranges[ROW_COUNT] = {
   [MASS_DAMPING] = RANGE (ANALYSIS, "dynamic.damping.mass", "1/s", 0, 25, DAMPING),
   [STIFFNESS_DAMPING] =
     RANGE (ANALYSIS, "dynamic.damping.stiffness", "s", 0, 0.02, DAMPING),
+  /* Rough joints of rock at low stress reach 70 degrees, tan 2.7 (N. Barton, V. Choubey, The shear
+   * strength of rock joints in theory and practice, Rock Mechanics 10 (1977) 1-54). */
+  [FRICTION] = RANGE (LAW, "friction", "", 0.02, 3, TANGENT),
+  /* EN 1996-1-1:2005, 3.6: initial shear and flexural strengths from 0.05 to 0.4 MPa. EN 1992-1-1:2004,
+   * table 3.1: concrete 1.6 to 5 MPa in tension, 12 to 90 MPa in compression. Natural stone: to 20 and
+   * 400 MPa. EN 1993-1-1:2005, table 3.1: steel from 215 MPa; wires 2 GPa. */
+  RANGE (LAW, "cohesion", "Pa", 100, 5e7, STRESS),
+  RANGE (LAW, "tension", "Pa", 100, 5e7, STRESS),
+  RANGE (LAW, "compression", "Pa", 1e4, 1e9, STRESS),
+  RANGE (LAW, "yield", "Pa", 1e4, 5e9, STRESS),
+  RANGE (LAW, "strength", "Pa", 1e4, 5e9, STRESS),
+  RANGE (LAW, "ultimate_strain", "", 1e-4, 0.5, RATIO),
+  /* Joints of brick and mortar: 5 to 20 J/m2 in tension, 10 to 250 in shear (R. van der Pluijm, cited by
+   * Lourenço 1996, above); concrete 110 to 160 (fib Model Code 2010, 5.1.5.2), crushed a hundred times. */
+  RANGE (LAW, "fracture_energy_tension", "J/m2", 0.5, 1e4, ENERGY),
+  RANGE (LAW, "fracture_energy_shear", "J/m2", 0.5, 1e5, ENERGY),
+  RANGE (LAW, "fracture_energy", "J/m2", 0.5, 1e7, ENERGY),
+  RANGE (LAW, "crushing_energy", "J/m2", 50, 1e7, ENERGY),
+  [DILATION_END] = RANGE (LAW, "dilation_end", "m", 1e-6, 0.2, LENGTH),
+  /* From a model of cards to a barrel vault of 100 m. */
+  [MEMBERS] = MEMBER (BLOCK, QnBlock, thickness, "m", 1e-3, 100, LENGTH),
+  /* Normal gravity is 9.780 to 9.832 m/s2 (World Geodetic System 1984); often rounded to 10. */
+  MEMBER (MODEL, QnModel, gravity, "m/s2", 9.5, 10.5, GRAVITY),
+  /* From a wire of 1 mm to a tie of 300 mm. */
+  MEMBER (BAR, QnBar, area, "m2", 7e-7, 0.1, AREA),
+  MEMBER (TIE, QnTie, area, "m2", 7e-7, 0.1, AREA),
+  /* Ropes of fibres from 1 GPa, carbon up to 600 GPa; yield as of laws. */
+  MEMBER (TIE, QnTie, elasticity, "Pa", 1e9, 1e12, STIFFNESS),
+  MEMBER (TIE, QnTie, yield, "Pa", 1e6, 5e9, STRESS),
+  MEMBER (TIE, QnTie, slack, "m", 0, 0.1, LENGTH),
+  MEMBER (TIE, QnTie, plate.diameter, "m", 0.02, 3, LENGTH),
+  MEMBER (TIE, QnTie, plate.wall, "m", 0.05, 10, LENGTH),
+  MEMBER (TIE, QnTie, plate.shear, "Pa", 100, 1e7, STRESS),
+  MEMBER (TIE, QnTie, plate.compression, "Pa", 1e4, 1e9, STRESS),
+  MEMBER (TIE, QnTie, strip.width, "m", 0.005, 3, LENGTH),
+  MEMBER (TIE, QnTie, strip.fracture_energy, "J/m2", 5, 1e4, ENERGY),
+  MEMBER (SECTION, QnSection, young, "Pa", 1e7, 1.3e12, STIFFNESS),
+  MEMBER (SECTION, QnSection, yield, "Pa", 1e5, 5e9, STRESS),
+  MEMBER (SECTION, QnSection, unit_weight, "N/m3", 2500, 1.2e5, UNIT_WEIGHT),
+  /* EN 1991-1-1:2002, table 6.2: from 1.5 kN/m2; snow and roofs from 0.4. A live one may be a unit. */
+  MEMBER (DEAD_LOAD, QnLoad, pressure, "Pa", 20, 1e7, STRESS),
+  MEMBER (LIVE_LOAD, QnLoad, pressure, "Pa", 0.5, 1e7, STRESS),
+  /* Expanded clay to ore: EN 1991-1-1:2002, annex A. */
+  MEMBER (DEAD_LOAD, QnLoad, unit_weight, "N/m3", 2500, 5e4, UNIT_WEIGHT),
+  MEMBER (LIVE_LOAD, QnLoad, unit_weight, "N/m3", 2500, 5e4, UNIT_WEIGHT),
+  /* Active in gravel to passive with wall friction (EN 1997-1:2004, annex C). */
+  MEMBER (DEAD_LOAD, QnLoad, coefficient, "", 0.05, 30, RATIO),
+  MEMBER (LIVE_LOAD, QnLoad, coefficient, "", 0.05, 30, RATIO),
 };
+
+#define ROW_COUNT QN_N_ELEMENTS (ranges)
 
 const QnUsualRange *
 qn_usual_ranges (size_t *count)
@@ -224,6 +205,18 @@ examine (Doubts *d, Row row, size_t index, QnId block, double value)
                               .value = value,
                               .subject = (QnId) index,
                               .range = range });
+}
+
+/* The members of an item that have a row. */
+static void
+examine_members (Doubts *d, QnEntity entity, size_t index, QnId block, const void *item)
+{
+  for (size_t row = MEMBERS; row < ROW_COUNT; row++)
+    if (ranges[row].entity == entity) {
+      double value;
+      memcpy (&value, (const char *) item + ranges[row].offset, sizeof value);
+      examine (d, (Row) row, index, block, value);
+    }
 }
 
 static void
@@ -267,7 +260,7 @@ examine_blocks (Doubts *d)
     qn_box_add_box (&all, box);
     examine (d, block->density >= 0 ? DENSITY : UNIT_WEIGHT, i, (QnId) i,
              block->density >= 0 ? block->density : block->unit_weight);
-    examine (d, THICKNESS, i, (QnId) i, block->thickness);
+    examine_members (d, QN_ENTITY_BLOCK, i, (QnId) i, block);
     if (!block->support[QN_DOF_UY])
       examine (d, BLOCK_SIZE, i, (QnId) i, size_of (box));
   }
@@ -306,10 +299,8 @@ examine_loads (Doubts *d, double extent)
   for (size_t i = 0; i < qn_model_load_count (model); i++) {
     const QnLoad *load = qn_model_load (model, i);
     int live = i >= model->dead_load_count;
-    size_t index = i - (live ? model->dead_load_count : 0);
-    examine (d, (Row) (PRESSURE + live), index, QN_NONE, load->pressure);
-    examine (d, (Row) (FILL + live), index, QN_NONE, load->unit_weight);
-    examine (d, (Row) (EARTH + live), index, QN_NONE, load->coefficient);
+    examine_members (d, live ? QN_ENTITY_LIVE_LOAD : QN_ENTITY_DEAD_LOAD,
+                     i - (live ? model->dead_load_count : 0), QN_NONE, load);
   }
   for (size_t i = 0; i < model->live_load_count && extent > 0; i++) {
     const QnLoad *load = &model->live_loads[i];
@@ -347,24 +338,15 @@ examine_analysis (Doubts *d, double extent)
 }
 
 static void
-examine_members (Doubts *d)
+examine_bars_and_beams (Doubts *d)
 {
   const QnModel *model = d->model;
   for (size_t i = 0; i < model->bar_count; i++)
-    examine (d, BAR_AREA, i, QN_NONE, model->bars[i].area);
+    examine_members (d, QN_ENTITY_BAR, i, QN_NONE, &model->bars[i]);
   const double weight = free_weight (model);
   for (size_t i = 0; i < model->tie_count; i++) {
     const QnTie *tie = &model->ties[i];
-    examine (d, TIE_AREA, i, QN_NONE, tie->area);
-    examine (d, TIE_ELASTICITY, i, QN_NONE, tie->elasticity);
-    examine (d, TIE_YIELD, i, QN_NONE, tie->yield);
-    examine (d, TIE_SLACK, i, QN_NONE, tie->slack);
-    examine (d, TIE_PLATE, i, QN_NONE, tie->plate.diameter);
-    examine (d, TIE_WALL, i, QN_NONE, tie->plate.wall);
-    examine (d, TIE_SHEAR, i, QN_NONE, tie->plate.shear);
-    examine (d, TIE_COMPRESSION, i, QN_NONE, tie->plate.compression);
-    examine (d, TIE_STRIP, i, QN_NONE, tie->strip.width);
-    examine (d, TIE_BOND, i, QN_NONE, tie->strip.fracture_energy);
+    examine_members (d, QN_ENTITY_TIE, i, QN_NONE, tie);
     if (weight > 0) {
       examine (d, TIE_PRESTRESS, i, QN_NONE, tie->prestress / weight);
       examine (d, TIE_ANCHOR, i, QN_NONE, tie->anchor / weight);
@@ -372,9 +354,7 @@ examine_members (Doubts *d)
   }
   for (size_t i = 0; i < model->section_count; i++) {
     const QnSection *section = &model->sections[i];
-    examine (d, YOUNG, i, QN_NONE, section->young);
-    examine (d, SECTION_YIELD, i, QN_NONE, section->yield);
-    examine (d, SECTION_WEIGHT, i, QN_NONE, section->unit_weight);
+    examine_members (d, QN_ENTITY_SECTION, i, QN_NONE, section);
     if (section->height > 0) {
       examine (d, SECTION_HEIGHT, i, QN_NONE, section->height);
       examine (d, SECTION_WIDTH, i, QN_NONE, section->width);
@@ -612,9 +592,9 @@ qn_contacts_report_doubts (const QnModel *model, QnContacts *contacts, QnDiag *d
 {
   Doubts d = { .findings = &contacts->findings, .model = model };
   double extent = examine_blocks (&d);
-  examine (&d, GRAVITY, 0, QN_NONE, model->gravity);
+  examine_members (&d, QN_ENTITY_MODEL, 0, QN_NONE, model);
   examine_laws (&d);
-  examine_members (&d);
+  examine_bars_and_beams (&d);
   examine_loads (&d, extent);
   examine_analysis (&d, extent);
   examine_dead_load (&d);

@@ -13,6 +13,7 @@ typedef struct QnUsualRange {
   const char *unit; /* "": none */
   double least, greatest; /* of the absolute value; 0 is never reported */
   QnProblem doubt;        /* the probable mistake */
+  size_t offset;          /* of the member in the entity; 0: another number */
 } QnUsualRange;
 
 /* Appends findings for numbers of a prepared model outside of their range, one for equal numbers; for live
