@@ -118,8 +118,6 @@ lay_unit (Course *course, double x0, double x1, double least, double most, QnDia
       ? qn_pieces_add (course->pieces, corners, 4, "%s.%d.%d", name, row, position)
       : qn_pieces_add (course->pieces, corners, 4, "%s.%c.%d.%d", name,
                        'a' + course->leaf_index, row, position);
-  if (piece == NULL)
-    return qn_diag_no_memory (diag);
   piece->fabric = true;
   piece->leaf = course->leaf_index;
   piece->course = course->index;
@@ -128,6 +126,8 @@ lay_unit (Course *course, double x0, double x1, double least, double most, QnDia
   piece->whole_width = fmin (whole, course->full_height);
   piece->cut = x1 - x0 < whole - tolerance
                || course->y1 - course->y0 < course->full_height * (1 - EDGE_TOLERANCE);
+  if (course->pieces->failed)
+    return qn_diag_no_memory (diag);
   if (course->pieces->count > QN_MAX_PIECES)
     return qn_masonry_problem (diag, QN_PROBLEM_TOO_MANY_BLOCKS, "unit", 0);
   return QN_OK;

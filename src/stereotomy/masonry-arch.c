@@ -31,49 +31,36 @@ qn_arch_check (const QnArch *arch, QnDiag *diag)
     && qn_require (of, fits, QN_PROBLEM_ARCH_SHAPE, "rise", arch->rise));
 }
 
-QnStatus
-qn_arch_lay_ring (const QnArch *arch, QnVec2 at, const char *prefix, QnPieces *pieces,
-                  QnDiag *diag)
+void
+qn_arch_lay_ring (const QnArch *arch, QnVec2 at, const char *prefix, QnPieces *pieces)
 {
   QnArchRing ring;
   qn_arch_ring_init (&ring, arch);
   int32_t rings = qn_arch_rings (arch);
   for (int32_t r = 0; r < rings; r++)
-    for (int32_t i = 0; i < arch->voussoirs; i++) {
+    for (int32_t i = 0; i < arch->voussoirs && !pieces->failed; i++) {
       QnRing voussoir;
-      if (!qn_arch_ring_voussoir (&ring, r, i, &voussoir))
-        return qn_diag_no_memory (diag);
+      qn_arch_ring_voussoir (&ring, r, i, &voussoir);
       for (size_t k = 0; k < voussoir.count; k++)
         voussoir.points[k] = qn_vec2_add (at, voussoir.points[k]);
-      QnPiece *piece = r == 0 ? qn_pieces_add (pieces, voussoir.points, voussoir.count,
-                                               "%s.v%d", prefix, i + 1)
-                              : qn_pieces_add (pieces, voussoir.points, voussoir.count,
-                                               "%s.r%d.v%d", prefix, r + 1, i + 1);
-      qn_ring_clear (&voussoir);
-      if (piece == NULL)
-        return qn_diag_no_memory (diag);
+      QnPiece *piece =
+        r == 0
+          ? qn_pieces_add_ring (pieces, voussoir, "%s.v%d", prefix, i + 1)
+          : qn_pieces_add_ring (pieces, voussoir, "%s.r%d.v%d", prefix, r + 1, i + 1);
       piece->ring_number = rings > 1 ? r + 1 : 0;
     }
-  return QN_OK;
 }
 
 /* The block between the springing joint from `in` (intrados) to `out` and the level y. */
-static QnStatus
+static QnPiece *
 lay_springer (const QnMasonry *masonry, QnVec2 in, QnVec2 out, double y, const char *part,
-              const char *side, bool fixed, QnPieces *pieces, QnDiag *diag)
+              const char *side, QnPieces *pieces)
 {
   QnRing ring;
   const QnVec2 corners[] = { in, out, { out.x, y }, { in.x, y } };
-  if (!qn_ring_init (&ring, corners, 4))
-    return qn_diag_no_memory (diag);
+  qn_ring_init (&ring, corners, 4);
   qn_ring_orient (&ring);
-  QnPiece *piece = qn_pieces_add (pieces, ring.points, ring.count, "%s.%s.%s",
-                                  masonry->name, part, side);
-  qn_ring_clear (&ring);
-  if (piece == NULL)
-    return qn_diag_no_memory (diag);
-  piece->fixed = fixed;
-  return QN_OK;
+  return qn_pieces_add_ring (pieces, ring, "%s.%s.%s", masonry->name, part, side);
 }
 
 QnStatus
@@ -85,21 +72,18 @@ qn_masonry_lay_arch (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
     return status;
   QnArchRing ring;
   qn_arch_ring_init (&ring, arch);
-  for (int i = 0; i < 2 && status == QN_OK; i++) {
+  for (int i = 0; i < 2; i++) {
     const char *side = i == 0 ? "left" : "right";
     QnVec2 in = qn_arch_ring_intrados (&ring, i), out = qn_arch_ring_extrados (&ring, i);
     double y = -arch->springer;
-    if (arch->springer > 0)
-      status = lay_springer (masonry, in, out, y, "springer", side, false, pieces, diag);
     if (arch->springer > 0) {
-      in.y = y;
-      out.y = y;
+      lay_springer (masonry, in, out, y, "springer", side, pieces);
+      in.y = out.y = y;
     }
-    if (status == QN_OK && masonry->foundation > 0)
-      status = lay_springer (masonry, in, out, y - masonry->foundation, "base", side,
-                             true, pieces, diag);
+    if (masonry->foundation > 0)
+      lay_springer (masonry, in, out, y - masonry->foundation, "base", side, pieces)
+        ->fixed = true;
   }
-  if (status == QN_OK)
-    status = qn_arch_lay_ring (arch, qn_vec2 (0, 0), masonry->name, pieces, diag);
-  return status;
+  qn_arch_lay_ring (arch, qn_vec2 (0, 0), masonry->name, pieces);
+  return QN_OK;
 }

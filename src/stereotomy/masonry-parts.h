@@ -1,5 +1,6 @@
 /* The makers of the kinds of masonry; each fills `pieces` in the object's own frame and reports
- * bad parameters with the key concerned. Private to this layer. */
+ * bad parameters with the key concerned; pieces that there was no memory for are told by the list. Private to
+ * this layer. */
 #pragma once
 
 #include "core/base/numbers.h"
@@ -48,5 +49,5 @@ bool qn_require_pieces (QnSubject of, const char *field, int32_t value, int32_t 
 /* Pieces of straight-sided or curved rings of voussoirs named as masonry.h says, the left springing
  * at `at`; see arch-ring.h. */
 QnStatus qn_arch_check (const QnArch *arch, QnDiag *diag);
-QnStatus qn_arch_lay_ring (const QnArch *arch, QnVec2 at, const char *prefix,
-                           QnPieces *pieces, QnDiag *diag);
+void qn_arch_lay_ring (const QnArch *arch, QnVec2 at, const char *prefix,
+                       QnPieces *pieces);

@@ -104,33 +104,27 @@ pier_left (const QnPortal *portal, int32_t pier)
   return x;
 }
 
-static QnStatus
-lay_pier (const QnMasonry *masonry, int32_t pier, QnPieces *pieces, QnDiag *diag)
+static void
+lay_pier (const QnMasonry *masonry, int32_t pier, QnPieces *pieces)
 {
   const QnPortal *portal = &masonry->portal;
   double x0 = pier_left (portal, pier), x1 = x0 + pier_width (portal, pier);
   QnVec2 corners[4];
   if (masonry->foundation > 0) {
     qn_rectangle (x0, -masonry->foundation, x1, 0, corners);
-    QnPiece *base =
-      qn_pieces_add (pieces, corners, 4, "%s.base%d", masonry->name, pier + 1);
-    if (base == NULL)
-      return qn_diag_no_memory (diag);
-    base->fixed = true;
+    qn_pieces_add (pieces, corners, 4, "%s.base%d", masonry->name, pier + 1)->fixed =
+      true;
   }
-  for (int32_t i = 0; i < portal->courses; i++) {
+  for (int32_t i = 0; i < portal->courses && !pieces->failed; i++) {
     double y0 = portal->pier_height * i / portal->courses;
     double y1 = portal->pier_height * (i + 1) / portal->courses;
     qn_rectangle (x0, y0, x1, y1, corners);
-    if (qn_pieces_add (pieces, corners, 4, "%s.pier%d.%d", masonry->name, pier + 1, i + 1)
-        == NULL)
-      return qn_diag_no_memory (diag);
+    qn_pieces_add (pieces, corners, 4, "%s.pier%d.%d", masonry->name, pier + 1, i + 1);
   }
-  return QN_OK;
 }
 
-static QnStatus
-lay_lintel (const QnMasonry *masonry, int32_t bay, QnPieces *pieces, QnDiag *diag)
+static void
+lay_lintel (const QnMasonry *masonry, int32_t bay, QnPieces *pieces)
 {
   const QnPortal *portal = &masonry->portal;
   double left = pier_left (portal, bay), right = pier_left (portal, bay + 1);
@@ -139,15 +133,13 @@ lay_lintel (const QnMasonry *masonry, int32_t bay, QnPieces *pieces, QnDiag *dia
   QnVec2 corners[4];
   qn_rectangle (x0, portal->pier_height, x1, portal->pier_height + portal->lintel_height,
                 corners);
-  return qn_pieces_add (pieces, corners, 4, "%s.lintel%d", masonry->name, bay + 1) != NULL
-           ? QN_OK
-           : qn_diag_no_memory (diag);
+  qn_pieces_add (pieces, corners, 4, "%s.lintel%d", masonry->name, bay + 1);
 }
 
 /* Where joints at the springing lean, a block on the pier fills the wedge below them. */
-static QnStatus
+static void
 lay_skewback (const QnMasonry *masonry, const QnArchRing rings[2], int32_t pier,
-              QnPieces *pieces, QnDiag *diag)
+              QnPieces *pieces)
 {
   const QnPortal *portal = &masonry->portal;
   double x0 = pier_left (portal, pier), x1 = x0 + pier_width (portal, pier);
@@ -155,25 +147,21 @@ lay_skewback (const QnMasonry *masonry, const QnArchRing rings[2], int32_t pier,
   QnVec2 left = qn_arch_ring_extrados (&rings[0], 0);
   QnVec2 right = qn_arch_ring_extrados (&rings[1], 0);
   if (fmax (left.y, right.y) <= 1e-9 * portal->arch.ring)
-    return QN_OK;
+    return;
   const QnVec2 corners[] = { { x0, y },
                              { x1, y },
                              { pier < portal->bays ? x1 + right.x : x1, y + right.y },
                              { pier > 0 ? x0 - left.x : x0, y + left.y } };
   QnRing block;
-  if (!qn_ring_init (&block, corners, 4))
-    return qn_diag_no_memory (diag);
+  qn_ring_init (&block, corners, 4);
   qn_ring_simplify (&block, 1e-9 * portal->pier_width);
-  QnPiece *piece = qn_pieces_add (pieces, block.points, block.count, "%s.skewback%d",
-                                  masonry->name, pier + 1);
-  qn_ring_clear (&block);
-  return piece != NULL ? QN_OK : qn_diag_no_memory (diag);
+  qn_pieces_add_ring (pieces, block, "%s.skewback%d", masonry->name, pier + 1);
 }
 
 /* Filling between the arches above a pier, up to a level. */
-static QnStatus
+static void
 lay_backing (const QnMasonry *masonry, const QnArchRing rings[2], int32_t pier,
-             QnPieces *pieces, QnDiag *diag)
+             QnPieces *pieces)
 {
   const QnPortal *portal = &masonry->portal;
   double x[] = { pier_left (portal, pier),
@@ -195,29 +183,24 @@ lay_backing (const QnMasonry *masonry, const QnArchRing rings[2], int32_t pier,
   }
   for (int side = 0; side < 2; side++)
     qn_ring_clear (&lines[side]);
-  if (block.points == NULL)
-    return qn_diag_no_memory (diag);
   qn_ring_simplify (&block, 1e-9 * portal->pier_width);
-  QnPiece *piece = qn_pieces_add (pieces, block.points, block.count, "%s.backing%d",
-                                  masonry->name, pier + 1);
-  qn_ring_clear (&block);
-  return piece != NULL ? QN_OK : qn_diag_no_memory (diag);
+  qn_pieces_add_ring (pieces, block, "%s.backing%d", masonry->name, pier + 1);
 }
 
-static QnStatus
-lay_arch (const QnMasonry *masonry, int32_t bay, QnPieces *pieces, QnDiag *diag)
+static void
+lay_arch (const QnMasonry *masonry, int32_t bay, QnPieces *pieces)
 {
   const QnPortal *portal = &masonry->portal;
   size_t size = strlen (masonry->name) + 24;
   char *prefix = qn_alloc (size, 1);
+  pieces->failed |= prefix == NULL;
   if (prefix == NULL)
-    return qn_diag_no_memory (diag);
+    return;
   snprintf (prefix, size, "%s.arch%d", masonry->name, bay + 1);
   const QnArch arch = arch_of (portal, bay);
   QnVec2 at = { pier_left (portal, bay) + pier_width (portal, bay), portal->pier_height };
-  QnStatus status = qn_arch_lay_ring (&arch, at, prefix, pieces, diag);
+  qn_arch_lay_ring (&arch, at, prefix, pieces);
   free (prefix);
-  return status;
 }
 
 QnStatus
@@ -229,22 +212,23 @@ qn_masonry_lay_portal (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
   portal->arch.span = portal->span;
   portal->arch.springer = 0;
   QnStatus status = check_portal (portal, diag);
-  for (int32_t i = 0; i <= portal->bays && status == QN_OK; i++)
-    status = lay_pier (&laid, i, pieces, diag);
   if (status != QN_OK)
     return status;
-
+  for (int32_t i = 0; i <= portal->bays; i++)
+    lay_pier (&laid, i, pieces);
   bool arches = portal->lintel_height == 0;
-  for (int32_t i = 0; arches && i <= portal->bays && status == QN_OK; i++) {
+  for (int32_t i = 0; arches && i <= portal->bays; i++) {
     QnArch sides[2];
     QnArchRing rings[2];
     rings_at (portal, i, sides, rings);
-    status = lay_skewback (&laid, rings, i, pieces, diag);
-    if (status == QN_OK && portal->backing > 0)
-      status = lay_backing (&laid, rings, i, pieces, diag);
+    lay_skewback (&laid, rings, i, pieces);
+    if (portal->backing > 0)
+      lay_backing (&laid, rings, i, pieces);
   }
-  for (int32_t i = 0; i < portal->bays && status == QN_OK; i++)
-    status =
-      arches ? lay_arch (&laid, i, pieces, diag) : lay_lintel (&laid, i, pieces, diag);
-  return status;
+  for (int32_t i = 0; i < portal->bays; i++)
+    if (arches)
+      lay_arch (&laid, i, pieces);
+    else
+      lay_lintel (&laid, i, pieces);
+  return QN_OK;
 }

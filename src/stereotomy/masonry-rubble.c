@@ -218,22 +218,18 @@ relax (QnVec2 *sites, size_t count, const QnRing *outline, QnRing *stones, QnDia
 }
 
 /* Names the stones by row and column. */
-static QnStatus
-name_stones (const QnMasonry *masonry, const QnRing *stones, QnPieces *pieces,
-             QnDiag *diag)
+static void
+name_stones (const QnMasonry *masonry, const QnRing *stones, QnPieces *pieces)
 {
   const QnRubble *rubble = &masonry->rubble;
   int32_t rows = row_count (rubble);
   for (int32_t row = 0; row < rows; row++) {
     int32_t columns = column_count (rubble, (row + 0.5) * rubble->height / rows);
     for (int32_t column = 0; column < columns; column++, stones++)
-      if (stones->count > 0
-          && qn_pieces_add (pieces, stones->points, stones->count, "%s.%d.%d",
-                            masonry->name, row + 1, column + 1)
-               == NULL)
-        return qn_diag_no_memory (diag);
+      if (stones->count > 0)
+        qn_pieces_add (pieces, stones->points, stones->count, "%s.%d.%d", masonry->name,
+                       row + 1, column + 1);
   }
-  return QN_OK;
 }
 
 static QnStatus
@@ -249,7 +245,9 @@ lay_stones (const QnMasonry *masonry, const QnRing *outline, QnPieces *pieces,
   if (status == QN_OK)
     status = tessellate (sites, count, outline, stones, diag);
   if (status == QN_OK)
-    status = name_stones (masonry, stones, pieces, diag);
+    name_stones (masonry, stones, pieces);
+  if (status == QN_OK && pieces->failed)
+    status = qn_diag_no_memory (diag);
   if (stones != NULL)
     clear_stones (stones, count);
   free (stones);
@@ -304,10 +302,7 @@ qn_masonry_lay_rubble (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
   if (status == QN_OK && masonry->foundation > 0) {
     QnVec2 base[4];
     qn_rectangle (0, -masonry->foundation, rubble->width, 0, base);
-    QnPiece *piece = qn_pieces_add (pieces, base, 4, "%s.base", masonry->name);
-    if (piece == NULL)
-      return qn_diag_no_memory (diag);
-    piece->fixed = true;
+    qn_pieces_add (pieces, base, 4, "%s.base", masonry->name)->fixed = true;
   }
   return status;
 }

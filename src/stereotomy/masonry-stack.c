@@ -1,33 +1,13 @@
 /* Columns and buttresses: courses above each other. */
 #include "stereotomy/masonry-parts.h"
 
-static QnStatus
-add (QnPieces *pieces, const QnVec2 *corners, bool fixed, const char *name,
-     const char *part, QnDiag *diag)
-{
-  QnPiece *piece = qn_pieces_add (pieces, corners, 4, "%s.%s", name, part);
-  if (piece == NULL)
-    return qn_diag_no_memory (diag);
-  piece->fixed = fixed;
-  return QN_OK;
-}
-
-static QnStatus
-add_course (QnPieces *pieces, const QnVec2 *corners, const char *name, int32_t number,
-            QnDiag *diag)
-{
-  return qn_pieces_add (pieces, corners, 4, "%s.%d", name, number) != NULL
-           ? QN_OK
-           : qn_diag_no_memory (diag);
-}
-
-static QnStatus
-add_centred (QnPieces *pieces, double width, double y0, double y1, bool fixed,
-             const char *name, const char *part, QnDiag *diag)
+static QnPiece *
+add_centred (QnPieces *pieces, double width, double y0, double y1, const char *name,
+             const char *part)
 {
   QnVec2 corners[4];
   qn_rectangle (-width / 2, y0, width / 2, y1, corners);
-  return add (pieces, corners, fixed, name, part, diag);
+  return qn_pieces_add (pieces, corners, 4, "%s.%s", name, part);
 }
 
 static QnStatus
@@ -54,14 +34,14 @@ qn_masonry_lay_column (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
   const char *name = masonry->name;
   QnStatus status = check_column (column, diag);
   double base_width = column->plinth_height > 0 ? column->plinth_width : column->bottom;
-  if (status == QN_OK && masonry->foundation > 0)
-    status =
-      add_centred (pieces, base_width, -masonry->foundation, 0, true, name, "base", diag);
-  if (status == QN_OK && column->plinth_height > 0)
-    status = add_centred (pieces, column->plinth_width, 0, column->plinth_height, false,
-                          name, "plinth", diag);
+  if (status != QN_OK)
+    return status;
+  if (masonry->foundation > 0)
+    add_centred (pieces, base_width, -masonry->foundation, 0, name, "base")->fixed = true;
+  if (column->plinth_height > 0)
+    add_centred (pieces, column->plinth_width, 0, column->plinth_height, name, "plinth");
   double foot = column->plinth_height;
-  for (int32_t i = 0; i < column->drums && status == QN_OK; i++) {
+  for (int32_t i = 0; i < column->drums && !pieces->failed; i++) {
     double s0 = (double) i / column->drums, s1 = (double) (i + 1) / column->drums;
     double w0 = column->bottom + s0 * (column->top - column->bottom);
     double w1 = column->bottom + s1 * (column->top - column->bottom);
@@ -69,13 +49,13 @@ qn_masonry_lay_column (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
     const QnVec2 corners[] = {
       { -w0 / 2, y0 }, { w0 / 2, y0 }, { w1 / 2, y1 }, { -w1 / 2, y1 }
     };
-    status = add_course (pieces, corners, name, i + 1, diag);
+    qn_pieces_add (pieces, corners, 4, "%s.%d", name, i + 1);
   }
   double head = foot + column->height;
-  if (status == QN_OK && column->capital_height > 0)
-    status = add_centred (pieces, column->capital_width, head,
-                          head + column->capital_height, false, name, "capital", diag);
-  return status;
+  if (column->capital_height > 0)
+    add_centred (pieces, column->capital_width, head, head + column->capital_height, name,
+                 "capital");
+  return QN_OK;
 }
 
 QnStatus
@@ -89,7 +69,7 @@ qn_masonry_lay_buttress (const QnMasonry *masonry, QnPieces *pieces, QnDiag *dia
                  && qn_require_length (of, "width", buttress->top, QN_RANGE_POSITIVE)
                  && qn_require_pieces (of, "courses", buttress->courses, 1));
   for (int32_t i = masonry->foundation > 0 ? -1 : 0;
-       i < buttress->courses && status == QN_OK; i++) {
+       i < buttress->courses && status == QN_OK && !pieces->failed; i++) {
     double s0 = fmax (0, (double) i / buttress->courses);
     double s1 = (double) (i + 1) / buttress->courses;
     double w0 = buttress->bottom + s0 * (buttress->top - buttress->bottom);
@@ -100,8 +80,10 @@ qn_masonry_lay_buttress (const QnMasonry *masonry, QnPieces *pieces, QnDiag *dia
     const QnVec2 right[] = { { 0, y0 }, { w0, y0 }, { w1, y1 }, { 0, y1 } };
     const QnVec2 left[] = { { -w0, y0 }, { 0, y0 }, { 0, y1 }, { -w1, y1 } };
     const QnVec2 *corners = buttress->leans_right ? right : left;
-    status = i < 0 ? add (pieces, corners, true, masonry->name, "base", diag)
-                   : add_course (pieces, corners, masonry->name, i + 1, diag);
+    if (i < 0)
+      qn_pieces_add (pieces, corners, 4, "%s.base", masonry->name)->fixed = true;
+    else
+      qn_pieces_add (pieces, corners, 4, "%s.%d", masonry->name, i + 1);
   }
   return status;
 }

@@ -74,8 +74,8 @@ wall_bounds (const QnMasonryWall *wall, const QnPieces *pieces)
 }
 
 /* One fixed block below the whole lowest course, teeth included. */
-static QnStatus
-lay_foundation (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
+static void
+lay_foundation (const QnMasonry *masonry, QnPieces *pieces)
 {
   double left = INFINITY, right = -INFINITY;
   for (size_t i = 0; i < pieces->count; i++) {
@@ -86,14 +86,10 @@ lay_foundation (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
     right = fmax (right, bounds.max.x);
   }
   if (masonry->foundation == 0 || left >= right)
-    return QN_OK;
+    return;
   QnVec2 corners[4];
   qn_rectangle (left, -masonry->foundation, right, 0, corners);
-  QnPiece *piece = qn_pieces_add (pieces, corners, 4, "%s.base", masonry->name);
-  if (piece == NULL)
-    return qn_diag_no_memory (diag);
-  piece->fixed = true;
-  return QN_OK;
+  qn_pieces_add (pieces, corners, 4, "%s.base", masonry->name)->fixed = true;
 }
 
 QnStatus
@@ -106,8 +102,9 @@ qn_masonry_lay_wall (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
     status = qn_bond_lay_leaf (masonry, i, left, pieces, diag);
     left += wall->leaves[i].length;
   }
-  if (status == QN_OK)
-    status = lay_foundation (masonry, pieces, diag);
+  lay_foundation (masonry, pieces);
+  if (status == QN_OK && pieces->failed)
+    status = qn_diag_no_memory (diag);
   if (status == QN_OK)
     status = qn_openings_cut (masonry, wall_bounds (wall, pieces), pieces, diag);
   if (status == QN_OK)

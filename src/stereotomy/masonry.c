@@ -203,6 +203,8 @@ qn_masonry_expand (const QnMasonry *masonry, QnId index, QnModel *model, QnDiag 
   QnStatus status = check_common (masonry, diag);
   if (status == QN_OK)
     status = lay (masonry, &pieces, diag);
+  if (status == QN_OK && pieces.failed)
+    status = qn_diag_no_memory (diag);
   if (status == QN_OK && masonry->perturbation > 0)
     status = qn_pieces_perturb (masonry->perturbation, masonry->perturbation_seed,
                                 &pieces, diag);

@@ -109,58 +109,55 @@ make_hole (const QnOpening *opening, QnRing *hole, QnDiag *diag)
   return hole->points != NULL ? QN_OK : qn_diag_no_memory (diag);
 }
 
-static QnStatus
+static void
 add_box (QnPieces *pieces, double x0, double y0, double x1, double y1, const char *prefix,
-         const char *part, QnDiag *diag)
+         const char *part)
 {
   QnVec2 corners[4];
   qn_rectangle (x0, y0, x1, y1, corners);
-  return qn_pieces_add (pieces, corners, 4, "%s.%s", prefix, part) != NULL
-           ? QN_OK
-           : qn_diag_no_memory (diag);
+  qn_pieces_add (pieces, corners, 4, "%s.%s", prefix, part);
 }
 
 /* Voussoirs under a level extrados and over a level intrados, joints evenly spaced on both. */
-static QnStatus
-lay_flat_arch (const QnOpening *opening, const char *prefix, QnPieces *pieces,
-               QnDiag *diag)
+static void
+lay_flat_arch (const QnOpening *opening, const char *prefix, QnPieces *pieces)
 {
   double y0 = opening->at.y + opening->height, y1 = y0 + opening->depth;
   double lean = opening->depth * tan (opening->skew), x = opening->at.x;
   double top = opening->width + 2 * lean;
   int32_t n = opening->voussoirs;
-  for (int32_t i = 0; i < n; i++) {
+  for (int32_t i = 0; i < n && !pieces->failed; i++) {
     double s0 = (double) i / n, s1 = (double) (i + 1) / n;
     const QnVec2 corners[] = { { x + s0 * opening->width, y0 },
                                { x + s1 * opening->width, y0 },
                                { x - lean + s1 * top, y1 },
                                { x - lean + s0 * top, y1 } };
-    if (qn_pieces_add (pieces, corners, 4, "%s.v%d", prefix, i + 1) == NULL)
-      return qn_diag_no_memory (diag);
+    qn_pieces_add (pieces, corners, 4, "%s.v%d", prefix, i + 1);
   }
-  return QN_OK;
 }
 
-static QnStatus
-lay_span (const QnOpening *opening, const char *prefix, QnPieces *pieces, QnDiag *diag)
+static void
+lay_span (const QnOpening *opening, const char *prefix, QnPieces *pieces)
 {
   double x0 = opening->at.x, x1 = x0 + opening->width;
   double y = opening->at.y + opening->height;
   switch (opening->span) {
   case QN_SPAN_LINTEL:
-    return add_box (pieces, x0 - opening->bearing, y, x1 + opening->bearing,
-                    y + opening->depth, prefix, "lintel", diag);
+    add_box (pieces, x0 - opening->bearing, y, x1 + opening->bearing, y + opening->depth,
+             prefix, "lintel");
+    break;
   case QN_SPAN_FLAT_ARCH:
-    return lay_flat_arch (opening, prefix, pieces, diag);
+    lay_flat_arch (opening, prefix, pieces);
+    break;
   case QN_SPAN_VOUSSOIRS: {
     QnArch arch = head_arch (opening);
-    return qn_arch_lay_ring (&arch, qn_vec2 (x0, y - arch.rise), prefix, pieces, diag);
+    qn_arch_lay_ring (&arch, qn_vec2 (x0, y - arch.rise), prefix, pieces);
+    break;
   }
   case QN_SPAN_NONE:
   case QN_SPAN_COUNT:
     break;
   }
-  return QN_OK;
 }
 
 /* Fills `cutter` and adds lintel, voussoirs and sill to `pieces`. */
@@ -186,12 +183,14 @@ make_cutter (const QnMasonry *masonry, size_t index, Cutter *cutter, QnPieces *p
     status = qn_diag_no_memory (diag);
   qn_ring_clear (&hole);
   if (status == QN_OK)
-    status = lay_span (opening, prefix, pieces, diag);
+    lay_span (opening, prefix, pieces);
   if (status == QN_OK && opening->sill_height > 0)
-    status = add_box (pieces, opening->at.x - opening->sill_bearing,
-                      opening->at.y - opening->sill_height,
-                      opening->at.x + opening->width + opening->sill_bearing,
-                      opening->at.y, prefix, "sill", diag);
+    add_box (pieces, opening->at.x - opening->sill_bearing,
+             opening->at.y - opening->sill_height,
+             opening->at.x + opening->width + opening->sill_bearing, opening->at.y,
+             prefix, "sill");
+  if (status == QN_OK && pieces->failed)
+    status = qn_diag_no_memory (diag);
   for (size_t i = first; i < pieces->count && status == QN_OK; i++)
     if (!qn_rings_add (&cutter->parts, pieces->items[i].ring.points,
                        pieces->items[i].ring.count))
@@ -240,8 +239,8 @@ check_apart (const Cutter *a, const Cutter *b, QnDiag *diag)
 }
 
 /* Adds what is left of a unit: itself, nothing, one part of the same name or several lettered. */
-static QnStatus
-add_remainder (const QnPiece *unit, const QnRings *parts, QnPieces *pieces, QnDiag *diag)
+static void
+add_remainder (const QnPiece *unit, const QnRings *parts, QnPieces *pieces)
 {
   for (size_t i = 0; i < parts->count; i++) {
     const QnRing *part = &parts->items[i];
@@ -252,12 +251,9 @@ add_remainder (const QnPiece *unit, const QnRings *parts, QnPieces *pieces, QnDi
         ? qn_pieces_add (pieces, part->points, part->count, "%s%c", unit->name,
                          'a' + (int) i)
         : qn_pieces_add (pieces, part->points, part->count, "%s-%zu", unit->name, i + 1);
-    if (piece == NULL)
-      return qn_diag_no_memory (diag);
     qn_piece_inherit (piece, unit);
     piece->cut = true;
   }
-  return QN_OK;
 }
 
 /* Moves `unit` into `pieces`, cut by those cutters that reach it; takes their parts from `left_parts`,
@@ -288,9 +284,9 @@ cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, size_t *lef
     left = qn_rings_area (&parts);
   }
   if (status == QN_OK && left < whole * (1 - OPENING_TOLERANCE * 1e-3))
-    status = add_remainder (unit, &parts, pieces, diag);
-  else if (status == QN_OK && !qn_pieces_take (pieces, unit))
-    status = qn_diag_no_memory (diag);
+    add_remainder (unit, &parts, pieces);
+  else if (status == QN_OK)
+    qn_pieces_take (pieces, unit);
   qn_rings_clear (&near);
   qn_rings_clear (&parts);
   return status;
@@ -320,8 +316,9 @@ qn_openings_cut (const QnMasonry *masonry, QnBox wall, QnPieces *pieces, QnDiag 
   for (size_t i = 0; i < pieces->count && status == QN_OK; i++)
     status = cut_unit (&pieces->items[i], cutters, count, &left_parts, &cut, diag);
   for (size_t i = 0; i < spans.count && status == QN_OK; i++)
-    if (!qn_pieces_take (&cut, &spans.items[i]))
-      status = qn_diag_no_memory (diag);
+    qn_pieces_take (&cut, &spans.items[i]);
+  if (status == QN_OK && cut.failed)
+    status = qn_diag_no_memory (diag);
   if (status == QN_OK) {
     QnPieces swap = *pieces;
     *pieces = cut;

@@ -22,32 +22,57 @@ format_name (const char *format, va_list arguments)
   return name;
 }
 
+static void
+piece_clear (QnPiece *piece)
+{
+  free (piece->name);
+  qn_ring_clear (&piece->ring);
+  *piece = (QnPiece){ 0 };
+}
+
+/* Takes over name and ring. */
+static QnPiece *
+add (QnPieces *pieces, char *name, QnRing ring)
+{
+  QnPiece piece = { .name = name, .ring = ring };
+  if (name != NULL && ring.points != NULL
+      && QN_ARRAY_PUSH (pieces->items, pieces->count, pieces->capacity, piece))
+    return &pieces->items[pieces->count - 1];
+  piece_clear (&piece);
+  pieces->failed = true;
+  return &pieces->spare;
+}
+
 QnPiece *
 qn_pieces_add (QnPieces *pieces, const QnVec2 *points, size_t count, const char *format,
                ...)
 {
-  if (!qn_array_reserve (&pieces->items, &pieces->capacity, pieces->count + 1,
-                         sizeof *pieces->items))
-    return NULL;
+  QnRing ring;
+  qn_ring_init (&ring, points, count);
   va_list arguments;
   va_start (arguments, format);
-  QnPiece piece = { .name = format_name (format, arguments) };
+  char *name = format_name (format, arguments);
   va_end (arguments);
-  if (piece.name == NULL || !qn_ring_init (&piece.ring, points, count)) {
-    free (piece.name);
-    return NULL;
-  }
-  pieces->items[pieces->count] = piece;
-  return &pieces->items[pieces->count++];
+  return add (pieces, name, ring);
 }
 
-bool
+QnPiece *
+qn_pieces_add_ring (QnPieces *pieces, QnRing ring, const char *format, ...)
+{
+  va_list arguments;
+  va_start (arguments, format);
+  char *name = format_name (format, arguments);
+  va_end (arguments);
+  return add (pieces, name, ring);
+}
+
+void
 qn_pieces_take (QnPieces *pieces, QnPiece *piece)
 {
-  if (!QN_ARRAY_PUSH (pieces->items, pieces->count, pieces->capacity, *piece))
-    return false;
-  *piece = (QnPiece){ 0 };
-  return true;
+  if (QN_ARRAY_PUSH (pieces->items, pieces->count, pieces->capacity, *piece))
+    *piece = (QnPiece){ 0 };
+  else
+    pieces->failed = true;
 }
 
 void
@@ -58,14 +83,6 @@ qn_piece_inherit (QnPiece *piece, const QnPiece *from)
   *piece = *from;
   piece->name = name;
   piece->ring = ring;
-}
-
-static void
-piece_clear (QnPiece *piece)
-{
-  free (piece->name);
-  qn_ring_clear (&piece->ring);
-  *piece = (QnPiece){ 0 };
 }
 
 void

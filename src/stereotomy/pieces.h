@@ -20,15 +20,20 @@ typedef struct QnPiece {
 typedef struct QnPieces {
   QnPiece *items;
   size_t count, capacity;
+  bool failed;   /* memory has run out, and pieces are missing: asked once, at the end */
+  QnPiece spare; /* what stands for such a piece */
 } QnPieces;
 
-/* A new piece with a copied name, printf-like: the only placeholders are %s, %d. NULL when memory
- * runs out. The points are copied. */
+/* A new piece with a copied name, printf-like: the only placeholders are %s, %d. The points are copied. */
 QnPiece *qn_pieces_add (QnPieces *pieces, const QnVec2 *points, size_t count,
                         const char *format, ...) __attribute__ ((format (printf, 4, 5)));
 
-/* Moves `piece` to the end of the list and zeroes it; false without memory. */
-bool qn_pieces_take (QnPieces *pieces, QnPiece *piece);
+/* The same of a ring that the piece takes over; one without points is one that there was no memory for. */
+QnPiece *qn_pieces_add_ring (QnPieces *pieces, QnRing ring, const char *format, ...)
+  __attribute__ ((format (printf, 3, 4)));
+
+/* Moves `piece` to the end of the list and zeroes it. */
+void qn_pieces_take (QnPieces *pieces, QnPiece *piece);
 
 /* Everything but name and ring. */
 void qn_piece_inherit (QnPiece *piece, const QnPiece *from);
