@@ -1,7 +1,6 @@
 #include "support/failing-memory.h"
 
 #include <SuiteSparse_config.h>
-#include <cjson/cJSON.h>
 #include <stdlib.h>
 
 static long next_failure = -1;
@@ -89,7 +88,6 @@ void
 failing_memory_arm (long number, bool onwards)
 {
   take_over_suitesparse ();
-  cJSON_InitHooks (&(cJSON_Hooks){ .malloc_fn = __wrap_malloc, .free_fn = free });
   next_failure = number;
   all_after = onwards;
   has_failed = false;
