@@ -7,12 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Tuning of Newton's iteration: a handful is usual, one more for each change of state. A step that makes the
- * residual grow is shortened once joints should have crossed from state to state, which costs balance. */
-#define BUDGET        30
-#define PATIENCE      6   /* iterations before, */
-#define HALVINGS      3   /* most then */
-#define WORTH_KEEPING 0.1 /* of the residual, left by a factorisation that serves on */
+/* Part of the residual that a factorisation which serves on may leave. */
+#define WORTH_KEEPING 0.1
 
 /* Bounds of r in pair-motion.h. */
 #define SLENDEREST 0.03
@@ -33,7 +29,7 @@ scheme_of (double rho)
 
 static void measure (QnStepEquation *equation);
 static QnSolveStatus solve_for_step (QnStepEquation *equation);
-static bool advance_time (QnStepEquation *equation, int iteration);
+static void move_in_time (QnStepEquation *equation, double part);
 
 /* --- Setting up -------------------------------------------------------------------------- */
 
@@ -222,7 +218,7 @@ qn_time_step_setup (QnTimeStep *step, QnEquilibrium *eq, QnDiag *diag)
   *step = (QnTimeStep){ .equation = { .eq = eq,
                                       .measure = measure,
                                       .solve = solve_for_step,
-                                      .advance = advance_time },
+                                      .move = move_in_time },
                         .scheme = scheme_of (settings->rho),
                         .settings = settings };
   eq->factored = false;
@@ -460,27 +456,17 @@ solve_for_step (QnStepEquation *equation)
   return status;
 }
 
-/* Takes the direction, or a part of it where the residual grows although joints should have found
- * their states. */
-static bool
-advance_time (QnStepEquation *equation, int iteration)
+static void
+move_in_time (QnStepEquation *equation, double part)
 {
   QnTimeStep *step = (QnTimeStep *) equation;
-  int32_t n = equation->eq->assembly.unknown_count;
-  double part = 1, before = equation->relative;
 
-  for (int32_t i = 0; i < n; i++)
-    step->increment[i] += equation->eq->step[i];
+  if (part == 1)
+    step->before = equation->relative;
+  for (int32_t i = 0; i < equation->eq->assembly.unknown_count; i++)
+    step->increment[i] += (part == 1 ? 1 : -part) * equation->eq->step[i];
   measure (equation);
-  for (int i = 0; i < HALVINGS && iteration >= PATIENCE && !(equation->relative < before);
-       i++) {
-    part /= 2;
-    for (int32_t k = 0; k < n; k++)
-      step->increment[k] -= part * equation->eq->step[k];
-    measure (equation);
-  }
-  step->stale = step->kept && equation->relative > WORTH_KEEPING * before;
-  return true;
+  step->stale = step->kept && equation->relative > WORTH_KEEPING * step->before;
 }
 
 /* Where the step begins to iterate: so far on with the speed at its start, which sliding and open joints
@@ -508,7 +494,7 @@ qn_time_step_try (QnTimeStep *step, double h, QnVec2 ground)
     if (!is_factored (step))
       predict (step, 1);
   }
-  QnSolveStatus status = qn_equilibrium_iterate (&step->equation, BUDGET);
+  QnSolveStatus status = qn_equilibrium_iterate (&step->equation, QN_NEWTON_BUDGET);
   if (status == QN_SOLVE_CONVERGED)
     take_evaluation (step, &step->end);
   return status;

@@ -75,7 +75,8 @@ typedef struct QnTimeStep {
   double *factored; /* `branches` of the last factorisation */
   double factored_length; /* length of its step; 0: no factorisation */
   bool kept;              /* the last iteration reused a factorisation */
-  bool stale;             /* such an iteration converged slowly */
+  bool stale;             /* such an iteration converged slowly, */
+  double before;          /* from this residual */
 } QnTimeStep;
 
 /* Prepares a step from the committed state of eq plus the initial motion of the model. Refuses bodies without

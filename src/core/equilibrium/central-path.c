@@ -234,8 +234,7 @@ has_converged (Increment *increment)
 {
   const QnEquilibrium *eq = increment->path->eq;
 
-  increment->path->target_gap =
-    qn_equilibrium_target_lack (eq, increment->path->target, eq->u);
+  increment->path->target_gap = qn_equilibrium_target_lack (eq, increment->path->target);
   keep_near (increment);
   return is_within (increment, increment->complementarity, BALANCE);
 }

@@ -110,10 +110,13 @@ struct QnStepEquation {
   double norm;     /* of the residual; not finite: the iteration fails */
   void (*measure) (QnStepEquation *);        /* sets both, with the present bonds */
   QnSolveStatus (*solve) (QnStepEquation *); /* finds a direction */
-  /* Moves along the direction and measures; false if no part of it reduces the residual. */
-  bool (*advance) (QnStepEquation *, int iteration);
+  /* To this part of the direction, 1 at first and then halves of it, and measures. */
+  void (*move) (QnStepEquation *, double part);
   void (*refine) (QnStepEquation *); /* after convergence; nullable */
 };
+
+/* Iterations of a step. */
+#define QN_NEWTON_BUDGET 20
 
 /* Newton's iteration of an equation that was measured with bonds held (qn_assembly_hold_bonds()),
  * and again for each set of them that breaks: CONVERGED, FAILED, CANCELLED or NO_MEMORY. */
@@ -129,9 +132,8 @@ QnSolveStatus qn_equilibrium_iterate (QnStepEquation *equation, int budget);
 QnSolveStatus qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target,
                                      double viscosity, int budget);
 
-/* Advance missing to the target at displacements u; 0 if the multiplier is prescribed. */
-double qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *target,
-                                   const double *u);
+/* Advance missing to the target; 0 if the multiplier is prescribed. */
+double qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *target);
 
 /* Second half of the bordered system of a target other than the multiplier,
  *

@@ -9,11 +9,10 @@
 /* Tuning. A structure has run away when a tenth of a millimetre of elastic deformation of the whole under its
  * dead load, which grows with the square of the number of courses, has become three centimetres; and not before
  * QN_RUNAWAY. */
-#define RUNAWAY_OF_WHOLE    300
-#define SHORTEST_STEP       (1.0 / 1024) /* part of the direction that the line search tries */
-#define SUFFICIENT_DECREASE 1e-4         /* of what a linear system would give */
-#define FINER               1e-3 /* of the tolerance: no more is worth another iteration */
-#define TRACE               1e-9 /* viscosity in the tangent where another target is sought */
+#define RUNAWAY_OF_WHOLE 300
+#define SHORTEST_STEP    (1.0 / 1024) /* part of the direction that the line search tries */
+#define FINER            1e-3 /* of the tolerance: no more is worth another iteration */
+#define TRACE            1e-9 /* viscosity in the tangent where another target is sought */
 
 /* One solution in progress. */
 typedef struct {
@@ -22,34 +21,33 @@ typedef struct {
   const QnTarget *target;
   double viscosity;
   double stiffness; /* force that the target's equation is worth per unit, N or N/m */
-  double multiplier_step; /* that belongs to eq->step */
+  double multiplier, multiplier_step; /* where eq->step begins, and of it */
 } Newton;
 
 double
-qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *target,
-                            const double *u)
+qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *target)
 {
   double lack = target->advance;
 
   if (target->direction == NULL)
     return 0;
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    lack -= target->direction[i] * (u[i] - eq->committed.u[i]);
+    lack -= target->direction[i] * (eq->u[i] - eq->committed.u[i]);
   return lack;
 }
 
 /* The same, but nothing where it is no more than rounding. */
 static double
-target_gap (const Newton *newton, const double *u)
+target_gap (const Newton *newton)
 {
   const QnEquilibrium *eq = newton->eq;
   const QnTarget *target = newton->target;
-  double gap = qn_equilibrium_target_lack (eq, target, u), size = 0;
+  double gap = qn_equilibrium_target_lack (eq, target), size = 0;
 
   if (target->direction == NULL)
     return 0;
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-    size += fabs (target->direction[i] * u[i]);
+    size += fabs (target->direction[i] * eq->u[i]);
   double met = QN_TOLERANCE_TARGET * fabs (target->advance) + QN_TOLERANCE_MEASURE * size;
   return fabs (gap) > met ? gap : 0;
 }
@@ -57,18 +55,19 @@ target_gap (const Newton *newton, const double *u)
 /* residual = R(u, multiplier) - viscosity C (u - anchor), from the forces of the last
  * evaluation; sets norm and relative. */
 static void
-measure (Newton *newton, const double *u, double multiplier)
+measure (QnStepEquation *equation)
 {
+  Newton *newton = (Newton *) equation;
   QnEquilibrium *eq = newton->eq;
   QnAssembly *as = &eq->assembly;
   double start = qn_clock_seconds ();
-  double scale = qn_assembly_residual (as, multiplier, eq->residual);
-  double gap = newton->stiffness * target_gap (newton, u);
+  double scale = qn_assembly_residual (as, eq->multiplier, eq->residual);
+  double gap = newton->stiffness * target_gap (newton);
   double sum = gap * gap, largest = qn_assembly_largest (as, eq->residual, NULL);
 
   eq->out_of_balance = scale > 0 ? largest / scale : 0;
   for (int32_t i = 0; i < as->unknown_count; i++) {
-    eq->residual[i] -= newton->viscosity * as->damping[i] * (u[i] - eq->anchor.u[i]);
+    eq->residual[i] -= newton->viscosity * as->damping[i] * (eq->u[i] - eq->anchor.u[i]);
     sum += eq->residual[i] * eq->residual[i];
   }
   if (newton->viscosity > 0)
@@ -81,15 +80,15 @@ measure (Newton *newton, const double *u, double multiplier)
 }
 
 static void
-evaluate (Newton *newton, const double *u, double multiplier)
+evaluate (Newton *newton)
 {
   QnEquilibrium *eq = newton->eq;
   double start = qn_clock_seconds ();
-  bool evaluated = qn_assembly_evaluate (&eq->assembly, u);
+  bool evaluated = qn_assembly_evaluate (&eq->assembly, eq->u);
 
   eq->statistics.law_seconds += qn_clock_seconds () - start;
   if (evaluated)
-    measure (newton, u, multiplier);
+    measure (&newton->equation);
   else
     newton->equation.norm = INFINITY;
 }
@@ -210,7 +209,7 @@ solve_direction (QnStepEquation *equation)
     double load = qn_assembly_largest (&eq->assembly, eq->assembly.live, NULL);
     memcpy (eq->live_step, eq->assembly.live, bytes);
     qn_equilibrium_solve (eq, eq->live_step);
-    double gap = target_gap (newton, eq->u);
+    double gap = target_gap (newton);
     newton->multiplier_step = qn_equilibrium_complete_step (eq, target, gap, &along_live);
     eq->slope = along_live != 0 ? 1 / along_live : 0;
     newton->stiffness = along_live != 0 ? load / fabs (along_live) : 0;
@@ -220,24 +219,31 @@ solve_direction (QnStepEquation *equation)
   return status;
 }
 
-/* Moves along the Newton direction by the largest power of 1/2 that decreases the residual
- * below `norm`; false where none does. */
-static bool
-line_search (Newton *newton, double norm)
+static void
+move (QnStepEquation *equation, double part)
 {
+  Newton *newton = (Newton *) equation;
   QnEquilibrium *eq = newton->eq;
   int32_t n = eq->assembly.unknown_count;
 
-  for (double alpha = 1; alpha >= SHORTEST_STEP; alpha /= 2) {
-    double multiplier = eq->multiplier + alpha * newton->multiplier_step;
-    for (int32_t i = 0; i < n; i++)
-      eq->trial[i] = eq->u[i] + alpha * eq->step[i];
-    evaluate (newton, eq->trial, multiplier);
-    if (newton->equation.norm <= (1 - SUFFICIENT_DECREASE * alpha) * norm) {
-      memcpy (eq->u, eq->trial, (size_t) n * sizeof *eq->u);
-      eq->multiplier = multiplier;
+  if (part == 1) {
+    memcpy (eq->trial, eq->u, (size_t) n * sizeof *eq->u);
+    newton->multiplier = eq->multiplier;
+  }
+  eq->multiplier = newton->multiplier + part * newton->multiplier_step;
+  for (int32_t i = 0; i < n; i++)
+    eq->u[i] = eq->trial[i] + part * eq->step[i];
+  evaluate (newton);
+}
+
+/* Moves by the largest power of 1/2 that decreases the residual below `norm`; false where none does. */
+static bool
+line_search (QnStepEquation *equation, double norm)
+{
+  for (double part = 1; part >= SHORTEST_STEP; part /= 2) {
+    equation->move (equation, part);
+    if (equation->norm < norm)
       return true;
-    }
   }
   return false;
 }
@@ -254,26 +260,13 @@ refine (QnStepEquation *equation)
       || newton->equation.relative <= FINER * eq->tolerance
       || !is_factored (eq, viscosity_of_tangent (newton)))
     return;
-  if (solve_direction (equation) != QN_SOLVE_CONVERGED
-      || !line_search (newton, newton->equation.norm))
-    evaluate (newton, eq->u, eq->multiplier);
+  if (solve_direction (equation) == QN_SOLVE_CONVERGED
+      && !line_search (equation, equation->norm))
+    move (equation, 0);
 }
 
-static void
-measure_current (QnStepEquation *equation)
-{
-  measure ((Newton *) equation, equation->eq->u, equation->eq->multiplier);
-}
-
-/* The first step is free: it takes pairs across the corner they rest in, which costs balance before it
- * gains. */
-static bool
-advance (QnStepEquation *equation, int iteration)
-{
-  return line_search ((Newton *) equation, iteration == 0 ? INFINITY : equation->norm);
-}
-
-/* With bonds as they are. */
+/* With bonds as they are. The first step is free: it takes pairs across the corner they rest in, which costs
+ * balance before it gains. */
 static QnSolveStatus
 iterate (QnStepEquation *equation, int budget)
 {
@@ -289,7 +282,7 @@ iterate (QnStepEquation *equation, int budget)
     QnSolveStatus status = equation->solve (equation);
     if (status != QN_SOLVE_CONVERGED)
       return status;
-    if (!equation->advance (equation, iteration))
+    if (!line_search (equation, iteration == 0 ? INFINITY : equation->norm))
       return QN_SOLVE_FAILED;
   }
 }
@@ -335,9 +328,9 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
                        int budget)
 {
   Newton newton = { .equation = { .eq = eq,
-                                  .measure = measure_current,
+                                  .measure = measure,
                                   .solve = solve_direction,
-                                  .advance = advance,
+                                  .move = move,
                                   .refine = refine },
                     .eq = eq,
                     .target = target,
@@ -348,7 +341,7 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
     eq->multiplier = target->multiplier;
   if (budget != QN_MEASURE_ONLY)
     qn_assembly_hold_bonds (&eq->assembly);
-  measure_current (&newton.equation);
+  measure (&newton.equation);
   if (budget == QN_MEASURE_ONLY)
     return newton.equation.relative <= eq->tolerance ? QN_SOLVE_CONVERGED
                                                      : QN_SOLVE_FAILED;

@@ -1,10 +1,8 @@
 /* Parameters of the path. Numbers without a unit are ratios. Effects of other values: docs/experiments. */
 #pragma once
 
-/* Newton iterations: limit of a step; limit of an easy step, after which the next one is longer, and from a
- * predicted state. */
-#define QN_NEWTON_BUDGET 20
-#define QN_PATH_EASY     6
+/* Newton iterations of an easy step, after which the next one is longer, and from a predicted state. */
+#define QN_PATH_EASY 6
 
 /* Before a step is cut: factorisations along the central path, and viscous steps. */
 #define QN_PATH_TRIED        40
