@@ -38,13 +38,12 @@ static void
 find_weights (const QnPathPredictor *predictor, double advance, double *weights)
 {
   double at[QN_PREDICTOR_STATES + 1] = { 0 };
-  int count = predictor->count + 1;
 
-  for (int k = 1; k < count; k++)
+  for (int k = 1; k <= QN_PREDICTOR_STATES; k++)
     at[k] = at[k - 1] - predictor->advance[k - 1];
-  for (int i = 0; i < count; i++) {
+  for (int i = 0; i <= QN_PREDICTOR_STATES; i++) {
     weights[i] = 1;
-    for (int k = 0; k < count; k++)
+    for (int k = 0; k <= QN_PREDICTOR_STATES; k++)
       if (k != i)
         weights[i] *= (advance - at[k]) / (at[i] - at[k]);
   }
@@ -56,10 +55,10 @@ qn_path_predictor_go (const QnPathPredictor *predictor, QnEquilibrium *eq, doubl
   double weights[QN_PREDICTOR_STATES + 1];
   double committed = eq->committed.multiplier;
 
-  if (predictor->count < QN_PATH_LEAST_STATES)
+  if (predictor->count < QN_PREDICTOR_STATES)
     return false;
   find_weights (predictor, advance, weights);
-  for (int k = 0; k < predictor->count; k++) {
+  for (int k = 0; k < QN_PREDICTOR_STATES; k++) {
     double weight = weights[k + 1];
     eq->multiplier += weight * (predictor->multiplier[k] - committed);
     for (int32_t i = 0; i < eq->assembly.unknown_count; i++)

@@ -9,7 +9,7 @@
 #include "core/equilibrium/equilibrium.h"
 #include "core/path/tuning.h"
 
-/* Equilibria before the committed one. */
+/* Equilibria before the committed one; with fewer nothing is predicted. */
 #define QN_PREDICTOR_STATES 3
 
 typedef struct QnPathPredictor {
