@@ -16,8 +16,7 @@ qn_path_events_init (QnPathEvents *events, QnPath *path, double unit)
     (QnPathEvents){ .path = path,
                     .rest = qn_pool_alloc (pool, n, sizeof *events->rest),
                     .highest_u = qn_pool_alloc (pool, n, sizeof *events->highest_u),
-                    .least =
-                      eq->committed.multiplier + QN_PATH_FELT * eq->tolerance * unit,
+                    .least = eq->committed.multiplier + eq->tolerance * unit,
                     .highest = eq->committed.multiplier };
   if (pool->failed)
     return false;
