@@ -150,7 +150,7 @@ is_ahead (const QnPathTrace *trace, bool far)
 
   return direct->forces != NULL && direct->outcome == QN_OUTCOME_COLLAPSE
          && direct->lower_bound > highest && direct->lower_bound <= trace->end
-         && (far || direct->lower_bound <= (1 + QN_PATH_REACH) * highest);
+         && (far || direct->lower_bound <= (1 + QN_PATH_CREEP) * highest);
 }
 
 /* The path ends at what was found. Where that is no equilibrium nothing has changed. */
@@ -186,9 +186,7 @@ qn_path_end_direct (QnPathTrace *trace, bool last)
     return true;
   if (last ? !is_ahead (trace, true)
            : !trace->sought
-               && (far
-                   || (taken (trace) > QN_PATH_DIRECT
-                       && qn_path_end_creeps (trace, QN_PATH_CREEP))))
+               && (far || (taken (trace) > QN_PATH_DIRECT && qn_path_end_creeps (trace))))
     ok = seek (trace);
   return ok && trace->stop == QN_STOP_UNKNOWN && is_ahead (trace, far) ? end_there (trace)
                                                                        : ok;

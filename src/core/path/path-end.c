@@ -44,7 +44,7 @@ may_move_on (QnPathTrace *trace, double motion)
 }
 
 bool
-qn_path_end_creeps (const QnPathTrace *trace, double part)
+qn_path_end_creeps (const QnPathTrace *trace)
 {
   const QnResult *result = trace->path->result;
   size_t last = result->step_count - 1, first = last, half = last;
@@ -57,7 +57,7 @@ qn_path_end_creeps (const QnPathTrace *trace, double part)
   while (half > first && qn_result_motion (result, first, half) > motion / 2)
     half--;
   double gain = result->steps[last].multiplier - result->steps[half].multiplier;
-  return half > first && gain <= part * fabs (result->steps[last].multiplier);
+  return half > first && gain <= QN_PATH_CREEP * fabs (result->steps[last].multiplier);
 }
 
 /* Whether the multiplier was constant, or under load control did not rise, while the motion grew
@@ -160,7 +160,7 @@ qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status)
   case QN_SOLVE_FAILED:
   case QN_SOLVE_NO_MEMORY:
     if (may_end_on_plateau (trace)
-        && (motion > eq->runaway || qn_path_end_creeps (trace, QN_PATH_LEAST_GAIN))) {
+        && (motion > eq->runaway || qn_path_end_creeps (trace))) {
       qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
       trace->path->result->mechanism_uncertain = motion <= eq->runaway;
     } else

@@ -102,9 +102,9 @@ void qn_path_end_check (QnPathTrace *trace);
  * below return false when memory runs out. */
 bool qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status);
 
-/* Whether the multiplier rose by at most this part of itself while the motion doubled last. If the multiplier
+/* Whether the multiplier rose by at most QN_PATH_CREEP of itself while the motion doubled last. If the multiplier
  * follows collapse - constant / motion, the remaining gain is as large. */
-bool qn_path_end_creeps (const QnPathTrace *trace, double part);
+bool qn_path_end_creeps (const QnPathTrace *trace);
 
 /* Linear geometry: ends a path that creeps, or with `last` cannot continue, at a collapse found by limit
  * analysis with elastic joints (path-direct.c), if that collapse is ahead of the path. */

@@ -42,21 +42,20 @@
 #define QN_PATH_LEAN 0.01 /* first motion from an unstable equilibrium / allowed motion */
 
 /* Plateau of non-associative joints: the multiplier changes by at most PLATEAU, as it does where it does not
- * dip, while the motion grows PLATEAU_GROWTH times; where no step converges, by LEAST_GAIN while it doubles. */
+ * dip, while the motion grows PLATEAU_GROWTH times. */
 #define QN_PATH_PLATEAU        1e-4
 #define QN_PATH_PLATEAU_GROWTH 10
-#define QN_PATH_LEAST_GAIN     0.02
 
 /* Motion beyond eq->runaway is collapse where so much is left to gain: where it may jump, and in tolerances. */
 #define QN_PATH_NEARLY_SETTLED 5e-3
 #define QN_PATH_SETTLED        0.1
 
 /* A path whose multiplier gains at most CREEP while the motion doubles creeps. After DIRECT factorisations its
- * collapse is computed directly; the path ends there if it is within REACH, after PATIENCE factorisations
- * at any distance. The path ends after EFFORT. {a, b, c}: a / blocks, at least b, at most c. */
-#define QN_PATH_CREEP  0.04
+ * collapse is computed directly; the path ends there if that is at most CREEP above, after PATIENCE
+ * factorisations at any distance. The path ends after EFFORT, or where it creeps and no step converges.
+ * {a, b, c}: a / blocks, at least b, at most c. */
+#define QN_PATH_CREEP  0.03
 #define QN_PATH_DIRECT 60
-#define QN_PATH_REACH  0.03
 #define QN_PATH_PATIENCE                                                                 \
   {                                                                                      \
     1e6, 300, 3000                                                                       \
