@@ -183,7 +183,7 @@ advance_by_load (QnPathTrace *trace)
     return qn_path_end_give_up (trace, status);
   if (!easy) {
     qn_equilibrium_restore (eq);
-    if (from > 0 || trace->step <= QN_PATH_LEAST_START * trace->measure.first)
+    if (from > 0 || trace->step <= QN_PATH_SMALLEST_STEP * trace->measure.first)
       return take_work (trace);
     trace->step *= QN_PATH_CUT;
     return true;

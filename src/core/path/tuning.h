@@ -17,9 +17,8 @@
 #define QN_PATH_TURN          0.25
 
 /* First load step, x the multiplier at which the largest live load on a block equals the largest dead load,
- * regardless of `increments`; after failures it is cut to LEAST_START of itself. */
-#define QN_PATH_START       0.02
-#define QN_PATH_LEAST_START (1.0 / 256)
+ * regardless of `increments`; after failures it is cut to SMALLEST_STEP of itself. */
+#define QN_PATH_START 0.02
 
 /* Longest step: LARGEST_STEP first steps in displacement control; LARGEST_MOTION characteristic lengths in
  * large displacements. Corners within two such steps are listed. */
