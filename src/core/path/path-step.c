@@ -299,7 +299,7 @@ solve_nonlinear (QnPathTrace *trace, double *step)
                               : pow (QN_PATH_CUT, QN_PATH_MOST_CUTS) * trace->largest;
   bool is_smooth = !trace->jumped && trace->means != QN_FOUND_BY_RELAXATION;
   double last = is_smooth ? qn_path_last_advance (trace) : 0;
-  double before = 0, far = eq->assembly.length;
+  double far = eq->assembly.length;
   bool relaxes = false;
   bool looks = trace->looks > 0 && !trace->events.below;
 
@@ -327,12 +327,10 @@ solve_nonlinear (QnPathTrace *trace, double *step)
       status = leave_unstable (trace, &target);
     bool solved = status == QN_SOLVE_CONVERGED;
     double most = 0, away = solved ? departure (trace, *step, last, &most) : 0;
-    /* Another branch, if a longer step departed as far. */
-    trace->jumped = most > 0 && away > most && away > QN_PATH_JUMP_STAYS * before;
+    trace->jumped = most > 0 && away > most;
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY
         || (solved && !trace->jumped) || (smallest && (solved || relaxes)))
       return status;
-    before = away;
     qn_equilibrium_restore (eq);
     if (relaxes || fabs (*step) * QN_PATH_CUT >= least_for_newton)
       *step *= QN_PATH_CUT;

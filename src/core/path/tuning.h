@@ -33,10 +33,8 @@
 #define QN_PATH_SMALLEST_STEP (1.0 / 1024)
 #define QN_PATH_RESTART_STEP  (1.0 / 64)
 
-/* A motion of JUMP times the expected one is a jump if more than JUMP_STAYS of it remains after the step was
- * cut. */
-#define QN_PATH_JUMP       3
-#define QN_PATH_JUMP_STAYS 0.5
+/* A motion of JUMP times the expected one is a jump. */
+#define QN_PATH_JUMP 3
 
 #define QN_PATH_LEAN 0.01 /* first motion from an unstable equilibrium / allowed motion */
 
