@@ -9,10 +9,11 @@
 /* Tuning. A structure has run away when a tenth of a millimetre of elastic deformation of the whole under its
  * dead load, which grows with the square of the number of courses, has become three centimetres; and not before
  * QN_RUNAWAY. */
-#define RUNAWAY_OF_WHOLE 300
-#define SHORTEST_STEP    (1.0 / 1024) /* part of the direction that the line search tries */
-#define FINER            1e-3 /* of the tolerance: no more is worth another iteration */
-#define TRACE            1e-9 /* viscosity in the tangent where another target is sought */
+#define RUNAWAY_OF_WHOLE    300
+#define SHORTEST_STEP       (1.0 / 1024) /* part of the direction that the line search tries */
+#define SUFFICIENT_DECREASE 1e-4         /* of what a linear system would give */
+#define FINER               1e-3 /* of the tolerance: no more is worth another iteration */
+#define TRACE               1e-9 /* viscosity in the tangent where another target is sought */
 
 /* One solution in progress. */
 typedef struct {
@@ -236,13 +237,13 @@ move (QnStepEquation *equation, double part)
   evaluate (newton);
 }
 
-/* Moves by the largest power of 1/2 that decreases the residual below `norm`; false where none does. */
+/* Moves by the largest power of 1/2 that decreases the residual enough below `norm`; false where none does. */
 static bool
 line_search (QnStepEquation *equation, double norm)
 {
   for (double part = 1; part >= SHORTEST_STEP; part /= 2) {
     equation->move (equation, part);
-    if (equation->norm < norm)
+    if (equation->norm <= (1 - SUFFICIENT_DECREASE * part) * norm)
       return true;
   }
   return false;
