@@ -73,7 +73,7 @@ test_end_of_history (void)
   g_assert_nonnull (
     driver_find_widget (GTK_WIDGET (window), driver_says, "Largest displacement: "));
   g_assert_cmpint (qn_view_state_get_step (state), ==,
-                   qn_run_step_at (run, run->result.history.peak_time));
+                   qn_result_step_at (&run->result, run->result.history.peak_time));
   g_assert_cmpfloat (qn_view_state_get_shown_scale (state), >=, 1.0);
   driver_screenshot (GTK_WIDGET (window), "history-stands");
   g_assert_null (driver_find_widget (GTK_WIDGET (window), driver_says, "Target reached"));

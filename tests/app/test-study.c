@@ -5,6 +5,7 @@
 
 #include "app/pages/study-private.h"
 #include "app/widgets/quantity-entry.h"
+#include "app/window/window-private.h"
 #include "study/plan/study.h"
 #include "support/room.h"
 #include "support/scratch.h"
@@ -114,6 +115,28 @@ static void
 export_to (GtkWidget *dialog, const char *what, const char *path)
 {
   gtk_widget_activate_action (dialog, "study.export-path", "(ss)", what, path);
+}
+
+/* A study of a drawing without a file opens once it has been saved. */
+static void
+test_unsaved (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *path = g_build_filename (folder, "mine.quoin", NULL);
+  g_autofree char *example = driver_example_path ("41-column-impulse.quoin");
+  QnWindow *window = driver_open_window (1280, 800);
+  g_assert_true (qn_window_open_copy (window, example));
+  driver_activate (window, "win.study");
+  g_assert_null (driver_find_page ("Study"));
+  g_assert_nonnull (window->chooser);
+  g_clear_object (&window->chooser);
+  driver_activate_target (window, "win.save-path", g_variant_new_string (path));
+  GtkWidget *page = driver_find_page ("Study");
+  g_assert_nonnull (page);
+  /* Of an analysis in time what it gives is offered. */
+  g_assert_nonnull (driver_find_widget (page, driver_says, "Collapsed (1: yes, 0: no)"));
+  g_assert_null (driver_find_widget (page, driver_says, "Collapse multiplier λ"));
+  driver_discard (window);
 }
 
 /* The friction of a wall, from its context menu to a case in the drawing. */
@@ -585,6 +608,7 @@ test_surface (void)
 QN_TESTS
 {
   gtk_init ();
+  g_test_add_func ("/app/study/unsaved", test_unsaved);
   g_test_add_func ("/app/study/vary", test_vary);
   g_test_add_func ("/app/study/every-number", test_every_number);
   g_test_add_func ("/app/study/edit", test_edit);

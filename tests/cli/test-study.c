@@ -110,6 +110,26 @@ test_any_number_of_workers (void)
                              "shape,status,outcome,reason\n"));
 }
 
+/* The folder that the window makes has one for each state of the study: it stands for the present one. */
+static void
+test_states (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *study = write_study (folder, "{ \"kind\": \"grid\" }");
+  g_autofree char *text = cli_read (study);
+  g_autofree char *model =
+    g_compute_checksum_for_string (G_CHECKSUM_SHA256, cli_sliding_block, -1);
+  g_autofree char *both = g_strconcat (text, model, NULL);
+  g_autofree char *sum = g_compute_checksum_for_string (G_CHECKSUM_SHA256, both, -1);
+  sum[8] = '\0';
+  g_autofree char *states = g_build_filename (folder, "block-study", NULL);
+  g_autofree char *state = g_build_filename (states, sum, NULL);
+  cli_do ("study", "run", study, "-o", state, NULL);
+  g_autofree char *named = table_of (states), *own = table_of (state);
+  g_assert_cmpstr (named, ==, own);
+  cli_says ("5 of 5 cases", "study", "run", states, NULL);
+}
+
 /* Killed in the middle, the same command goes on; interrupted, it says so. */
 static void
 test_goes_on (void)
@@ -559,6 +579,7 @@ test_figures (void)
 QN_TESTS
 {
   g_test_add_func ("/cli/study/any-number-of-workers", test_any_number_of_workers);
+  g_test_add_func ("/cli/study/states", test_states);
   g_test_add_func ("/cli/study/goes-on", test_goes_on);
   g_test_add_func ("/cli/study/outcomes", test_outcomes);
   g_test_add_func ("/cli/study/worker-dies", test_worker_dies);

@@ -180,18 +180,16 @@ draw_rulers (QnCanvas *self, cairo_t *cr)
 void
 qn_canvas_trace (QnCanvas *self, cairo_t *cr, const QnVec2 *points, gsize count)
 {
+  cairo_new_sub_path (cr);
   for (gsize i = 0; i < count; i++) {
     QnVec2 s = qn_canvas_to_screen (self, points[i]);
-    if (i == 0)
-      cairo_move_to (cr, s.x, s.y);
-    else
-      cairo_line_to (cr, s.x, s.y);
+    cairo_line_to (cr, s.x, s.y);
   }
   cairo_close_path (cr);
 }
 
-static void
-trace_line (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
+void
+qn_canvas_trace_line (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
 {
   QnVec2 s = qn_canvas_to_screen (self, a), t = qn_canvas_to_screen (self, b);
   cairo_move_to (cr, s.x, s.y);
@@ -211,13 +209,13 @@ trace_load (QnCanvas *self, cairo_t *cr, gboolean live, QnId load)
     for (uint32_t k = 1; command->pick == pick && command->id == load
                          && command->kind == QN_COMMAND_STROKE && k < command->count;
          k++)
-      trace_line (self, cr, v[k - 1], v[k]);
+      qn_canvas_trace_line (self, cr, v[k - 1], v[k]);
   }
   gsize count = 0;
   const QnEdgeForce *forces = qn_model_edge_forces_of (
     model, (gsize) load + (live ? model->dead_load_count : 0), &count);
   for (gsize i = 0; i < count; i++)
-    trace_line (self, cr, forces[i].ends[0], forces[i].ends[1]);
+    qn_canvas_trace_line (self, cr, forces[i].ends[0], forces[i].ends[1]);
 }
 
 /* Beams along their axes, wider than these are drawn; so a bar, and the arrows of a load. */
@@ -232,7 +230,7 @@ draw_selected_lines (QnCanvas *self, cairo_t *cr)
     if ((gsize) ids[i] >= model->beam_count)
       continue;
     const QnId *ends = model->beams[ids[i]].nodes;
-    trace_line (self, cr, model->nodes[ends[0]].at, model->nodes[ends[1]].at);
+    qn_canvas_trace_line (self, cr, model->nodes[ends[0]].at, model->nodes[ends[1]].at);
   }
   QnId bar = qn_selection_get_item (selection, QN_ITEM_BAR);
   for (gsize i = 0; bar != QN_NONE && (gsize) bar < model->bar_count
@@ -240,11 +238,12 @@ draw_selected_lines (QnCanvas *self, cairo_t *cr)
        i++) {
     QnVec2 line_ends[2];
     qn_bar_line (&model->bars[bar], i, line_ends);
-    trace_line (self, cr, line_ends[0], line_ends[1]);
+    qn_canvas_trace_line (self, cr, line_ends[0], line_ends[1]);
   }
   QnId tie = qn_selection_get_item (selection, QN_ITEM_TIE);
   if (tie != QN_NONE && (gsize) tie < model->tie_count)
-    trace_line (self, cr, model->ties[tie].ends[0].at, model->ties[tie].ends[1].at);
+    qn_canvas_trace_line (self, cr, model->ties[tie].ends[0].at,
+                          model->ties[tie].ends[1].at);
   for (int live = 0; live < 2; live++) {
     QnId load =
       qn_selection_get_item (selection, live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD);
@@ -282,15 +281,7 @@ draw_selection (QnCanvas *self, cairo_t *cr)
   for (guint i = 0; i < count; i++) {
     if ((gsize) blocks[i] >= model->block_count)
       continue;
-    const QnVec2 *v = qn_model_block_vertices (model, blocks[i]);
-    for (QnId k = 0; k < model->blocks[blocks[i]].vertex_count; k++) {
-      QnVec2 s = qn_canvas_place (self, &motion, blocks[i], v[k]);
-      if (k == 0)
-        cairo_move_to (cr, s.x, s.y);
-      else
-        cairo_line_to (cr, s.x, s.y);
-    }
-    cairo_close_path (cr);
+    qn_canvas_trace_placed (self, cr, &motion, model, blocks[i]);
   }
   set_selection_ink (cr, 0.18);
   cairo_fill_preserve (cr);
@@ -369,15 +360,11 @@ draw_magnet (QnCanvas *self, cairo_t *cr)
     cairo_close_path (cr);
     break;
   case QN_MAGNET_EDGE:
-  case QN_MAGNET_COURSE: {
-    QnVec2 a = qn_canvas_to_screen (self, self->hit.a);
-    QnVec2 b = qn_canvas_to_screen (self, self->hit.b);
-    cairo_move_to (cr, a.x, a.y);
-    cairo_line_to (cr, b.x, b.y);
+  case QN_MAGNET_COURSE:
+    qn_canvas_trace_line (self, cr, self->hit.a, self->hit.b);
     cairo_new_sub_path (cr);
     cairo_arc (cr, s.x, s.y, 4.0, 0.0, 2.0 * G_PI);
     break;
-  }
   case QN_MAGNET_GRID:
     cairo_move_to (cr, s.x - 6.0, s.y);
     cairo_line_to (cr, s.x + 6.0, s.y);
@@ -442,12 +429,11 @@ draw_layout (cairo_t *cr, PangoLayout *layout, QnVec2 at)
 void
 qn_canvas_draw_dimension (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
 {
-  QnVec2 sa = qn_canvas_to_screen (self, a), sb = qn_canvas_to_screen (self, b);
+  QnVec2 middle = qn_canvas_to_screen (self, qn_vec2_lerp (a, b, 0.5));
   double length = qn_vec2_length (qn_vec2_sub (b, a));
   set_selection_ink (cr, 1.0);
   cairo_set_line_width (cr, 1.0);
-  cairo_move_to (cr, sa.x, sa.y);
-  cairo_line_to (cr, sb.x, sb.y);
+  qn_canvas_trace_line (self, cr, a, b);
   cairo_stroke (cr);
 
   g_autofree char *text =
@@ -455,8 +441,7 @@ qn_canvas_draw_dimension (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
   g_autoptr (PangoLayout) layout = qn_canvas_make_text (self, text, 9.0);
   int width, height;
   pango_layout_get_pixel_size (layout, &width, &height);
-  draw_layout (cr, layout,
-               qn_vec2 (0.5 * (sa.x + sb.x - width), 0.5 * (sa.y + sb.y - height)));
+  draw_layout (cr, layout, qn_vec2 (middle.x - 0.5 * width, middle.y - 0.5 * height));
 }
 
 void

@@ -29,6 +29,19 @@ qn_canvas_place (QnCanvas *self, const QnMotion *motion, QnId block, QnVec2 p)
   return qn_canvas_to_screen (self, qn_motion_place (motion, block, p, motion->scale));
 }
 
+void
+qn_canvas_trace_placed (QnCanvas *self, cairo_t *cr, const QnMotion *motion,
+                        const QnModel *model, QnId block)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  cairo_new_sub_path (cr);
+  for (QnId k = 0; k < model->blocks[block].vertex_count; k++) {
+    QnVec2 s = qn_canvas_place (self, motion, block, v[k]);
+    cairo_line_to (cr, s.x, s.y);
+  }
+  cairo_close_path (cr);
+}
+
 QnMotion
 qn_canvas_get_motion (QnCanvas *self)
 {
@@ -76,11 +89,10 @@ qn_canvas_pick_joint (QnCanvas *self, QnVec2 screen)
   if (!qn_view_state_get_content (self->state, &model, &contacts, &result))
     return QN_NONE;
   QnMotion motion = qn_canvas_get_motion (self);
-  int step = qn_view_state_get_step (self->state);
   g_autofree bool *left =
-    result != NULL && result->step_count > 0 ? qn_step_left (
-      contacts, result, step == QN_STEP_LAST ? result->step_count - 1 : (gsize) step)
-                                             : NULL;
+    result != NULL && result->step_count > 0
+      ? qn_step_left (contacts, result, qn_view_state_get_shown_step (self->state))
+      : NULL;
   QnId found = QN_NONE;
   double nearest = JOINT_REACH_PX;
   for (gsize f = 0; motion.model != NULL && f < contacts->face_count; f++) {
@@ -238,12 +250,7 @@ trace_inspected (QnCanvas *self, cairo_t *cr, const QnStepView *view, QnInspecte
     cairo_line_to (cr, line[1].x, line[1].y);
     return;
   }
-  const QnVec2 *v = qn_model_block_vertices (view->model, what.id);
-  for (QnId k = 0; k < view->model->blocks[what.id].vertex_count; k++) {
-    QnVec2 s = qn_canvas_place (self, &motion, what.id, v[k]);
-    cairo_line_to (cr, s.x, s.y);
-  }
-  cairo_close_path (cr);
+  qn_canvas_trace_placed (self, cr, &motion, view->model, what.id);
 }
 
 void

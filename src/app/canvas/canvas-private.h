@@ -66,6 +66,9 @@ void qn_canvas_pointer_moved (QnCanvas *canvas);
 /* How the blocks are displaced in the scene that is shown; its model NULL: there is none. */
 QnMotion qn_canvas_get_motion (QnCanvas *canvas);
 QnVec2 qn_canvas_place (QnCanvas *canvas, const QnMotion *motion, QnId block, QnVec2 p);
+/* The outline of a block there. */
+void qn_canvas_trace_placed (QnCanvas *canvas, cairo_t *cr, const QnMotion *motion,
+                             const QnModel *model, QnId block);
 /* A joint on the screen. */
 void qn_canvas_joint_line (QnCanvas *canvas, const QnMotion *motion,
                            const QnContactFace *face, QnVec2 line[2]);

@@ -128,3 +128,4 @@ void qn_canvas_draw_label (QnCanvas *canvas, cairo_t *cr, const char *text,
                            QnVec2 screen);
 /* Traces a polygon of the model as a path. */
 void qn_canvas_trace (QnCanvas *canvas, cairo_t *cr, const QnVec2 *points, gsize count);
+void qn_canvas_trace_line (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b);

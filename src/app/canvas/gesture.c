@@ -168,11 +168,17 @@ qn_gesture_paint (cairo_t *cr)
 }
 
 void
-qn_gesture_draw_rectangle (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b)
+qn_gesture_draw_frame (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b)
 {
   QnVec2 corners[] = { a, { b.x, a.y }, b, { a.x, b.y } };
   qn_canvas_trace (canvas, cr, corners, G_N_ELEMENTS (corners));
   qn_gesture_paint (cr);
+}
+
+void
+qn_gesture_draw_rectangle (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b)
+{
+  qn_gesture_draw_frame (canvas, cr, a, b);
   double low = MIN (a.y, b.y), right = MAX (a.x, b.x);
   qn_canvas_draw_dimension (canvas, cr, qn_vec2 (a.x, low), qn_vec2 (b.x, low));
   qn_canvas_draw_dimension (canvas, cr, qn_vec2 (right, a.y), qn_vec2 (right, b.y));
@@ -181,9 +187,7 @@ qn_gesture_draw_rectangle (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b)
 void
 qn_gesture_draw_line (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b)
 {
-  QnVec2 p = qn_canvas_to_screen (canvas, a), q = qn_canvas_to_screen (canvas, b);
-  cairo_move_to (cr, p.x, p.y);
-  cairo_line_to (cr, q.x, q.y);
+  qn_canvas_trace_line (canvas, cr, a, b);
   cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
   cairo_set_line_width (cr, 2.0);
   cairo_stroke (cr);
@@ -251,15 +255,12 @@ void
 qn_gesture_draw_moved (QnCanvas *canvas, cairo_t *cr, QnTransform transform)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
-  guint count = 0;
-  const QnId *ids =
-    qn_selection_get (qn_canvas_get_selection (canvas), QN_PART_BLOCK, &count);
-  for (guint i = 0; i < count; i++)
-    qn_gesture_trace_block (canvas, cr, ids[i], transform);
+  const QnPartSet set = qn_canvas_get_parts (canvas);
+  for (guint i = 0; i < set.blocks.count; i++)
+    qn_gesture_trace_block (canvas, cr, set.blocks.ids[i], transform);
   qn_gesture_paint (cr);
-  ids = qn_selection_get (qn_canvas_get_selection (canvas), QN_PART_BEAM, &count);
-  for (guint i = 0; i < count; i++) {
-    const QnId *ends = model->beams[ids[i]].nodes;
+  for (guint i = 0; i < set.beams.count; i++) {
+    const QnId *ends = model->beams[set.beams.ids[i]].nodes;
     QnVec2 line[2] = { qn_transform_apply (transform, model->nodes[ends[0]].at),
                        qn_transform_apply (transform, model->nodes[ends[1]].at) };
     qn_canvas_trace (canvas, cr, line, 2);

@@ -41,7 +41,9 @@ void qn_gesture_trace_points (QnCanvas *canvas, cairo_t *cr);
 gboolean qn_gesture_typed_way (const QnGesture *gesture, const double *values, int count,
                                QnVec2 *way);
 
-/* Frame and both dimensions of a rectangle. */
+/* A rectangle, filled lightly. */
+void qn_gesture_draw_frame (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b);
+/* The same with its dimensions. */
 void qn_gesture_draw_rectangle (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b);
 /* A line with its length. */
 void qn_gesture_draw_line (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b);

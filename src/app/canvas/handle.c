@@ -76,13 +76,11 @@ static void
 add_node_grips (QnCanvas *canvas, GArray *grips)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
-  guint count = 0;
-  const QnId *ids =
-    qn_selection_get (qn_canvas_get_selection (canvas), QN_PART_BEAM, &count);
+  const QnBeamSet set = qn_canvas_get_parts (canvas).beams;
   g_autoptr (GHashTable) known = g_hash_table_new (NULL, NULL);
-  for (guint i = 0; i < count && count <= MOST_BEAMS; i++) {
+  for (guint i = 0; i < set.count && set.count <= MOST_BEAMS; i++) {
     for (int end = 0; end < 2; end++) {
-      QnId node = model->beams[ids[i]].nodes[end];
+      QnId node = model->beams[set.ids[i]].nodes[end];
       if (g_hash_table_add (known, GINT_TO_POINTER (node)))
         add_grip (
           grips,
@@ -388,14 +386,12 @@ static void
 draw_corner_drag (QnCanvas *canvas, cairo_t *cr, const Drag *drag)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
-  guint count = 0;
-  const QnId *ids =
-    qn_selection_get (qn_canvas_get_selection (canvas), QN_PART_BLOCK, &count);
-  if (count == 0)
+  const QnBlockSet set = qn_canvas_get_selected (canvas);
+  if (set.count == 0)
     return;
-  gsize n = (gsize) model->blocks[ids[0]].vertex_count;
+  gsize n = (gsize) model->blocks[set.ids[0]].vertex_count;
   g_autofree QnVec2 *v =
-    g_memdup2 (qn_model_block_vertices (model, ids[0]), n * sizeof (QnVec2));
+    g_memdup2 (qn_model_block_vertices (model, set.ids[0]), n * sizeof (QnVec2));
   for (gsize i = 0; i < n; i++) {
     if (v[i].x == drag->from.x && v[i].y == drag->from.y)
       v[i] = drag->to;

@@ -117,12 +117,6 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
 
 /* ---- fields ---- */
 
-static gpointer
-subject (gpointer form, QnModel *model, guint field)
-{
-  return form;
-}
-
 /* Of the selected layer; NULL where there is none. */
 static const QnImportLayer *
 layer_of (const Dialog *dialog)
@@ -202,8 +196,7 @@ void
 qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
                        QnImportFunc import)
 {
-  static const QnFormKind kind =
-    QN_FORM_KIND ("import-dialog", Dialog, .subject = subject);
+  static const QnFormKind kind = QN_FORM_KIND ("import-dialog", Dialog);
   Dialog *dialog = qn_bound_form_new (&kind, NULL);
   GtkWindow *window = GTK_WINDOW (dialog->base.root);
   g_autofree char *base = g_path_get_basename (path);

@@ -18,16 +18,8 @@ QN_FORM_FIELDS;
 static gboolean
 look (gpointer data)
 {
-  const Form *form = data;
-  guint beams = 0;
-  qn_selection_get (qn_canvas_get_selection (form->base.canvas), QN_PART_BEAM, &beams);
-  return qn_canvas_get_selected (form->base.canvas).count + beams > 0;
-}
-
-static gpointer
-subject (gpointer form, QnModel *model, guint field)
-{
-  return form;
+  QnPartSet set = qn_canvas_get_parts (((QnBoundForm *) data)->canvas);
+  return set.blocks.count + set.beams.count > 0;
 }
 
 static gboolean
@@ -56,6 +48,5 @@ init (gpointer data)
   form->numbers[RIGHT] = 1.0;
 }
 
-const QnFormKind qn_array_form =
-  QN_FORM_KIND ("array-form", Form, .subject = subject, .look = look,
-                .follows = QN_FOLLOW_SELECTION, .init = init);
+const QnFormKind qn_array_form = QN_FORM_KIND (
+  "array-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION, .init = init);

@@ -40,12 +40,10 @@ static gboolean
 look (gpointer data)
 {
   Form *form = data;
-  guint count = 0;
-  const QnId *ids =
-    qn_selection_get (qn_canvas_get_selection (form->base.canvas), QN_PART_BEAM, &count);
-  if (count != 1)
+  QnBeamSet set = qn_canvas_get_parts (form->base.canvas).beams;
+  if (set.count != 1)
     return FALSE;
-  form->beam = ids[0];
+  form->beam = set.ids[0];
   form->node =
     qn_canvas_get_model (form->base.canvas)->beams[form->beam].nodes[form->end];
   return TRUE;

@@ -10,7 +10,7 @@
 #define FIELDS(FIELD, MEMBER)                                                            \
   FIELD (TITLE, "title", NULL)                                                           \
   FIELD (NAME, "name", N_ ("Rename Beam"))                                               \
-  FIELD (SECTION, "section", N_ ("Set Section"))                                         \
+  FIELD (SECTION, "section", N_ ("Set Section")) /* and what follows as QnBeamField */   \
   FIELD (KIND, "kind", N_ ("Change Kind of Beam"))                                       \
   FIELD (ELEMENTS, "elements", N_ ("Cut Beam into Elements"))                            \
   FIELD (HINGE, "first_hinge", N_ ("Set Hinge"))                                         \
@@ -23,19 +23,10 @@
   FIELD (GROWING_Y, "growing_y", CHANGE)
 QN_FORM_FIELDS;
 
-static QnBeamSet
-selected (const QnBoundForm *form)
-{
-  QnBeamSet set = { 0 };
-  set.ids =
-    qn_selection_get (qn_canvas_get_selection (form->canvas), QN_PART_BEAM, &set.count);
-  return set;
-}
-
 static gboolean
 look (gpointer form)
 {
-  return selected (form).count > 0;
+  return qn_canvas_get_parts (((QnBoundForm *) form)->canvas).beams.count > 0;
 }
 
 static char *
@@ -60,14 +51,13 @@ dup_forces (const QnBoundForm *form, QnBeamSet set)
 {
   QnDocument *document = qn_canvas_get_document (form->canvas);
   const QnRun *run = qn_document_get_run (document);
-  int step = qn_view_state_get_step (qn_canvas_get_state (form->canvas));
   QnBeamSummary summary;
   if (set.count != 1 || run == NULL || run->result.step_count == 0
       || qn_document_get_run_age (document, run) == QN_RUN_OTHER_MODEL
       || (gsize) set.ids[0] >= run->model.beam_count
       || !qn_beam_summary_fill (
         &summary, &run->model, &run->result,
-        step == QN_STEP_LAST ? run->result.step_count - 1 : (gsize) step, set.ids[0]))
+        qn_view_state_get_shown_step (qn_canvas_get_state (form->canvas)), set.ids[0]))
     return NULL;
   return qn_beam_summary_dup_text (&summary, qn_settings_get_units ());
 }
@@ -77,7 +67,7 @@ show (gpointer data, guint field, QnValue *value)
 {
   const QnBoundForm *form = data;
   const QnModel *model = qn_canvas_get_model (form->canvas);
-  QnBeamSet set = selected (form);
+  QnBeamSet set = qn_canvas_get_parts (form->canvas).beams;
   const QnBeam *beam = &model->beams[set.ids[0]];
   QnVec2 load;
   switch (field) {
@@ -123,22 +113,19 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   QnModel *model = &draft->model;
-  QnBeamSet set = selected (data);
+  QnBeamSet set = qn_canvas_get_parts (((QnBoundForm *) data)->canvas).beams;
   gboolean live = field >= LOAD + 2;
   guint x = live ? LOAD + 2 : LOAD;
   switch (field) {
   case NAME:
     return qn_edit_rename_beam (model, set.ids[0], value->text, error);
   case SECTION:
-    return qn_edit_set_beam_section (model, set, (QnId) value->number, error);
   case KIND:
-    return qn_edit_set_beam_kind (model, set, (QnBeamKind) value->number, error);
   case ELEMENTS:
-    return qn_edit_set_beam_elements (model, set, MAX (qn_value_int (value), 1), error);
   case HINGE:
   case HINGE + 1:
-    return qn_edit_set_beam_hinge (model, set, (int) field - HINGE, value->number != 0.0,
-                                   error);
+    return qn_edit_set_beams (model, set, (QnBeamField) (field - SECTION), value->number,
+                              error);
   default:
     return qn_edit_set_line_load (model, set, live,
                                   qn_vec2 (qn_bound_form_get_number (data, x),

@@ -35,7 +35,8 @@ member_of (QnBoundForm *form, QnModel *model, guint field)
   if (field >= kind->field_count || kind->fields[field].size == 0)
     return NULL;
   char *subject = kind->subject != NULL ? kind->subject (form, model, field)
-                                        : qn_bound_form_item (form, model);
+                  : kind->list != NULL  ? qn_bound_form_item (form, model)
+                                        : (gpointer) form;
   return subject != NULL ? subject + kind->fields[field].offset : NULL;
 }
 

@@ -83,7 +83,8 @@ typedef struct QnFormKind {
   /* Looks at what the form is about; FALSE: nothing, the form hides. NULL: always shown. */
   gboolean (*look) (gpointer form);
   /* The struct of the members that fields have, in `model` (NULL in dialogs and for fields without a
-   * step); NULL: there is none, as where nothing is selected. Without this, the item of the list. */
+   * step); NULL: there is none, as where nothing is selected. Without this, the item of the list, or where
+   * there is none the form itself. */
   gpointer (*subject) (gpointer form, QnModel *model, guint field);
   /* What a field shows, its member already; FALSE: its row hides. */
   gboolean (*show) (gpointer form, guint field, QnValue *value);

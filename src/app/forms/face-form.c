@@ -140,10 +140,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   QnModel *model = &draft->model;
   guint count = 0;
   const QnId *ids = selected (data, &count);
-  g_autoptr (GArray) faces = g_array_new (FALSE, FALSE, sizeof (QnContactFace));
-  for (guint i = 0; i < count; i++)
-    g_array_append_val (faces, contacts_of (data)->faces[ids[i]]);
-  QnFaceSet set = { (const QnContactFace *) faces->data, faces->len };
+  const QnFaceSet set = { contacts_of (data), ids, count };
   if (field == LAW)
     return qn_edit_set_face_law (model, set, qn_value_get_law (value), error);
   if (field == RESET)

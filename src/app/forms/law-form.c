@@ -8,7 +8,6 @@
 #include "doc/view/pair-text.h"
 #include "io/project/typical-joint.h"
 #include <glib/gi18n.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Numbers by the keys of project files; the first ones belong to every law. */
@@ -216,29 +215,6 @@ show (gpointer data, guint field, QnValue *value)
   }
 }
 
-static gboolean
-rename_law (QnLaw *law, const char *text, GError **error)
-{
-  char *name = strdup (text);
-  if (name == NULL)
-    return qn_edit_no_memory (error);
-  free (law->name);
-  law->name = name;
-  return TRUE;
-}
-
-/* An empty source is none. */
-static gboolean
-take_source (QnLaw *law, const char *text, GError **error)
-{
-  char *source = *text != '\0' ? strdup (text) : NULL;
-  if (source == NULL && *text != '\0')
-    return qn_edit_no_memory (error);
-  free (law->source);
-  law->source = source;
-  return TRUE;
-}
-
 /* `like`, or the first of "like 2", "like 3", … that no law is called. */
 static char *
 dup_free_name (const QnModel *model, const char *like)
@@ -280,11 +256,8 @@ apply (const Form *form, QnModel *model, GError **error)
   const QnId *ids = qn_selection_get (selection, QN_PART_FACE, &count);
   if (blocks.count > 0)
     return qn_edit_set_law (model, blocks, form->shown, error);
-  g_autoptr (GArray) faces = g_array_new (FALSE, FALSE, sizeof (QnContactFace));
-  for (guint i = 0; i < count; i++)
-    g_array_append_val (faces, contacts->faces[ids[i]]);
-  QnFaceSet set = { (const QnContactFace *) (const void *) faces->data, faces->len };
-  return qn_edit_set_face_law (model, set, form->shown, error);
+  return qn_edit_set_face_law (model, (QnFaceSet){ contacts, ids, count }, form->shown,
+                               error);
 }
 
 /* The joints that have the law; where there are none, the blocks. */
@@ -328,9 +301,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     form->by = qn_value_get_law (value);
     return TRUE;
   case NAME:
-    return rename_law (law, value->text, error);
+    return qn_edit_take_name (&law->name, value->text, error);
   case SOURCE:
-    return take_source (law, value->text, error);
+    return qn_edit_take_text (&law->source, value->text, error);
   case JOINT:
     return value->number >= 1.0
            && (qn_law_make_joint (law, (QnTypicalJointKind) value->number - 1)

@@ -400,16 +400,14 @@ loaded_blocks (const Form *form)
 static gboolean
 make_force (const Form *form, const QnModel *model, QnLoad *load, GError **error)
 {
-  guint beams = 0;
   QnBlockSet set = loaded_blocks (form);
-  const QnId *beam =
-    qn_selection_get (qn_canvas_get_selection (form->base.canvas), QN_PART_BEAM, &beams);
+  QnBeamSet beams = qn_canvas_get_parts (form->base.canvas).beams;
   load->vector.y = -qn_canvas_get_tool_settings (form->base.canvas)->force;
   load->kind = set.count > 0 ? QN_LOAD_FORCE : QN_LOAD_NODE;
   if (set.count > 0)
     load->block = set.ids[0];
-  else if (beams > 0)
-    load->node = model->beams[beam[0]].nodes[1];
+  else if (beams.count > 0)
+    load->node = model->beams[beams.ids[0]].nodes[1];
   else
     return qn_edit_refuse_nothing (
       error, _ ("Select the block or the beam that the force acts on"));
@@ -420,13 +418,11 @@ make_force (const Form *form, const QnModel *model, QnLoad *load, GError **error
 static gboolean
 make_line (const Form *form, QnLoad *load, GError **error)
 {
-  guint beams = 0;
-  const QnId *beam =
-    qn_selection_get (qn_canvas_get_selection (form->base.canvas), QN_PART_BEAM, &beams);
-  if (beams == 0)
+  QnBeamSet beams = qn_canvas_get_parts (form->base.canvas).beams;
+  if (beams.count == 0)
     return qn_edit_refuse_nothing (error, _ ("Select the beam that the load lies on"));
   load->kind = QN_LOAD_LINE;
-  load->beam = beam[0];
+  load->beam = beams.ids[0];
   load->vector.y = -USUAL_LINE_LOAD;
   return TRUE;
 }

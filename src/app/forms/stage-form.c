@@ -132,15 +132,13 @@ static gboolean
 take_control (const QnBoundForm *form, const QnModel *model, QnStage *stage,
               GError **error)
 {
-  QnSelection *selection = qn_canvas_get_selection (form->canvas);
-  QnBlockSet set = qn_canvas_get_selected (form->canvas);
-  guint beams = 0;
-  const QnId *beam = qn_selection_get (selection, QN_PART_BEAM, &beams);
-  if (set.count == 0 && beams == 0)
+  const QnPartSet set = qn_canvas_get_parts (form->canvas);
+  if (set.blocks.count == 0 && set.beams.count == 0)
     return qn_edit_refuse_nothing (
       error, _ ("Select the block or the beam whose displacement ends the stage"));
-  stage->control_block = set.count > 0 ? set.ids[0] : QN_NONE;
-  stage->control_node = set.count > 0 ? QN_NONE : model->beams[beam[0]].nodes[1];
+  stage->control_block = set.blocks.count > 0 ? set.blocks.ids[0] : QN_NONE;
+  stage->control_node =
+    set.blocks.count > 0 ? QN_NONE : model->beams[set.beams.ids[0]].nodes[1];
   return TRUE;
 }
 

@@ -334,12 +334,6 @@ fill_table (Form *form)
               (guint) i < cells->len ? cells->pdata[i] : "");
 }
 
-static gpointer
-subject (gpointer form, QnModel *model, guint field)
-{
-  return form;
-}
-
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -574,7 +568,7 @@ clear (gpointer data)
 GtkWidget *
 qn_capacity_page_new (QnDocument *document)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("capacity-page", Form, .subject = subject);
+  static const QnFormKind kind = QN_FORM_KIND ("capacity-page", Form);
   static const QnPlotHand hand = { .text_share = TEXT_SHARE, .make = make_plot };
   Form *form = qn_bound_form_new (&kind, NULL);
   form->base.clear = clear;

@@ -41,8 +41,7 @@ build_scene (const Cell *cell, double phase)
 {
   const QnRun *run = cell->run, *first = cell->view->first;
   QnViewOptions options;
-  qn_view_options_init (&options, run->result.mechanism != NULL ? QN_VIEW_MECHANISM
-                                                                : QN_VIEW_DEFORMED);
+  qn_view_options_init (&options, qn_view_of_result (&run->result));
   options.titles = options.legend = options.dimensions = options.loads = false;
   options.phase = phase;
   gboolean comparable =

@@ -555,7 +555,7 @@ qn_compare_export (const GPtrArray *runs, const char *const *titles, const char 
   for (guint i = 0; i < runs->len; i++) {
     const QnRun *run = g_ptr_array_index (runs, i);
     qn_figure_init (&figures[i], &run->model, &run->contacts, &run->result,
-                    run->result.mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED);
+                    qn_view_of_result (&run->result));
     figures[i].options.loads = figures[i].options.dimensions = false;
     figures[i].title = titles != NULL ? titles[i] : run->name;
   }

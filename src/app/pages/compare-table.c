@@ -70,9 +70,25 @@ dup_changes (Compare *compare, const QnRun *run)
   return g_strjoinv (", ", (char **) changes->pdata);
 }
 
+/* Whether the runs are all of one project, and what changed is not just what they are called. */
+static gboolean
+tells_changes (Compare *compare)
+{
+  const GPtrArray *shown = compare->shown;
+  gboolean any = FALSE;
+  for (guint i = 1; i < shown->len && !any; i++) {
+    g_autofree char *changes = dup_changes (compare, shown->pdata[i]);
+    g_autofree char *title = qn_compare_dup_title (compare, shown->pdata[i]);
+    any = !g_str_equal (changes, title);
+  }
+  return any
+         && count_of (compare, qn_compare_find_document (compare, shown->pdata[0]))
+              == shown->len;
+}
+
 enum { RUN, CHANGED, MULTIPLIER, PART, MOVED, STEPS, OUTCOME, COLUMNS };
 
-/* What differs is told of one project's runs, in place of the steps. */
+/* What differs is told in place of the steps. */
 static void
 put_row (Compare *compare, int row, gboolean changed, const char *const texts[COLUMNS])
 {
@@ -126,11 +142,7 @@ qn_compare_fill_table (Compare *compare)
                                        _ ("Multiplier"), _ ("Of the first"),
                                        _ ("Moved"),      _ ("Steps"),
                                        _ ("Outcome") };
-  const GPtrArray *shown = compare->shown;
-  const gboolean changed = /* all are of one project */
-    shown->len > 0
-    && count_of (compare, qn_compare_find_document (compare, shown->pdata[0]))
-         == shown->len;
+  const gboolean changed = tells_changes (compare);
   GtkWidget *child;
   double first = NAN;
   while ((child = gtk_widget_get_first_child (compare->table)) != NULL)

@@ -245,12 +245,6 @@ dup_chosen (char **names, guint32 moved)
   return moved != 0 ? g_strv_builder_end (chosen) : NULL;
 }
 
-static gpointer
-subject (gpointer form, QnModel *model, guint field)
-{
-  return form;
-}
-
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -575,7 +569,7 @@ connect (Page *self)
 GtkWidget *
 qn_envelope_page_new (QnDocument *document)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("envelope-page", Page, .subject = subject);
+  static const QnFormKind kind = QN_FORM_KIND ("envelope-page", Page);
   Page *self = qn_bound_form_new (&kind, NULL);
   self->base.clear = clear;
   self->document = g_object_ref (document);

@@ -60,10 +60,12 @@ on_plan (QnStudyPage *self)
 static void
 on_analysis (QnStudyPage *self)
 {
+  QnStudyRun run = (QnStudyRun) gtk_drop_down_get_selected (self->analysis);
   if (self->showing)
     return;
-  qn_draft_set_run (self->draft,
-                    (QnStudyRun) gtk_drop_down_get_selected (self->analysis));
+  qn_draft_set_run (
+    self->draft,
+    qn_study_run_of (run, &qn_document_get_model (self->document)->analysis));
   qn_study_page_show_draft (self);
 }
 
@@ -294,7 +296,9 @@ take_draft (QnDocument *document, const char *path, GError **error)
   g_autofree char *own = path != NULL ? g_strdup (path) : path_of_project (project);
   g_autofree char *model = g_path_get_basename (project);
   const QnModel *structure = qn_document_get_model (document);
-  QnStudyRun run = structure->block_count > SLOW_BLOCKS ? QN_STUDY_LIMIT : QN_STUDY_SOLVE;
+  QnStudyRun run = qn_study_run_of (QN_STUDY_SOLVE, &structure->analysis);
+  if (run == QN_STUDY_SOLVE && structure->block_count > SLOW_BLOCKS)
+    run = QN_STUDY_LIMIT;
   return g_file_test (own, G_FILE_TEST_EXISTS) ? qn_draft_load (own, error)
                                                : qn_draft_new (own, model, run);
 }

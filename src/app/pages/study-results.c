@@ -7,6 +7,7 @@
 #include "core/base/integer.h"
 #include "doc/text/explain.h"
 #include "io/text/io-error.h"
+#include "study/cases/folder.h"
 #include "study/report/column.h"
 #include "study/report/output-text.h"
 #include <glib/gi18n.h>
@@ -16,17 +17,6 @@
 #define INTERVAL 250
 
 /* ---- results ---- */
-
-/* Folder of the results of a study as it is now, in that of all its states, which is named after it. */
-static char *
-dup_folder (const QnStudy *study, const char *path)
-{
-  g_autofree char *sum = g_strndup (study->sha256, 8);
-  g_autofree char *stem = g_str_has_suffix (path, ".quoin-study")
-                            ? g_strndup (path, strlen (path) - strlen (".quoin-study"))
-                            : g_strdup (path);
-  return g_strdup_printf ("%s-study/%s", stem, sum);
-}
 
 /* What the figures leave out is said above them. */
 static void
@@ -109,7 +99,8 @@ qn_study_page_read_results (QnStudyPage *self)
   QnTable table;
   if (!qn_study_read (qn_draft_get_path (self->draft), NULL, &study, NULL))
     return;
-  g_autofree char *folder = dup_folder (&study, qn_draft_get_path (self->draft));
+  g_autofree char *folder =
+    qn_folder_dup_of_state (&study, qn_draft_get_path (self->draft));
   gboolean same = g_strcmp0 (folder, self->folder) == 0;
   qn_study_page_forget_results (self);
   gtk_widget_set_visible (GTK_WIDGET (self->failed), FALSE);
@@ -237,7 +228,7 @@ start (QnStudyPage *self, GError **error)
   if (!qn_draft_save (self->draft, error) || !qn_study_read (path, NULL, &study, error))
     return FALSE;
   g_free (self->running);
-  self->running = dup_folder (&study, path);
+  self->running = qn_folder_dup_of_state (&study, path);
   qn_study_clear (&study);
   self->job =
     qn_study_job_start (path, self->running, program, g_get_num_processors (), error);
@@ -328,9 +319,7 @@ on_solved (GObject *source, GAsyncResult *task, gpointer data)
   }
   QnRun *run = opening->run;
   qn_document_add_run (qn_view_state_get_document (state), run);
-  qn_view_state_set_view (state, run->result.mechanism != NULL ? QN_VIEW_MECHANISM
-                                 : run->result.step_count > 0  ? QN_VIEW_DEFORMED
-                                                               : QN_VIEW_MODEL);
+  qn_view_state_set_view (state, qn_view_of_result (&run->result));
   g_autofree char *text = g_strdup_printf (_ ("%s is shown in the drawing."), run->name);
   gtk_label_set_text (status, text);
 }

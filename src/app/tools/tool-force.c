@@ -70,8 +70,7 @@ draw (QnCanvas *canvas, cairo_t *cr)
   double angle = atan2 (b.y - a.y, b.x - a.x);
   cairo_set_source_rgb (cr, 0.8, 0.1, 0.1);
   cairo_set_line_width (cr, 2.0);
-  cairo_move_to (cr, a.x, a.y);
-  cairo_line_to (cr, b.x, b.y);
+  qn_canvas_trace_line (canvas, cr, gesture->from, gesture->to);
   cairo_stroke (cr);
   cairo_move_to (cr, b.x, b.y);
   cairo_line_to (cr, b.x - 12.0 * cos (angle - 0.4), b.y - 12.0 * sin (angle - 0.4));

@@ -9,13 +9,9 @@ void
 qn_tool_joint_set_law (QnCanvas *canvas, const QnId *ids, guint count, const char *law)
 {
   const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (canvas));
-  g_autoptr (GArray) faces = g_array_new (FALSE, FALSE, sizeof (QnContactFace));
-  for (guint i = 0; i < count; i++)
-    if ((gsize) ids[i] < contacts->face_count)
-      g_array_append_val (faces, contacts->faces[ids[i]]);
-  QnFaceSet set = { (const QnContactFace *) faces->data, faces->len };
+  const QnFaceSet set = { contacts, ids, count };
   QnDraft draft;
-  if (faces->len > 0 && qn_canvas_begin_edit (canvas, &draft)) {
+  if (count > 0 && qn_canvas_begin_edit (canvas, &draft)) {
     QnId id =
       law != NULL && *law != '\0' ? qn_model_find_law (draft.model, law) : QN_NONE;
     qn_canvas_end_edit (canvas, &draft, _ ("Set Law of Joints"), NULL,
@@ -36,8 +32,7 @@ press (QnCanvas *canvas, const QnToolEvent *event)
 static void
 motion (QnCanvas *canvas, const QnToolEvent *event)
 {
-  if (qn_canvas_is_in_gesture (canvas))
-    qn_canvas_get_gesture (canvas)->to = event->model;
+  qn_canvas_get_gesture (canvas)->to = event->model;
 }
 
 static void
@@ -63,10 +58,7 @@ static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  QnVec2 a = gesture->from, b = gesture->to;
-  QnVec2 corners[] = { a, { b.x, a.y }, b, { a.x, b.y } };
-  qn_canvas_trace (canvas, cr, corners, G_N_ELEMENTS (corners));
-  qn_gesture_paint (cr);
+  qn_gesture_draw_frame (canvas, cr, gesture->from, gesture->to);
 }
 
 const QnTool qn_tool_joint = {

@@ -277,16 +277,12 @@ qn_tool_select_under (QnCanvas *canvas, QnVec2 screen)
   QnSelection *selection = qn_canvas_get_selection (canvas);
   QnVec2 at = qn_camera_to_model (qn_canvas_get_camera (canvas), screen);
   QnToolEvent event = { .screen = screen, .model = at, .point = at, .press_count = 1 };
-  guint count = 0;
   if (select_item (canvas, screen))
     return;
   QnId face = face_under (canvas, &event);
   if (face != QN_NONE) {
-    const QnId *faces = qn_selection_get (selection, QN_PART_FACE, &count);
-    for (guint i = 0; i < count; i++)
-      if (faces[i] == face)
-        return;
-    qn_selection_set_face (selection, face);
+    if (!qn_selection_has (selection, QN_PART_FACE, face))
+      qn_selection_set_face (selection, face);
     return;
   }
   QnPick pick = qn_canvas_pick (canvas, screen, 1u << QN_PICK_BLOCK | 1u << QN_PICK_BEAM);
@@ -394,15 +390,7 @@ draw (QnCanvas *canvas, cairo_t *cr)
     qn_canvas_draw_dimension (canvas, cr, gesture->from, gesture->to);
     return;
   }
-  QnVec2 a = qn_canvas_to_screen (canvas, gesture->from);
-  QnVec2 b = qn_canvas_to_screen (canvas, gesture->to);
-  cairo_rectangle (cr, MIN (a.x, b.x), MIN (a.y, b.y), fabs (a.x - b.x),
-                   fabs (a.y - b.y));
-  cairo_set_source_rgba (cr, 0.1, 0.4, 0.9, 0.12);
-  cairo_fill_preserve (cr);
-  cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
-  cairo_set_line_width (cr, 1.0);
-  cairo_stroke (cr);
+  qn_gesture_draw_frame (canvas, cr, gesture->from, gesture->to);
 }
 
 const QnTool qn_tool_select = {

@@ -5,8 +5,6 @@
 #include "doc/view/pair-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #define CHANGE N_ ("Change Analysis")
 
@@ -393,18 +391,6 @@ take_load (gpointer form, QnModel *model, guint field, GError **error)
     error);
 }
 
-/* An empty title is none. */
-static gboolean
-take_title (QnModel *model, const char *text, GError **error)
-{
-  char *title = *text != '\0' ? strdup (text) : NULL;
-  if (title == NULL && *text != '\0')
-    return qn_edit_no_memory (error);
-  free (model->title);
-  model->title = title;
-  return TRUE;
-}
-
 static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
@@ -412,7 +398,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   QnAnalysisSettings *a = &model->analysis;
   guint row = (guint) MAX (value->number, 0.0);
   if (field == TITLE)
-    return take_title (model, value->text, error);
+    return qn_edit_take_text (&model->title, value->text, error);
   if (field >= PLACEMENT && field != OFFSET && field != TOLERANCE)
     return take_contact (data, model, field, value, error);
   if (field >= LOAD && field < PLACEMENT)

@@ -21,11 +21,8 @@ typedef struct Table {
 static QnId
 selected_block (Table *table)
 {
-  guint count = 0, beams = 0;
-  QnSelection *selection = qn_canvas_get_selection (table->canvas);
-  const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &count);
-  qn_selection_get (selection, QN_PART_BEAM, &beams);
-  return count == 1 && beams == 0 ? ids[0] : QN_NONE;
+  const QnPartSet set = qn_canvas_get_parts (table->canvas);
+  return set.blocks.count == 1 && set.beams.count == 0 ? set.blocks.ids[0] : QN_NONE;
 }
 
 static void

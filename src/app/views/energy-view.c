@@ -35,10 +35,7 @@ shown_time (gpointer data)
 {
   const View *view = data;
   const QnRun *run = run_of (view);
-  int step = qn_view_state_get_step (view->state);
-  gsize last = run->result.step_count - 1;
-  gsize i = step == QN_STEP_LAST ? last : MIN ((gsize) step, last);
-  return run->result.steps[i].time;
+  return run->result.steps[qn_view_state_get_shown_step (view->state)].time;
 }
 
 static void
@@ -108,7 +105,8 @@ go_to (gpointer data, QnVec2 at)
   View *view = data;
   const QnRun *run = run_of (view);
   if (run != NULL && qn_run_is_in_time (run))
-    qn_view_state_show_step (view->state, qn_run_step_at (run, time_at (view, at)));
+    qn_view_state_show_step (view->state,
+                             qn_result_step_at (&run->result, time_at (view, at)));
 }
 
 static void

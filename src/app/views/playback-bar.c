@@ -74,8 +74,7 @@ run_in_time (const Bar *bar)
 static int
 shown_step (const Bar *bar)
 {
-  int step = qn_view_state_get_step (bar->state), last = last_step (bar);
-  return step == QN_STEP_LAST ? last : MIN (step, last);
+  return (int) qn_view_state_get_shown_step (bar->state);
 }
 
 /* Shows the time of the position; from the start again behind the end, or FALSE there. Who goes to
@@ -89,7 +88,7 @@ play_time (Bar *bar, const QnRun *run, gboolean loop)
   else if (bar->position > end && loop)
     bar->position = 0.0;
   gboolean goes_on = bar->position <= end;
-  bar->played = qn_run_step_at (run, bar->position);
+  bar->played = qn_result_step_at (&run->result, bar->position);
   qn_view_state_set_step (bar->state, bar->played);
   return goes_on;
 }
@@ -133,8 +132,7 @@ play (Bar *bar)
     return;
   if (!qn_view_needs_result (view)
       || (view == QN_VIEW_FORCES && !qn_run_is_in_time (run)))
-    qn_view_state_set_view (bar->state, run->result.mechanism != NULL ? QN_VIEW_MECHANISM
-                                                                      : QN_VIEW_DEFORMED);
+    qn_view_state_set_view (bar->state, qn_view_of_result (&run->result));
   bar->position = 0.0;
   bar->last_time = 0;
   if (run_in_time (bar) != NULL) {

@@ -87,9 +87,7 @@ has_stages (const QnRun *run)
 static int32_t
 shown_stage (const Panel *panel, const QnRun *run)
 {
-  int step = qn_view_state_get_step (state_of (panel));
-  const gsize last = run->result.step_count - 1;
-  return run->result.steps[step == QN_STEP_LAST ? last : MIN ((gsize) step, last)].stage;
+  return run->result.steps[qn_view_state_get_shown_step (state_of (panel))].stage;
 }
 
 static void

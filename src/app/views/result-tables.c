@@ -208,14 +208,13 @@ dup_end_cell (const Table *table, const QnRun *run, guint row, guint column)
 {
   const QnResult *result = &run->result;
   gsize element = row / 2;
-  int step = qn_view_state_get_step (table->state);
   if (result->step_count == 0 || element >= run->model.element_count)
     return g_strdup ("");
   const QnBeamElement *e = &run->model.elements[element];
   const QnBeam *beam = &run->model.beams[e->beam];
   double length = qn_model_beam_length (&run->model, e->beam) / beam->element_count;
   const QnBeamForces *forces = &qn_result_step_beam_forces (
-    result, step == QN_STEP_LAST ? result->step_count - 1 : (gsize) step)[element];
+    result, qn_view_state_get_shown_step (table->state))[element];
   QnBeamPoint end = qn_beam_forces_at (forces, length, row % 2);
   switch (column) {
   case BEAM:

@@ -82,11 +82,10 @@ go_by_steps (QnWindow *self, int by)
   if (run == NULL || run->result.step_count == 0)
     return;
   int last = (int) run->result.step_count - 1;
-  int step = qn_view_state_get_step (self->state);
+  int step = (int) qn_view_state_get_shown_step (self->state);
   if (!qn_view_needs_result (qn_view_state_get_view (self->state)))
     qn_view_state_set_view (self->state, QN_VIEW_DEFORMED);
-  qn_view_state_set_step (self->state,
-                          CLAMP ((step == QN_STEP_LAST ? last : step) + by, 0, last));
+  qn_view_state_set_step (self->state, CLAMP (step + by, 0, last));
 }
 
 static void

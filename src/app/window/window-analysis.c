@@ -79,13 +79,12 @@ show_run (QnWindow *self)
   if (run->result.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
     show_unstable (self, run);
   else if (!qn_view_needs_result (qn_view_state_get_view (self->state)))
-    qn_view_state_set_view (
-      self->state, run->result.mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED);
+    qn_view_state_set_view (self->state, qn_view_of_result (&run->result));
   /* What stands is shown where it was worst. */
   if (qn_run_is_in_time (run) && run->result.outcome != QN_OUTCOME_COLLAPSE
       && isfinite (run->result.history.peak_time))
-    qn_view_state_set_step (self->state,
-                            qn_run_step_at (run, run->result.history.peak_time));
+    qn_view_state_set_step (
+      self->state, qn_result_step_at (&run->result, run->result.history.peak_time));
 }
 
 /* ---- several analyses one after the other ---- */
@@ -235,14 +234,21 @@ on_job_progress (QnWindow *self)
     gtk_progress_bar_pulse (self->progress_bar);
 }
 
+/* What was said before is about an earlier analysis. */
+static void
+begin (QnWindow *self, gboolean begun, GError **error)
+{
+  gtk_widget_set_visible (self->info_bar, FALSE);
+  if (!begun)
+    qn_window_show_error (self, (*error)->message);
+}
+
 static void
 run (QnWindow *self, GVariant *parameter)
 {
   g_autoptr (GError) error = NULL;
   qn_window_commit_entry (self);
-  gtk_widget_set_visible (self->info_bar, FALSE);
-  if (!qn_document_analyse (self->document, &error))
-    qn_window_show_error (self, error->message);
+  begin (self, qn_document_analyse (self->document, &error), &error);
 }
 
 /* What is in sight: the study, or the drawing. */
@@ -282,11 +288,13 @@ run_limit (QnWindow *self, GVariant *parameter)
 {
   const char *flow = g_variant_get_string (parameter, NULL);
   g_autoptr (GError) error = NULL;
-  if (!qn_document_analyse_with (
-        self->document, QN_PROCEDURE_LIMIT,
-        g_str_equal (flow, "associative") ? QN_FLOW_ASSOCIATIVE : QN_FLOW_NON_ASSOCIATIVE,
-        &error))
-    qn_window_show_error (self, error->message);
+  begin (self,
+         qn_document_analyse_with (self->document, QN_PROCEDURE_LIMIT,
+                                   g_str_equal (flow, "associative")
+                                     ? QN_FLOW_ASSOCIATIVE
+                                     : QN_FLOW_NON_ASSOCIATIVE,
+                                   &error),
+         &error);
 }
 
 /* Modes that are found and listed. */
@@ -297,18 +305,14 @@ run_modes (QnWindow *self, GVariant *parameter)
 {
   gboolean loaded = g_str_equal (g_variant_get_string (parameter, NULL), "loaded");
   g_autoptr (GError) error = NULL;
-  gtk_widget_set_visible (self->info_bar, FALSE);
-  if (!qn_document_find_modes (self->document, MODES, loaded, &error))
-    qn_window_show_error (self, error->message);
+  begin (self, qn_document_find_modes (self->document, MODES, loaded, &error), &error);
 }
 
 static void
 run_stability (QnWindow *self, GVariant *parameter)
 {
   g_autoptr (GError) error = NULL;
-  gtk_widget_set_visible (self->info_bar, FALSE);
-  if (!qn_document_find_stability (self->document, &error))
-    qn_window_show_error (self, error->message);
+  begin (self, qn_document_find_stability (self->document, &error), &error);
 }
 
 static gboolean

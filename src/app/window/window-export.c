@@ -240,8 +240,7 @@ qn_window_open_result (QnWindow *self, const char *path)
   const QnRun *run = qn_document_get_run (self->document);
   gtk_stack_set_visible_child_name (self->side_stack, "result");
   if (run->result.outcome != QN_OUTCOME_DEAD_LOAD_UNSTABLE)
-    qn_view_state_set_view (
-      self->state, run->result.mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED);
+    qn_view_state_set_view (self->state, qn_view_of_result (&run->result));
 }
 
 static void

@@ -128,6 +128,7 @@ static void
 stop_closing (QnWindow *self)
 {
   self->closing = QN_CLOSING_NOT;
+  g_clear_pointer (&self->after_save, g_free);
   for (GList *l =
          gtk_application_get_windows (gtk_window_get_application (GTK_WINDOW (self)));
        l != NULL; l = l->next)
@@ -137,6 +138,15 @@ stop_closing (QnWindow *self)
 
 /* ---- saving ---- */
 
+static void
+do_what_waited (QnWindow *self)
+{
+  g_autofree char *action = g_steal_pointer (&self->after_save), *name = NULL;
+  g_autoptr (GVariant) parameter = NULL;
+  if (action != NULL && g_action_parse_detailed_name (action, &name, &parameter, NULL))
+    g_action_group_activate_action (G_ACTION_GROUP (self), name, parameter);
+}
+
 static gboolean
 save_to (QnWindow *self, const char *path)
 {
@@ -144,6 +154,7 @@ save_to (QnWindow *self, const char *path)
   if (qn_document_carry_files (self->document, path, &error)
       && qn_document_save (self->document, path, &error)) {
     qn_window_remember_recent (path);
+    do_what_waited (self);
     return TRUE;
   }
   stop_closing (self);

@@ -250,9 +250,10 @@ figures (QnWindow *self, GVariant *parameter)
 
 /* ---- the study: numbers that vary, loads that move ---- */
 
-/* Its page, or NULL where the window says why not. */
+/* Its page, or NULL where the window says why not; where that is that the project has no file, the action is done
+ * once it has been saved. */
 static GtkWidget *
-show_study (QnWindow *self, const char *path)
+show_study (QnWindow *self, const char *path, const char *action, GVariant *parameter)
 {
   GtkWidget *page = gtk_stack_get_child_by_name (self->pages, "study");
   g_autoptr (GError) error = NULL;
@@ -266,15 +267,17 @@ show_study (QnWindow *self, const char *path)
     add (self, "study", _ ("Study"), page);
   else
     qn_window_show_error (self, error->message);
-  if (page == NULL && qn_document_get_path (self->document) == NULL)
+  if (page == NULL && qn_document_get_path (self->document) == NULL) {
     gtk_widget_activate_action (GTK_WIDGET (self), "win.save-as", NULL);
+    self->after_save = g_action_print_detailed_name (action, parameter);
+  }
   return page;
 }
 
 static void
 study (QnWindow *self, GVariant *parameter)
 {
-  show_study (self, NULL);
+  show_study (self, NULL, "study", NULL);
 }
 
 /* (path in the project, its number) */
@@ -284,7 +287,7 @@ vary (QnWindow *self, GVariant *parameter)
   const char *path;
   double number;
   g_variant_get (parameter, "(&sd)", &path, &number);
-  GtkWidget *page = show_study (self, NULL);
+  GtkWidget *page = show_study (self, NULL, "vary", parameter);
   if (page != NULL)
     qn_study_page_vary (page, path, number);
 }
@@ -303,7 +306,7 @@ qn_window_open_study (QnWindow *self, const char *path)
   if (project == NULL || !qn_window_open_path (self, project))
     return FALSE;
   qn_window_remember_recent (path);
-  return show_study (self, path) != NULL;
+  return show_study (self, path, "study", NULL) != NULL;
 }
 
 const QnWindowAction qn_window_page_actions[] = {

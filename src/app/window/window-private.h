@@ -77,6 +77,7 @@ struct _QnWindow {
   const QnQueuedAnalysis *next_analysis, *last_analysis; /* or NULL */
   gboolean was_running; /* an analysis, when the document last told */
   QnClosing closing;
+  char *after_save;                 /* action that waits until there is a file, or NULL */
   char *last_export;                /* path of the last exported figure */
   QnRecipe *last_recipe;            /* what it looked like */
   GtkPrintSettings *print_settings; /* of the last page, or NULL */

@@ -634,6 +634,7 @@ qn_window_finalize (GObject *object)
   g_clear_object (&self->reporting);
   g_clear_object (&self->state);
   g_clear_object (&self->document);
+  g_free (self->after_save);
   g_free (self->last_export);
   g_clear_pointer (&self->last_recipe, qn_recipe_free);
   g_clear_object (&self->print_settings);

@@ -10,8 +10,9 @@
 
 /* The rows of the study of a folder, for the rest of the program. */
 static QnTable *
-load_table (const char *folder)
+load_table (const char *name)
 {
+  const char *folder = qn_cli_keep (qn_folder_dup_named (name));
   QnStudy *study = qn_cli_keep (g_new0 (QnStudy, 1));
   QnTable *table = qn_cli_keep (g_new0 (QnTable, 1));
   qn_cli_must (qn_folder_read_study (folder, study, QN_TROUBLE)

@@ -138,6 +138,8 @@ run_study (RunOptions *options, char *path)
                                   .retry = options->retry };
   /* The folder of a study stands for the study as well. */
   gboolean again = options->folder == NULL && g_file_test (path, G_FILE_TEST_IS_DIR);
+  if (again)
+    path = qn_cli_keep (qn_folder_dup_named (path));
   if (options->folder == NULL && !again)
     qn_cli_usage_error (_ ("-o is missing"));
   if (options->jobs < 0 || options->jobs > 1024)
@@ -214,7 +216,7 @@ run_submit (const QnSubcommand *self, int argc, char **argv)
                                      .array_size = (guint) size,
                                      .partition = partition,
                                      .dry_run = dry_run };
-  const char *folder = argv[1];
+  const char *folder = qn_cli_keep (qn_folder_dup_named (argv[1]));
   g_auto (QnStudy) study = { 0 };
   QnSubmission submission;
   qn_cli_must (qn_folder_read_study (folder, &study, QN_TROUBLE)
@@ -281,9 +283,10 @@ run_gather (const QnSubcommand *self, int argc, char **argv)
   QnGathered gathered;
   if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
     return;
-  qn_cli_must (qn_folder_read_study (argv[1], &study, QN_TROUBLE)
-               && qn_study_gather (&study, argv[1], &gathered, QN_TROUBLE));
-  qn_print (_ ("%s: %zu rows added; %zu of %zu cases, %zu failed\n"), argv[1],
+  const char *folder = qn_cli_keep (qn_folder_dup_named (argv[1]));
+  qn_cli_must (qn_folder_read_study (folder, &study, QN_TROUBLE)
+               && qn_study_gather (&study, folder, &gathered, QN_TROUBLE));
+  qn_print (_ ("%s: %zu rows added; %zu of %zu cases, %zu failed\n"), folder,
             gathered.added, gathered.present, gathered.count, gathered.failed);
 }
 

@@ -9,11 +9,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A sliver is thinner than this part of the median block and has less than this part of its area: beds of
- * mortar are as thin, but long. Where more than a tenth of the blocks, of 10 or more, are like this they are
- * meant to be. */
-#define SLIVER_WIDTH 0.1
-#define SLIVER_AREA  0.01
+/* A sliver is thinner than this part of the median block and has less than this part of its area: of a wall
+ * that block is the uncut unit, of which nobody lays less than a quarter, in length (a closer, whose width is
+ * half that of the unit) or in height (a strip, with a third of it). Beds of mortar are as thin, but long.
+ * Where more than a tenth of the blocks, of 10 or more, are like this they are meant to be. */
+#define SLIVER_WIDTH (1.0 / 3.0)
+#define SLIVER_AREA  0.25
+#define LINTEL_AREA  2.5
 
 /* Findings of one row; more would hide the others. */
 #define MOST_OF_A_ROW 3
@@ -540,12 +542,13 @@ is_sliver (const QnModel *model, size_t block, double width)
          && width_of (model, block) < SLIVER_WIDTH * width;
 }
 
-/* With the neighbour that each touches most. */
+/* With the neighbour that each touches most, of those that are no lintel above or below it if it has one. */
 static bool
 examine_slivers (Doubts *d, const QnContacts *contacts)
 {
   const QnModel *model = d->model;
   const size_t n = model->block_count;
+  const double unit = model->characteristic_length * model->characteristic_length;
   if (n < 10)
     return true;
   double *sizes = qn_alloc (n, sizeof *sizes);
@@ -568,11 +571,13 @@ examine_slivers (Doubts *d, const QnContacts *contacts)
   for (size_t f = 0; any && f < contacts->face_count; f++) {
     const QnContactFace *face = &contacts->faces[f];
     const QnId ends[2] = { face->a, face->b };
-    for (int k = 0; k < 2; k++)
-      if (face->length > sizes[ends[k]]) {
-        sizes[ends[k]] = face->length;
+    for (int k = 0; k < 2; k++) {
+      const double part = model->blocks[ends[1 - k]].area > LINTEL_AREA * unit ? 1e-3 : 1;
+      if (part * face->length > sizes[ends[k]]) {
+        sizes[ends[k]] = part * face->length;
         beside[ends[k]] = ends[1 - k];
       }
+    }
   }
   for (size_t i = 0; any && done && i < n; i++)
     done =

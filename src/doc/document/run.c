@@ -63,10 +63,10 @@ qn_run_is_in_time (const QnRun *run)
 }
 
 int
-qn_run_step_at (const QnRun *run, double time)
+qn_result_step_at (const QnResult *result, double time)
 {
-  const QnStep *steps = run->result.steps;
-  gsize low = 0, high = run->result.step_count - 1;
+  const QnStep *steps = result->steps;
+  gsize low = 0, high = result->step_count - 1;
   while (high - low > 1) {
     gsize middle = low + (high - low) / 2;
     if (steps[middle].time <= time)

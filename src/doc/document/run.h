@@ -50,7 +50,7 @@ void qn_run_unref (QnRun *run);
 
 /* Whether it is an analysis in time; its kept step that is nearest to a time, s. */
 gboolean qn_run_is_in_time (const QnRun *run);
-int qn_run_step_at (const QnRun *run, double time);
+int qn_result_step_at (const QnResult *result, double time);
 
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (QnRun, qn_run_unref)
 

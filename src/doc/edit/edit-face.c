@@ -55,7 +55,10 @@ set_faces (QnModel *model, QnFaceSet set, const QnId *law, const QnPairRule *rul
   if (set.count == 0)
     return qn_edit_refuse_nothing (error, _ ("No contact face is selected"));
   for (guint i = 0; i < set.count; i++) {
-    const QnFaceOverride *old = qn_model_find_override (model, &set.faces[i]);
+    if ((gsize) set.ids[i] >= set.contacts->face_count)
+      continue;
+    const QnContactFace *face = &set.contacts->faces[set.ids[i]];
+    const QnFaceOverride *old = qn_model_find_override (model, face);
     QnFaceOverride override = old != NULL ? *old : (QnFaceOverride){ .law = QN_NONE };
     if (law != NULL)
       override.law = *law;
@@ -63,7 +66,7 @@ set_faces (QnModel *model, QnFaceSet set, const QnId *law, const QnPairRule *rul
       override.has_pairs = rule != NULL;
       override.pairs = rule != NULL ? *rule : (QnPairRule){ 0 };
     }
-    if (!replace_override (model, &set.faces[i], override, error))
+    if (!replace_override (model, face, override, error))
       return FALSE;
   }
   return TRUE;

@@ -7,9 +7,10 @@
 #include "core/contact/contacts.h"
 #include "doc/edit/edit.h"
 
-/* A set of faces by their blocks. */
+/* A set of faces by their blocks; numbers that the contacts do not have are passed over. */
 typedef struct QnFaceSet {
-  const QnContactFace *faces;
+  const QnContacts *contacts;
+  const QnId *ids;
   guint count;
 } QnFaceSet;
 

@@ -121,38 +121,30 @@ qn_edit_delete_all (QnModel *model, QnPartSet set, GError **error)
 /* ---- properties ---- */
 
 gboolean
-qn_edit_set_beam_kind (QnModel *model, QnBeamSet set, QnBeamKind kind, GError **error)
+qn_edit_set_beams (QnModel *model, QnBeamSet set, QnBeamField field, double value,
+                   GError **error)
 {
-  for (guint i = 0; i < set.count; i++)
-    model->beams[set.ids[i]].kind = kind;
-  return set.count > 0 || refuse_no_beam (error);
-}
-
-gboolean
-qn_edit_set_beam_section (QnModel *model, QnBeamSet set, QnId section, GError **error)
-{
-  for (guint i = 0; i < set.count; i++)
-    model->beams[set.ids[i]].section = section;
-  return set.count > 0 || refuse_no_beam (error);
-}
-
-gboolean
-qn_edit_set_beam_hinge (QnModel *model, QnBeamSet set, int end, gboolean hinge,
-                        GError **error)
-{
-  for (guint i = 0; i < set.count; i++)
-    model->beams[set.ids[i]].hinge[end] = hinge;
-  return set.count > 0 || refuse_no_beam (error);
-}
-
-gboolean
-qn_edit_set_beam_elements (QnModel *model, QnBeamSet set, int32_t count, GError **error)
-{
+  for (guint i = 0; i < set.count; i++) {
+    QnBeam *beam = &model->beams[set.ids[i]];
+    switch (field) {
+    case QN_BEAM_SECTION:
+      beam->section = (QnId) value;
+      break;
+    case QN_BEAM_KIND:
+      beam->kind = (QnBeamKind) value;
+      break;
+    case QN_BEAM_ELEMENTS:
+      beam->element_count = (int32_t) qn_to_integer (value, 0, G_MAXINT32);
+      break;
+    case QN_BEAM_FIRST_HINGE:
+    case QN_BEAM_SECOND_HINGE:
+      beam->hinge[field - QN_BEAM_FIRST_HINGE] = value != 0.0;
+      break;
+    }
+  }
   if (set.count == 0)
     return refuse_no_beam (error);
-  for (guint i = 0; i < set.count; i++)
-    model->beams[set.ids[i]].element_count = count;
-  return qn_edit_rebuild (model, NULL, error);
+  return field != QN_BEAM_ELEMENTS || qn_edit_rebuild (model, NULL, error);
 }
 
 gboolean

@@ -39,15 +39,16 @@ gboolean qn_edit_add_beam (QnModel *model, QnVec2 from, QnVec2 to, QnBeamStyle s
  * one, and the loads on both. */
 gboolean qn_edit_delete_all (QnModel *model, QnPartSet set, GError **error);
 
-gboolean qn_edit_set_beam_kind (QnModel *model, QnBeamSet set, QnBeamKind kind,
-                                GError **error);
-gboolean qn_edit_set_beam_section (QnModel *model, QnBeamSet set, QnId section,
-                                   GError **error);
-gboolean qn_edit_set_beam_hinge (QnModel *model, QnBeamSet set, int end, gboolean hinge,
-                                 GError **error);
-/* Loads on nodes between elements go to the nearest of the new ones. */
-gboolean qn_edit_set_beam_elements (QnModel *model, QnBeamSet set, int32_t count,
-                                    GError **error);
+/* What all beams of a set may be given, as a number: a section, a QnBeamKind, a count of elements, 1 or 0. */
+typedef enum {
+  QN_BEAM_SECTION,
+  QN_BEAM_KIND,
+  QN_BEAM_ELEMENTS, /* loads on nodes between them go to the nearest of the new ones */
+  QN_BEAM_FIRST_HINGE,
+  QN_BEAM_SECOND_HINGE
+} QnBeamField;
+gboolean qn_edit_set_beams (QnModel *model, QnBeamSet set, QnBeamField field,
+                            double value, GError **error);
 gboolean qn_edit_rename_beam (QnModel *model, QnId beam, const char *name,
                               GError **error);
 

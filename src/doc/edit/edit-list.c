@@ -26,6 +26,15 @@ qn_edit_take_name (char **place, const char *name, GError **error)
   return TRUE;
 }
 
+gboolean
+qn_edit_take_text (char **place, const char *text, GError **error)
+{
+  if (*text != '\0')
+    return qn_edit_take_name (place, text, error);
+  g_clear_pointer (place, free);
+  return TRUE;
+}
+
 void
 qn_edit_drop (gpointer items, size_t *count, gsize size, gsize index)
 {

@@ -442,12 +442,8 @@ qn_edit_change_stage (QnModel *model, gsize index, const QnStage *settings,
 gboolean
 qn_edit_rename_stage (QnModel *model, gsize index, const char *name, GError **error)
 {
-  for (gsize i = qn_stage_span (model, index); i-- > 0;) {
-    char **old = &model->stages[index + i].name;
-    if (*name != '\0' && !qn_edit_take_name (old, name, error))
+  for (gsize i = qn_stage_span (model, index); i-- > 0;)
+    if (!qn_edit_take_text (&model->stages[index + i].name, name, error))
       return FALSE;
-    if (*name == '\0')
-      g_clear_pointer (old, free);
-  }
   return TRUE;
 }

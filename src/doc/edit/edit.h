@@ -158,6 +158,8 @@ char *qn_edit_dup_new_name (const QnModel *model, QnFindFunc find, const char *w
                             const char *between, gsize number);
 /* Puts a copy of a name into the place of another. */
 gboolean qn_edit_take_name (char **place, const char *name, GError **error);
+/* The same of a text, of which an empty one is none. */
+gboolean qn_edit_take_text (char **place, const char *text, GError **error);
 /* Takes an item, whose own memory is free already, out of an array of `count`. */
 void qn_edit_drop (gpointer items, size_t *count, gsize size, gsize index);
 

@@ -41,8 +41,7 @@ qn_step_view_init (QnStepView *view, QnViewState *state)
     view->result = &run->result;
   if (view->result == NULL || view->result->step_count == 0)
     return TRUE;
-  int step = qn_view_state_get_step (state);
-  view->step = step == QN_STEP_LAST ? view->result->step_count - 1 : (gsize) step;
+  view->step = qn_view_state_get_shown_step (state);
   view->pairs = qn_step_pairs (view->contacts, view->result, view->step);
   view->touches =
     qn_step_touches (view->model, view->result, view->step, &view->touch_count);

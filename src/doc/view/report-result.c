@@ -2,6 +2,7 @@
 #include "doc/view/report-parts.h"
 
 #include "core/result/curve-motion.h"
+#include "doc/document/run.h"
 #include "doc/text/explain.h"
 #include "doc/view/ground-preview.h"
 #include "doc/view/sheet.h"
@@ -21,7 +22,7 @@ qn_report_choose_picture (QnFigure *figure, const QnReportRun *run)
   if (result->mechanism == NULL && result->step_count == 0)
     return false;
   qn_figure_init (figure, &run->project->model, run->contacts, result,
-                  result->mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED);
+                  qn_view_of_result (result));
   figure->title = run->name;
   return true;
 }
@@ -312,17 +313,6 @@ write_tie_forces (QnPages *pages, const QnReportRun *run, QnUnits units)
   qn_report_table (pages, cells, 5);
 }
 
-/* The step that is nearest to a time. */
-static size_t
-step_at (const QnResult *result, double time)
-{
-  size_t best = 0;
-  for (size_t i = 1; i < result->step_count; i++)
-    if (fabs (result->steps[i].time - time) < fabs (result->steps[best].time - time))
-      best = i;
-  return best;
-}
-
 /* What shakes the structure, how it stands when it has moved farthest, and its energies. */
 static bool
 show_history (Pictures *p)
@@ -340,7 +330,7 @@ show_history (Pictures *p)
   }
   if (isfinite (result->history.peak_time) && result->step_count > 0
       && !show_field (p, QN_VIEW_DEFORMED, QN_FIELD_NONE,
-                      (int) step_at (result, result->history.peak_time),
+                      qn_result_step_at (result, result->history.peak_time),
                       _ ("At its largest displacement")))
     return false;
   if (result->history.row_count > 0) {

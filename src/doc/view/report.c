@@ -2,6 +2,7 @@
 
 #include "core/result/curve-motion.h"
 #include "doc/text/explain.h"
+#include "doc/view/sheet.h"
 #include "io/text/outcome-text.h"
 #include "render/drawing/text.h"
 
@@ -71,14 +72,6 @@ qn_report_table (QnPages *pages, GPtrArray *cells, size_t columns)
 {
   qn_pages_table (pages, (const char *const *) cells->pdata, cells->len / columns,
                   columns);
-}
-
-static const char *
-title_of (const QnProject *project)
-{
-  return project->model.title != NULL && *project->model.title != '\0'
-           ? project->model.title
-           : project->name;
 }
 
 /* The day, of SOURCE_DATE_EPOCH where it is set: then equal input gives equal bytes on all days. */
@@ -247,7 +240,7 @@ write_title (QnPages *pages, const QnReport *report, GError **error)
   const double share = alone ? 0.52 - 0.12 * (double) MIN (report->run_count, 4) : 0.5;
   g_autoptr (GString) foot = g_string_new (NULL);
   QnFigure figure;
-  qn_pages_title (pages, title_of (report->project));
+  qn_pages_title (pages, qn_project_title (report->project));
   if (report->plan.author != NULL)
     qn_pages_paragraph (pages, report->plan.author);
   if (report->plan.text != NULL)
@@ -356,12 +349,12 @@ qn_report_encode (const QnReport *given, GError **error)
   }
   g_autofree char *name = g_path_get_basename (report->project->name);
   qn_metadata_init (&metadata);
-  metadata.title = title_of (report->project);
+  metadata.title = qn_project_title (report->project);
   metadata.generator = report->generator;
   metadata.model = name;
   metadata.model_sha256 = report->project->sha256;
   g_autofree char *footer =
-    g_strdup_printf ("%s · %s", title_of (report->project), report->generator);
+    g_strdup_printf ("%s · %s", qn_project_title (report->project), report->generator);
   QnPages *pages = qn_pages_new (report->plan.paper, footer, &metadata);
   bool done = write_all (pages, report, error);
   g_autoptr (GBytes) bytes = qn_pages_finish (pages, done ? error : NULL);

@@ -18,11 +18,9 @@ without_folders (const char *path)
   return slash != NULL ? slash + 1 : path;
 }
 
-/* Title of the project, or else the name of its file without folders. */
-static const char *
-title_of (const QnSheetRun *run)
+const char *
+qn_project_title (const QnProject *project)
 {
-  const QnProject *project = run->project;
   const char *title = project->model.title;
   return title != NULL && *title != '\0' ? title : without_folders (project->name);
 }
@@ -99,7 +97,7 @@ write_comparison (const char *path, const QnSheetRun *runs, gsize count, GError 
     g_autofree char *mechanism = dup_mechanism (&runs[i]);
     qn_file_writer_quoted (writer, runs[i].project->name);
     qn_file_writer_puts (writer, ",");
-    qn_file_writer_quoted (writer, title_of (&runs[i]));
+    qn_file_writer_quoted (writer, qn_project_title (runs[i].project));
     qn_file_writer_printf (writer, ",%s,", qn_outcome_names[result->outcome]);
     if (result->has_collapse_multiplier)
       qn_file_writer_number (writer, result->collapse_multiplier);
@@ -139,10 +137,10 @@ read_curve (QnCurve *curve, const QnSheetRun *run, const QnCurveSheet *sheet,
 static char *
 dup_label (const QnSheetRun *runs, gsize count, gsize i)
 {
-  const char *title = title_of (&runs[i]);
+  const char *title = qn_project_title (runs[i].project);
   gsize alike = 0;
   for (gsize k = 0; k < count; k++)
-    alike += strcmp (title, title_of (&runs[k])) == 0;
+    alike += strcmp (title, qn_project_title (runs[k].project)) == 0;
   return alike > 1 ? g_strdup_printf ("%s (%s)", title, runs[i].name) : g_strdup (title);
 }
 
@@ -206,15 +204,6 @@ qn_energy_sheet_export (const QnCurveSheet *sheet, const QnSheetRun *run,
 
 /* ---- mechanisms ---- */
 
-/* A mechanism where the result has one, else the deformed state, else the model alone. */
-static QnView
-choose_view (const QnResult *result)
-{
-  if (result->mechanism != NULL)
-    return QN_VIEW_MECHANISM;
-  return result->step_count > 0 ? QN_VIEW_DEFORMED : QN_VIEW_MODEL;
-}
-
 gboolean
 qn_comparison_export (const QnSheetRun *runs, gsize count, int columns, const char *title,
                       gboolean monochrome, const char *path, const QnOutput *output,
@@ -226,9 +215,9 @@ qn_comparison_export (const QnSheetRun *runs, gsize count, int columns, const ch
   for (gsize i = 0; i < count; i++) {
     const QnSheetRun *run = &runs[i];
     qn_figure_init (&figures[i], &run->project->model, run->contacts, run->result,
-                    choose_view (run->result));
+                    qn_view_of_result (run->result));
     figures[i].options.monochrome = monochrome;
-    figures[i].title = title_of (run);
+    figures[i].title = qn_project_title (run->project);
   }
   QnMetadata metadata;
   QnCompareSheet sheet = {

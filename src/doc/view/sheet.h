@@ -16,6 +16,9 @@ typedef struct QnSheetRun {
   const char *name; /* of its own: tells results of one project apart */
 } QnSheetRun;
 
+/* Title of the project, or else the name of its file without folders. */
+const char *qn_project_title (const QnProject *project);
+
 /* What a picture says of the project that it shows, which it borrows from; `model` is the name of
  * its file without folders. `project` may be NULL. */
 void qn_project_get_metadata (const QnProject *project, QnMetadata *metadata);

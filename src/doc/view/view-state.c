@@ -164,14 +164,12 @@ shown_field (QnViewState *self, const QnRun *run)
   QnView view = self->options.view;
   if (run == NULL || !qn_view_needs_result (view) || view == QN_VIEW_DIAGRAMS)
     return QN_FIELD_NONE;
-  int step = qn_view_state_get_step (self);
-  gsize last = run->result.step_count > 0 ? run->result.step_count - 1 : 0;
   gboolean moves = view == QN_VIEW_MECHANISM
                      ? run->result.mechanism != NULL
                      : run->result.step_count > 0 && !run->result.limit.given;
   gboolean known =
     qn_field_needs_forces (field)
-      ? qn_result_has_forces (&run->result, step == QN_STEP_LAST ? last : (gsize) step)
+      ? qn_result_has_forces (&run->result, qn_view_state_get_shown_step (self))
       : moves;
   known &= field != QN_FIELD_BODIES || run->result.mechanism != NULL;
   return known ? field : QN_FIELD_NONE;
@@ -218,6 +216,16 @@ qn_view_state_get_step (QnViewState *self)
   if (run == NULL || self->options.step == QN_STEP_LAST || run->result.step_count == 0)
     return QN_STEP_LAST;
   return MIN (self->options.step, (int) run->result.step_count - 1);
+}
+
+gsize
+qn_view_state_get_shown_step (QnViewState *self)
+{
+  const QnRun *run = qn_document_get_run (self->document);
+  const int step = qn_view_state_get_step (self);
+  return step != QN_STEP_LAST                        ? (gsize) step
+         : run != NULL && run->result.step_count > 0 ? run->result.step_count - 1
+                                                     : 0;
 }
 
 void

@@ -24,6 +24,8 @@ void qn_view_state_set_view (QnViewState *state, QnView view);
 
 /* Step of the current run, or QN_STEP_LAST; clamped to those there are. */
 int qn_view_state_get_step (QnViewState *state);
+/* Its number, 0 where there are no steps. */
+gsize qn_view_state_get_shown_step (QnViewState *state);
 void qn_view_state_set_step (QnViewState *state, int step);
 
 /* The same, in the view of displacements where the one that is shown has no steps. */

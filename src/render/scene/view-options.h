@@ -126,6 +126,15 @@ qn_view_needs_result (QnView view)
          || view == QN_VIEW_DIAGRAMS;
 }
 
+/* The view that says most of a result: how it fails, else how it has moved, else the model alone. */
+static inline QnView
+qn_view_of_result (const QnResult *result)
+{
+  return result->mechanism != NULL ? QN_VIEW_MECHANISM
+         : result->step_count > 0  ? QN_VIEW_DEFORMED
+                                   : QN_VIEW_MODEL;
+}
+
 /* "none", "displacement", "displacement-x", …, "bodies". */
 bool qn_field_parse (const char *name, QnField *field);
 extern const char *const qn_field_names[QN_FIELD_COUNT];

@@ -92,7 +92,7 @@ prepare (const QnStudy *study, const double *values, QnCaseModel *model, GError 
 {
   QnDiag diag = { 0 };
   if (!parse (study, values, &model->project, error)
-      || (study->run == QN_STUDY_DYNAMIC
+      || (qn_study_record_count (study) > 0
           && !qn_project_read_records (&model->project, study->folder, FALSE, error)))
     return FALSE;
   if (qn_contacts_detect (&model->project.model, &model->contacts, &diag) == QN_OK

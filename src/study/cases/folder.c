@@ -14,6 +14,10 @@
 #define STUDY_NAME "study.quoin-study"
 #define MODEL_NAME "model.quoin"
 
+/* Of a study file; of the folder of all its states, in place of that. */
+#define STUDY_ENDING  ".quoin-study"
+#define STATES_ENDING "-study"
+
 char *
 qn_folder_dup_database (const char *folder, QnShard shard)
 {
@@ -87,6 +91,36 @@ qn_folder_prepare (const char *folder, const QnStudy *study, GError **error)
                    error)
          && put_copy (folder, STUDY_NAME, study->text, study->length, error)
          && put_records (folder, study, error);
+}
+
+static char *
+dup_stem (const char *path, const char *ending)
+{
+  return g_strndup (path, strlen (path)
+                            - (g_str_has_suffix (path, ending) ? strlen (ending) : 0));
+}
+
+char *
+qn_folder_dup_of_state (const QnStudy *study, const char *path)
+{
+  g_autofree char *stem = dup_stem (path, STUDY_ENDING);
+  return g_strdup_printf ("%s" STATES_ENDING "/%.8s", stem, study->sha256);
+}
+
+char *
+qn_folder_dup_named (const char *folder)
+{
+  QnStudy study;
+  g_autofree char *own = g_build_filename (folder, STUDY_NAME, NULL);
+  g_autofree char *whole = g_canonicalize_filename (folder, NULL);
+  g_autofree char *stem = dup_stem (whole, STATES_ENDING);
+  g_autofree char *path = g_strconcat (stem, STUDY_ENDING, NULL);
+  if (g_file_test (own, G_FILE_TEST_EXISTS) || !g_str_has_suffix (whole, STATES_ENDING)
+      || !qn_study_read (path, NULL, &study, NULL))
+    return g_strdup (folder);
+  char *state = qn_folder_dup_of_state (&study, path);
+  qn_study_clear (&study);
+  return state;
 }
 
 gboolean

@@ -24,6 +24,14 @@ char *qn_folder_dup_database (const char *folder, QnShard shard);
  * must be of this study. Errors: QN_IO_ERROR. */
 gboolean qn_folder_prepare (const char *folder, const QnStudy *study, GError **error);
 
+/* Folder of the results of the study of a file as it is now, in that of all its states, which is named
+ * after it: the window keeps them there. Free with g_free(). */
+char *qn_folder_dup_of_state (const QnStudy *study, const char *path);
+
+/* The folder with the study that a command names: that folder itself, or, where it is that of all states of a
+ * study beside it, the one of its present state. Free with g_free(). */
+char *qn_folder_dup_named (const char *folder);
+
 /* Reads the study of a folder from its copies. */
 gboolean qn_folder_read_study (const char *folder, QnStudy *study, GError **error);
 

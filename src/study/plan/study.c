@@ -7,6 +7,14 @@ const char *const qn_study_run_names[QN_STUDY_RUN_COUNT] = {
   [QN_STUDY_DYNAMIC] = "dynamic",
 };
 
+QnStudyRun
+qn_study_run_of (QnStudyRun run, const QnAnalysisSettings *analysis)
+{
+  return run == QN_STUDY_SOLVE && analysis->procedure == QN_PROCEDURE_DYNAMIC
+           ? QN_STUDY_DYNAMIC
+           : run;
+}
+
 const char *
 qn_study_run_override (QnStudyRun run)
 {
@@ -83,13 +91,18 @@ qn_study_run_gives (QnStudyRun run, const QnAnalysisSettings *analysis,
     return run == QN_STUDY_SOLVE && analysis->procedure != QN_PROCEDURE_LIMIT;
   if (output == QN_STUDY_COLLAPSE_MULTIPLIER && qn_study_run_bounds (run, analysis))
     return FALSE;
+  if (timed)
+    run = qn_study_run_of (run, analysis);
   return !modal && (neutral || timed == (run == QN_STUDY_DYNAMIC));
 }
 
 gsize
 qn_study_record_count (const QnStudy *study)
 {
-  return study->run == QN_STUDY_DYNAMIC ? study->project.model.ground_count : 0;
+  const QnModel *model = &study->project.model;
+  return qn_study_run_of (study->run, &model->analysis) == QN_STUDY_DYNAMIC
+           ? model->ground_count
+           : 0;
 }
 
 gboolean

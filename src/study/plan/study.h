@@ -115,6 +115,9 @@ extern const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT];
 /* Whether a plan is made of the levels of its parameters, not of random points. */
 gboolean qn_plan_is_by_levels (QnPlanKind kind);
 
+/* What a run is of a project: "solve" of one that is analysed in time is "dynamic". */
+QnStudyRun qn_study_run_of (QnStudyRun run, const QnAnalysisSettings *analysis);
+
 /* Override of the project by a kind of run; NULL: none. */
 const char *qn_study_run_override (QnStudyRun run);
 

@@ -389,6 +389,29 @@ test_sinking (void)
       }
 }
 
+/* A strip of a fifth of a course is told, a closer of a quarter of a unit is not. */
+static void
+test_cut_pieces (void)
+{
+  static const struct {
+    double width, height;
+    guint count;
+  } pieces[] = { { 1, 0.1, 1 }, { 0.1, 0.5, 1 }, { 0.25, 0.5, 0 }, { 1, 0.125, 0 } };
+  for (gsize i = 0; i < G_N_ELEMENTS (pieces); i++) {
+    g_auto (QnModel) model;
+    QnContacts contacts;
+    test_model_init_stack (&model, 12, 1, 0.5);
+    test_model_add_weight_loads (&model, 1);
+    const QnVec2 corner = qn_model_block_vertices (&model, 12)[3];
+    test_model_add_rectangle (&model, "piece", corner.x, corner.y, pieces[i].width,
+                              pieces[i].height);
+    test_detect (&model, &contacts);
+    g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_BLOCK_SLIVER), ==,
+                      pieces[i].count);
+    qn_contacts_clear (&contacts);
+  }
+}
+
 /* A crumb between twelve blocks is told with the block that it lies on; where every second block is as small
  * they are meant. */
 static void
@@ -422,5 +445,6 @@ QN_TESTS
   g_test_add_func ("/plausible/counts", test_counts);
   g_test_add_func ("/plausible/no-dead-load", test_no_dead_load);
   g_test_add_func ("/plausible/sinking", test_sinking);
+  g_test_add_func ("/plausible/cut-pieces", test_cut_pieces);
   g_test_add_func ("/plausible/slivers", test_slivers);
 }

@@ -102,8 +102,8 @@ static gboolean
 set_elements (QnModel *model, gpointer data, GError **error)
 {
   const QnId first = 0;
-  return qn_edit_set_beam_elements (model, (QnBeamSet){ &first, 1 },
-                                    GPOINTER_TO_INT (data), error);
+  return qn_edit_set_beams (model, (QnBeamSet){ &first, 1 }, QN_BEAM_ELEMENTS,
+                            GPOINTER_TO_INT (data), error);
 }
 
 /* The load in the middle stays in the middle, or as near as there is a node. */
@@ -299,7 +299,8 @@ own_section (QnModel *model, gpointer data, GError **error)
   (void) data;
   const QnId first = 0;
   return qn_edit_add_section (model, 0, error)
-         && qn_edit_set_beam_section (model, (QnBeamSet){ &first, 1 }, 1, error);
+         && qn_edit_set_beams (model, (QnBeamSet){ &first, 1 }, QN_BEAM_SECTION, 1,
+                               error);
 }
 
 static gboolean
