@@ -330,6 +330,9 @@ test_endings (void)
   g_assert_cmpstr (first, ==, whole);
   g_autofree char *kept = qn_chooser_complete_path (typed, endings, &error);
   g_assert_cmpstr (kept, ==, typed);
+  g_autofree char *doubled = g_strconcat (typed, ".png", NULL);
+  g_autofree char *once = qn_chooser_complete_path (doubled, endings, &error);
+  g_assert_cmpstr (once, ==, typed);
   g_assert_no_error (error);
   g_assert_true (g_file_set_contents (whole, "", -1, NULL));
   g_assert_null (qn_chooser_complete_path (bare, endings, &error));

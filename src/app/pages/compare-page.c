@@ -579,8 +579,7 @@ on_file_chosen (gpointer data, const char *path, const GError *refused)
   gboolean written = path != NULL
                      && qn_compare_export (
                        compare->shown, (const char *const *) titles->pdata, path, &error);
-  g_autofree char *message =
-    written ? g_strdup_printf (_ ("Figure written to %s"), path) : NULL;
+  g_autofree char *message = written ? g_strdup_printf (_ ("Written to %s"), path) : NULL;
   tell (compare, written ? message : error->message);
 }
 

@@ -13,7 +13,17 @@
 #include "io/exchange/vtu.h"
 #include <glib/gi18n.h>
 
+/* Of what keeps a report from being written: where it goes. */
+#define PATH "qn-path"
+
 /* ---- what is written ---- */
+
+static void
+tell_written (QnWindow *self, const char *path)
+{
+  g_autofree char *message = g_strdup_printf (_ ("Written to %s"), path);
+  qn_window_show_message (self, message);
+}
 
 static void
 on_report_written (GObject *source, GAsyncResult *result, gpointer data)
@@ -21,12 +31,13 @@ on_report_written (GObject *source, GAsyncResult *result, gpointer data)
   g_autoptr (QnWindow) self = data;
   g_autoptr (GError) error = NULL;
   gboolean done = qn_report_write_finish (result, &error);
+  g_autofree char *path = g_strdup (g_object_get_data (G_OBJECT (self->reporting), PATH));
   g_clear_object (&self->reporting);
   if (gtk_widget_in_destruction (GTK_WIDGET (self)) || self->document == NULL)
     return;
   qn_window_update_actions (self);
   if (done)
-    qn_window_show_message (self, _ ("The report is written"));
+    tell_written (self, path);
   else if (g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED))
     qn_window_show_message (self, _ ("Cancelled: no report is written"));
   else
@@ -42,6 +53,7 @@ write_report (QnWindow *self, const char *path)
     return;
   }
   self->reporting = g_cancellable_new ();
+  g_object_set_data_full (G_OBJECT (self->reporting), PATH, g_strdup (path), g_free);
   qn_report_write_async (self->document, qn_settings_get_units (), path, self->reporting,
                          on_report_written, g_object_ref (self));
   qn_window_show_message (self, _ ("Writing the report… Shift+F5 cancels"));
@@ -113,8 +125,7 @@ export_to (QnWindow *self, gsize i, const char *path)
     qn_window_show_error (self, error->message);
     return;
   }
-  g_autofree char *message = g_strdup_printf (_ ("Written to %s"), path);
-  qn_window_show_message (self, message);
+  tell_written (self, path);
 }
 
 static void
@@ -161,9 +172,7 @@ repeat_export (QnWindow *self, GVariant *parameter)
     qn_window_show_error (self, error->message);
     return;
   }
-  g_autofree char *message =
-    g_strdup_printf (_ ("Figure written to %s"), self->last_export);
-  qn_window_show_message (self, message);
+  tell_written (self, self->last_export);
   qn_window_update_actions (self);
 }
 
