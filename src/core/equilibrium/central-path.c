@@ -338,7 +338,7 @@ improve (Increment *increment)
 }
 
 static QnSolveStatus
-iterate_path (Increment *increment, int budget)
+iterate_path (Increment *increment)
 {
   int finishes = 0;
 
@@ -355,7 +355,7 @@ iterate_path (Increment *increment, int budget)
       prepare_path (increment);
       has_converged (increment);
     }
-    if (iteration == budget || !makes_headway (increment, iteration))
+    if (iteration == QN_TRIED || !makes_headway (increment, iteration))
       return fall_back (increment);
     QnSolveStatus status = improve (increment);
     if (status == QN_SOLVE_FAILED)
@@ -379,7 +379,7 @@ expected_elongation (const QnCentralPath *path, const QnTarget *target)
 /* One central path from the current displacements and forces, from mean products of `size`; another one from
  * there where the dilation of joints has turned on the way. */
 static QnSolveStatus
-follow_path (Increment *increment, double size, int budget)
+follow_path (Increment *increment, double size)
 {
   QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
@@ -391,7 +391,7 @@ follow_path (Increment *increment, double size, int budget)
     increment->complementarity = COMPLEMENTARITY;
     increment->near_gap = INFINITY;
     qn_central_pairs_start (&path->pairs, size, turn > 0);
-    QnSolveStatus status = iterate_path (increment, budget);
+    QnSolveStatus status = iterate_path (increment);
     if (status != QN_SOLVE_FAILED || !path->pairs.turned || turn == MOST_TURNS)
       return status;
     memcpy (eq->u, path->begun, bytes);
@@ -402,8 +402,7 @@ follow_path (Increment *increment, double size, int budget)
 }
 
 QnSolveStatus
-qn_central_path_solve (QnCentralPath *path, const QnTarget *target, double viscosity,
-                       int budget)
+qn_central_path_solve (QnCentralPath *path, const QnTarget *target, double viscosity)
 {
   QnEquilibrium *eq = path->eq;
   Increment increment = { .path = path };
@@ -419,5 +418,5 @@ qn_central_path_solve (QnCentralPath *path, const QnTarget *target, double visco
     eq->multiplier = target->multiplier;
   path->viscosity = viscosity;
   path->target = target;
-  return follow_path (&increment, fmax (1, size), budget);
+  return follow_path (&increment, fmax (1, size));
 }

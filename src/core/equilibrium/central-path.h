@@ -36,9 +36,9 @@ bool qn_central_path_new (QnEquilibrium *eq, bool together, QnCentralPath **path
 
 void qn_central_path_free (QnCentralPath *path);
 
-/* Solves R(u, lambda) - viscosity C (u - anchor.u) = 0 and the target by at most `budget` factorisations,
+/* Solves R(u, lambda) - viscosity C (u - anchor.u) = 0 and the target by at most QN_TRIED factorisations,
  * then qn_equilibrium_newton() to the residual tolerance. viscosity = 0: equilibrium, from the committed
  * state; else a viscous step from the current state (the anchor) with the velocity eq->motion. The current
  * state is the outcome: CONVERGED, FAILED, CANCELLED or NO_MEMORY. */
 QnSolveStatus qn_central_path_solve (QnCentralPath *path, const QnTarget *target,
-                                     double viscosity, int budget);
+                                     double viscosity);

@@ -184,8 +184,10 @@ typedef struct QnFall {
 
 void qn_fall_init (QnFall *fall, const QnAssembly *assembly, QnPool *pool);
 
-/* Viscous steps of a relaxation whose answer decides the outcome. */
+/* Viscous steps of a relaxation whose answer decides the outcome; those, and factorisations along a central path,
+ * that are tried before something else is. */
 #define QN_RELAX_BUDGET 300
+#define QN_TRIED        40
 
 /* Viscous motion from the current state with the target held and decreasing viscosity, until the structure
  * rests (CONVERGED) or is a mechanism (MECHANISM, with eq->motion); FAILED if neither is certain after

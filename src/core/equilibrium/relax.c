@@ -23,10 +23,9 @@
 #define WAIT            8 /* steps until a failed viscosity is tried again, no measure held */
 #define STEADY          1e-3 /* velocities differ by less, over as long as all that went before */
 
-/* Of steps along the central path. Small structures rest or fall within the first steps, which are cheaper by
- * Newton's method alone. */
-#define CENTRAL_BUDGET 60
-#define CENTRAL_FROM   10
+/* First step along a central path. Small structures rest or fall before, which is cheaper by Newton's method
+ * alone. */
+#define CENTRAL_FROM 10
 
 /* A measure advances at a speed that damping resists with this part of the largest dead load on a block: ten
  * times as fast, and walls take other branches in large than in small steps. In at least so many steps. */
@@ -314,8 +313,7 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
 
     if (by_central) {
       qn_equilibrium_set_state (eq, &eq->anchor);
-      status =
-        qn_central_path_solve (central, &now, relaxation.viscosity, CENTRAL_BUDGET);
+      status = qn_central_path_solve (central, &now, relaxation.viscosity);
     }
     if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY)
       return status;

@@ -79,7 +79,7 @@ solve_statically (QnPathTrace *trace, const QnTarget *target)
   trace->means = QN_FOUND_BY_CENTRAL_PATH;
   eq->orientation =
     trace->orientation; /* should Newton's method find nothing left to do */
-  status = qn_central_path_solve (trace->central, target, 0, QN_PATH_TRIED);
+  status = qn_central_path_solve (trace->central, target, 0);
   return qn_path_trace_is_linear (trace) ? status : refuse_unstable (trace, status);
 }
 
@@ -309,7 +309,7 @@ solve_nonlinear (QnPathTrace *trace, double *step)
     trace->refused = false;
     QnSolveStatus status =
       relaxes ? qn_equilibrium_relax (eq, NULL, &target, far, NULL,
-                                      smallest ? QN_RELAX_BUDGET_HELD : QN_PATH_TRIED)
+                                      smallest ? QN_RELAX_BUDGET_HELD : QN_TRIED)
               : solve_statically (trace, &target);
     if (relaxes)
       trace->means = QN_FOUND_BY_RELAXATION;

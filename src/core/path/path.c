@@ -168,7 +168,7 @@ find_equilibrium (QnEquilibrium *eq, QnCentralPath *central)
       || (qn_assembly_may_jump (&eq->assembly) ? !stands || !qn_path_slips (&eq->assembly)
                                                : solve != QN_SOLVE_FAILED))
     return solve;
-  solve = qn_central_path_solve (central, &target, 0, QN_PATH_TRIED);
+  solve = qn_central_path_solve (central, &target, 0);
   if (solve != QN_SOLVE_FAILED || !stands)
     return solve;
   qn_equilibrium_restore (eq);
@@ -188,8 +188,8 @@ let_settle (QnEquilibrium *eq, QnCentralPath *central)
   const QnTarget target = qn_target_multiplier (0);
   int64_t commits = eq->assembly.commits;
   bool linear = !eq->assembly.nonlinear && central != NULL;
-  QnSolveStatus solve = qn_equilibrium_relax (
-    eq, NULL, &target, INFINITY, NULL, linear ? QN_PATH_FALL_TOLD : QN_RELAX_BUDGET);
+  QnSolveStatus solve = qn_equilibrium_relax (eq, NULL, &target, INFINITY, NULL,
+                                              linear ? QN_TRIED : QN_RELAX_BUDGET);
   bool rests = solve == QN_SOLVE_CONVERGED;
 
   if ((!rests && solve != QN_SOLVE_FAILED) || central == NULL)
@@ -198,7 +198,7 @@ let_settle (QnEquilibrium *eq, QnCentralPath *central)
     qn_equilibrium_save (eq, &eq->anchor);
   if (linear && qn_assembly_may_jump (&eq->assembly)) {
     qn_equilibrium_restore (eq);
-    solve = qn_central_path_solve (central, &target, 0, QN_PATH_TRIED);
+    solve = qn_central_path_solve (central, &target, 0);
     if (solve != QN_SOLVE_FAILED) {
       eq->assembly.commits = commits; /* the motion is undone */
       return solve;

@@ -4,10 +4,8 @@
 /* Newton iterations of an easy step, after which the next one is longer, and from a predicted state. */
 #define QN_PATH_EASY 6
 
-/* Before a step is cut: factorisations along the central path, and viscous steps. */
-#define QN_PATH_TRIED        40
-#define QN_RELAX_BUDGET_HELD 10000 /* viscous steps of the shortest step, measure held */
-#define QN_PATH_FALL_TOLD    50 /* viscous steps under dead load to find falling blocks */
+/* Viscous steps of the shortest step, measure held. */
+#define QN_RELAX_BUDGET_HELD 10000
 
 /* After an easy step the next one is GROWTH times longer; STEADY times if the direction of motion changed by
  * less than TURN; 1 / CUT times if the structure cannot jump. Long steps may cause slip that is not on the
