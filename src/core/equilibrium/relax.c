@@ -40,8 +40,6 @@
 #define FALL_LENGTHS   1e3
 #define FALL_PART      0.25 /* of a kept state: the way gone beside the one after it */
 
-#define NEXT_TO 0.1 /* a neighbour of a rest, reached straight: of the way */
-
 typedef struct {
   bool held;                            /* a measure, while the multiplier is free */
   double duration;                      /* of the measure's advance */
@@ -258,9 +256,9 @@ remembers_way (const QnSpring *spring)
 }
 
 /* A structure has come to rest, and its joints may have been strained farther on the way than they are in the
- * end. That strain came from artificial damping and must not stay. The same rest is reached straight from the last
- * equilibrium that is recorded, as in every other step, where there is one next to it: then displacements tell
- * all forces. */
+ * end. That strain came from artificial damping and must not stay. A rest is reached straight from the last
+ * equilibrium that is recorded, as in every other step, where Newton's method finds one from there: then
+ * displacements tell all forces. */
 static QnSolveStatus
 come_straight (QnEquilibrium *eq, const QnTarget *target)
 {
@@ -279,10 +277,7 @@ come_straight (QnEquilibrium *eq, const QnTarget *target)
   QnSolveStatus status = qn_assembly_evaluate (as, eq->u)
                            ? qn_equilibrium_newton (eq, target, 0, NEWTON_BUDGET)
                            : QN_SOLVE_FAILED;
-  double away = qn_assembly_largest (as, eq->u, eq->anchor.u);
-  if (status == QN_SOLVE_CONVERGED && away <= NEXT_TO * qn_equilibrium_motion (eq))
-    return status;
-  if (status == QN_SOLVE_CANCELLED || status == QN_SOLVE_NO_MEMORY)
+  if (status != QN_SOLVE_FAILED)
     return status;
   qn_equilibrium_set_state (eq, &eq->anchor);
   return QN_SOLVE_CONVERGED;
