@@ -12,14 +12,12 @@
 /* Tuning. Residuals at which Newton's method may finish, of strain and complementarity relative to the
  * elongations. Flows that belong to the last trace of a strength, z = product / s, lose their digits to rounding,
  * and strain with them; displacements and forces do not. */
-#define BALANCE         1e-9 /* and of strength */
-#define STRAIN          1e-3
-#define COMPLEMENTARITY 1e-9
-#define TIGHTER         1e-2 /* complementarity, where Newton's method does not finish, */
-#define MOST_FINISHES   3    /* so often, */
-#define FINISH_BUDGET   12   /* in so many iterations */
-#define NEARLY          1e-7 /* complementarity that may stand if only rounding turns back */
-#define MOST_TURNS      4 /* central paths of a step, as dilation turns on the last one */
+#define EXACT         1e-9 /* balance, strength, complementarity */
+#define STRAIN        1e-3
+#define TIGHTER       1e-2 /* complementarity, where Newton's method does not finish, */
+#define MOST_FINISHES 3    /* so often */
+#define NEARLY        1e-7 /* complementarity that may stand if only rounding turns back */
+#define MOST_TURNS    4 /* central paths of a step, as dilation turns on the last one */
 
 #define HOLDING_VISCOSITY 1e-12 /* holds what touches nothing */
 #define TO_BOUNDARY       0.995 /* of the way to the boundary */
@@ -199,7 +197,7 @@ is_within (Increment *increment, double complementarity, double out_of_balance)
   QnEquilibrium *eq = path->eq;
 
   if (!(increment->residuals.strength
-          <= fmax (BALANCE, QN_TOLERANCE_FORCE * increment->residuals.force)
+          <= fmax (EXACT, QN_TOLERANCE_FORCE * increment->residuals.force)
         && increment->residuals.strain <= STRAIN * increment->elongation
         && increment->gap <= complementarity * increment->elongation
         && fabs (increment->path->target_gap)
@@ -236,7 +234,7 @@ has_converged (Increment *increment)
 
   increment->path->target_gap = qn_equilibrium_target_lack (eq, increment->path->target);
   keep_near (increment);
-  return is_within (increment, increment->complementarity, BALANCE);
+  return is_within (increment, increment->complementarity, EXACT);
 }
 
 /* Newton's method from where the iteration stands; FAILED leaves it there. */
@@ -251,7 +249,7 @@ finish (Increment *increment)
   memcpy (increment->path->kept, eq->u, bytes);
   if (qn_assembly_evaluate (&eq->assembly, eq->u))
     status = qn_equilibrium_newton (eq, increment->path->target,
-                                    increment->path->viscosity, FINISH_BUDGET);
+                                    increment->path->viscosity, QN_NEWTON_SHORT);
   if (status == QN_SOLVE_FAILED) {
     memcpy (eq->u, increment->path->kept, bytes);
     eq->multiplier = multiplier;
@@ -388,7 +386,7 @@ follow_path (Increment *increment, double size)
 
   memcpy (path->begun, eq->u, bytes);
   for (int turn = 0;; turn++) {
-    increment->complementarity = COMPLEMENTARITY;
+    increment->complementarity = EXACT;
     increment->near_gap = INFINITY;
     qn_central_pairs_start (&path->pairs, size, turn > 0);
     QnSolveStatus status = iterate_path (increment);

@@ -12,10 +12,8 @@
 
 #include <string.h>
 
-/* Tuning. A step that converges within QUICK iterations lets the next one be LONGER times as long, one that
- * fails is repeated SHORTER times as short. */
-#define NEWTON_BUDGET   12 /* of a viscous step: after as many the next one is shorter */
-#define QUICK           6
+/* Tuning. An easy step lets the next one be LONGER times as long, one that fails is repeated SHORTER times as
+ * short. */
 #define LONGER          4
 #define SHORTER         8
 #define FIRST_VISCOSITY 0.01 /* soft enough to cross a small jump at once */
@@ -223,9 +221,9 @@ growth (Relaxation *relaxation, int iterations)
                   && relaxation->viscosity / LONGER <= relaxation->failed;
 
   relaxation->waits -= relaxation->waits > 0;
-  if (iterations >= NEWTON_BUDGET)
+  if (iterations >= QN_NEWTON_SHORT)
     return 0.5;
-  return iterations <= QUICK && !may_fail ? LONGER : 1;
+  return iterations <= QN_NEWTON_EASY && !may_fail ? LONGER : 1;
 }
 
 void
@@ -275,7 +273,7 @@ come_straight (QnEquilibrium *eq, const QnTarget *target)
     qn_pair_keep_damage (&as->springs[p], &eq->anchor.memory[p], &as->committed[p]);
   qn_beam_state_set (&eq->recorded.beams, &as->beams);
   QnSolveStatus status = qn_assembly_evaluate (as, eq->u)
-                           ? qn_equilibrium_newton (eq, target, 0, NEWTON_BUDGET)
+                           ? qn_equilibrium_newton (eq, target, 0, QN_NEWTON_SHORT)
                            : QN_SOLVE_FAILED;
   if (status != QN_SOLVE_FAILED)
     return status;
@@ -302,7 +300,7 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
     qn_equilibrium_save (eq, &eq->anchor);
     qn_equilibrium_note_gaps (eq);
     QnSolveStatus status =
-      qn_equilibrium_newton (eq, &now, relaxation.viscosity, NEWTON_BUDGET);
+      qn_equilibrium_newton (eq, &now, relaxation.viscosity, QN_NEWTON_SHORT);
     bool by_central =
       status == QN_SOLVE_FAILED && central != NULL && step >= CENTRAL_FROM;
 

@@ -66,7 +66,8 @@ solve_statically (QnPathTrace *trace, const QnTarget *target)
 
   trace->means = QN_FOUND_BY_NEWTON;
   if (qn_path_predictor_go (&trace->predictor, eq, target->advance)) {
-    status = refuse_unstable (trace, qn_equilibrium_newton (eq, target, 0, QN_PATH_EASY));
+    status =
+      refuse_unstable (trace, qn_equilibrium_newton (eq, target, 0, QN_NEWTON_EASY));
     if (status != QN_SOLVE_FAILED)
       return status;
     qn_equilibrium_restore (eq);
@@ -387,7 +388,7 @@ qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy)
   QnEquilibrium *eq = &trace->path->equilibrium;
   const QnTarget goal = qn_target_multiplier (target);
   double increment = target - eq->committed.multiplier;
-  QnSolveStatus status = qn_equilibrium_newton (eq, &goal, 0, QN_PATH_EASY);
+  QnSolveStatus status = qn_equilibrium_newton (eq, &goal, 0, QN_NEWTON_EASY);
 
   trace->means = QN_FOUND_BY_NEWTON;
   trace->jumped = false;
@@ -405,7 +406,7 @@ qn_path_step_was_easy (const QnPathTrace *trace, int32_t iterations)
    * the branch depends on them, which matters where what lies between is to be seen. */
   bool may_grow = qn_path_trace_is_linear (trace) || trace->load_control;
 
-  return trace->means == QN_FOUND_BY_RELAXATION || iterations <= QN_PATH_EASY
+  return trace->means == QN_FOUND_BY_RELAXATION || iterations <= QN_NEWTON_EASY
          || (trace->means == QN_FOUND_BY_CENTRAL_PATH && may_grow);
 }
 

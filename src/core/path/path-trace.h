@@ -74,7 +74,7 @@ double qn_path_last_advance (const QnPathTrace *trace);
 QnSolveStatus qn_path_step_solve (QnPathTrace *trace, double *step);
 
 /* Solves a step of load control to the multiplier `target` by Newton's method alone. *easy: it converged
- * within QN_PATH_EASY iterations. */
+ * within QN_NEWTON_EASY iterations. */
 QnSolveStatus qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy);
 
 /* Whether the next step may be longer than the solved one, which took so many iterations. */

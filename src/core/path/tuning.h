@@ -1,9 +1,6 @@
 /* Parameters of the path. Numbers without a unit are ratios. Effects of other values: docs/experiments. */
 #pragma once
 
-/* Newton iterations of an easy step, after which the next one is longer, and from a predicted state. */
-#define QN_PATH_EASY 6
-
 /* Viscous steps of the shortest step, measure held. */
 #define QN_RELAX_BUDGET_HELD 10000
 
