@@ -155,7 +155,7 @@ static const Reading readings[] = {
   { import, "QUOIN_EXAMPLES", "dxf/wall-lines.dxf" },
   { import, "QUOIN_EXAMPLES", "dxf/wall-inserts.dxf" },
   { import, "QUOIN_CORPUS", "svg/shapes.svg" },
-  { import, "QUOIN_CORPUS", "compas/blocks.json" },
+  { import, "QUOIN_CORPUS", "compas/model.json" },
   { import, "QUOIN_CORPUS", "hybridfem/two-boxes.txt" },
 };
 

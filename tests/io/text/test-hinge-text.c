@@ -1,6 +1,8 @@
 #include "io/text/tie-text.h"
 
 #include "io/project/project.h"
+#include "io/text/fault-text.h"
+#include "support/models.h"
 #include "support/room.h"
 
 /* A beam of three elements, clamped at both ends, with two nodes between. */
@@ -70,8 +72,79 @@ test_unknown (void)
   g_assert_null (qn_hinges_dup_text (&project.model, &result));
 }
 
+/* Ties at their worst step, the most used first and four of them; one without strength by its force. */
+static void
+test_ties (void)
+{
+  enum { TIES = 6 };
+  QnModel model;
+  QnStep steps[2] = { { 0 } };
+  QnTieResult ties[2 * TIES] = { { 0 } };
+  QnResult result = { .steps = steps, .step_count = 2, .ties = ties };
+  test_model_init_stack (&model, 2, 1, 0.5);
+  for (int i = 0; i < TIES; i++) {
+    g_autofree char *name = g_strdup_printf ("t%d", i + 1);
+    QnTie *tie = qn_model_add_tie (&model, name);
+    tie->area = 1e-4;
+    tie->yield = i == 1 ? 0 : 1e8;                      /* 10 kN */
+    g_assert_null (qn_ties_dup_text (&model, &result)); /* of another model */
+    result.tie_count = (size_t) i + 1;
+    ties[i] = (QnTieResult){ .force = 9e3 };
+    for (int k = 0; k <= i; k++)
+      ties[i + 1 + k] = (QnTieResult){ .force = 1e3 * (k + 1), .state = QN_TIE_ELASTIC };
+    ties[i + 1 + i] = (QnTieResult){ .force = 1e4, .state = QN_TIE_YIELDS };
+    g_autofree char *words = qn_ties_dup_text (&model, &result);
+    g_autofree char *worst =
+      i == 1 ? g_strdup ("“t2” 10 kN")
+             : g_strdup_printf ("“t%d” 10 kN, 100 %% of its strength (yields)", i + 1);
+    g_assert_nonnull (strstr (words, worst));
+    g_assert_cmpint (strstr (words, "…") != NULL, ==, i >= 4);
+    g_assert_cmpint (g_str_has_prefix (words, "Largest force of the tie"), ==, i == 0);
+  }
+  result.step_count = 0;
+  g_assert_null (qn_ties_dup_text (&model, &result));
+  qn_model_clear (&model);
+}
+
+/* Where a refused claim is, in what is known of the model; every claim is found by its name. */
+static void
+test_faults (void)
+{
+  static const struct {
+    QnFault fault;
+    const char *words;
+  } cases[] = {
+    { { .step = 2, .entity = QN_ENTITY_CONTACT, .index = 3 }, "step 2: pair 3: " },
+    { { .step = QN_NONE, .entity = QN_ENTITY_BLOCK, .index = 1 }, "block “b1”: " },
+    { { .step = QN_NONE, .entity = QN_ENTITY_BLOCK, .index = 9 }, "number 9: " },
+    { { .step = QN_NONE, .entity = QN_ENTITY_NODE, .index = 0 }, "number 0: " },
+    { { .step = QN_NONE, .entity = QN_ENTITY_BEAM, .index = 0 }, "number 0: " },
+    { { .step = QN_NONE, .entity = QN_ENTITY_TIE, .index = 0 }, "tie “rod”: " },
+    { { .step = 1, .entity = QN_ENTITY_TIE, .index = QN_NONE }, "step 1: " },
+  };
+  QnModel model;
+  test_model_init_stack (&model, 2, 1, 0.5);
+  qn_model_add_tie (&model, "rod");
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++)
+    for (int claim = 0; claim < QN_CLAIM_COUNT; claim++) {
+      QnFault fault = cases[i].fault;
+      fault.claim = (QnClaim) claim;
+      fault.stated = claim % 2 == 0 ? 1.5 : NAN;
+      fault.found = claim % 4 == 0 ? 2.5 : 0;
+      g_autofree char *words = qn_fault_dup_text (&model, NULL, &fault);
+      g_assert_true (g_str_has_prefix (words, cases[i].words));
+      g_assert_true (strstr (words, "1.5") == NULL || claim % 2 == 0);
+      g_assert_true (strstr (words, "2.5") == NULL || claim % 4 == 0);
+      g_assert_cmpint (qn_claim_from_name (qn_claim_name (fault.claim)), ==, claim);
+    }
+  g_assert_cmpint (qn_claim_from_name ("none"), ==, QN_CLAIM_COUNT);
+  qn_model_clear (&model);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/tie-text/ties", test_ties);
+  g_test_add_func ("/fault-text/places", test_faults);
   g_test_add_func ("/io/hinge-text/places", test_places);
   g_test_add_func ("/io/hinge-text/unknown", test_unknown);
 }

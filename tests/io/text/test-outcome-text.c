@@ -55,8 +55,119 @@ test_coarse_pairs (void)
   qn_model_clear (&model);
 }
 
+/* How every analysis may end, and words of the sentence that says so. */
+static void
+test_reasons (void)
+{
+  enum {
+    NOTHING,
+    NONLINEAR,
+    ASSOCIATIVE,
+    BOUND,
+    UNCERTAIN,
+    NO_STEPS,
+    FALLEN,
+    ENDS,
+    IDLE
+  };
+  static const struct {
+    const char *words;
+    QnOutcome outcome;
+    QnProcedure procedure;
+    QnStop stop;
+    int with;
+  } cases[] = {
+    { "was not determined", QN_OUTCOME_COLLAPSE, QN_PROCEDURE_LOAD, 0, UNCERTAIN },
+    { "held a little above", QN_OUTCOME_COLLAPSE, QN_PROCEDURE_LOAD, QN_STOP_FALL, 0 },
+    { "along its mechanism", QN_OUTCOME_COLLAPSE, QN_PROCEDURE_LOAD, 0, 0 },
+    { "No forces that", QN_OUTCOME_COLLAPSE, QN_PROCEDURE_LIMIT, 0, ASSOCIATIVE },
+    { "lowest multiplier found", QN_OUTCOME_COLLAPSE, QN_PROCEDURE_LIMIT, 0, 0 },
+    { "fall out of", QN_OUTCOME_COLLAPSE, QN_PROCEDURE_DISPLACEMENT, QN_STOP_FALL, 0 },
+    { "nothing of the load", QN_OUTCOME_COLLAPSE, QN_PROCEDURE_WORK, 0, FALLEN },
+    { "under a constant load", QN_OUTCOME_COLLAPSE, QN_PROCEDURE_ARC_LENGTH, 0, 0 },
+    { "its end value of 0.5", QN_OUTCOME_TARGET_REACHED, QN_PROCEDURE_LOAD, 0, ENDS },
+    { "target was reached", QN_OUTCOME_TARGET_REACHED, QN_PROCEDURE_LOAD, 0, 0 },
+    { "No live load acts", QN_OUTCOME_TARGET_REACHED, QN_PROCEDURE_LOAD, 0, IDLE },
+    { "first limit point", QN_OUTCOME_SNAP, QN_PROCEDURE_LOAD, 0, 0 },
+    { "associative theorem", QN_OUTCOME_UNBOUNDED, QN_PROCEDURE_LIMIT, 0, 0 },
+    { "by its own size", QN_OUTCOME_UNBOUNDED, QN_PROCEDURE_LOAD, 0, NONLINEAR },
+    { "No collapse up to", QN_OUTCOME_UNBOUNDED, QN_PROCEDURE_LOAD, 0, 0 },
+    { "Cancelled at a load", QN_OUTCOME_CANCELLED, QN_PROCEDURE_LOAD, 0, 0 },
+    { "refused a part", QN_OUTCOME_NOT_CONVERGED, QN_PROCEDURE_LOAD, QN_STOP_CHECK, 0 },
+    { "with the dilatancy", QN_OUTCOME_NOT_CONVERGED, QN_PROCEDURE_LIMIT, 0, BOUND },
+    { "max_factorizations", QN_OUTCOME_NOT_CONVERGED, QN_PROCEDURE_WORK,
+      QN_STOP_FACTORIZATIONS, 0 },
+    { "max_seconds", QN_OUTCOME_NOT_CONVERGED, QN_PROCEDURE_LOAD, QN_STOP_TIME, 0 },
+    { "optimisation", QN_OUTCOME_NOT_CONVERGED, QN_PROCEDURE_LIMIT, 0, 0 },
+    { "nor clearly falls", QN_OUTCOME_NOT_CONVERGED, QN_PROCEDURE_LOAD, 0, NO_STEPS },
+    { "neither an", QN_OUTCOME_NOT_CONVERGED, QN_PROCEDURE_LOAD, 0, 0 },
+    { "largest number", QN_OUTCOME_NOT_CONVERGED, QN_PROCEDURE_WORK, QN_STOP_STEPS, 0 },
+    { "shortest step", QN_OUTCOME_NOT_CONVERGED, QN_PROCEDURE_WORK, 0, 0 },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    const int with = cases[i].with;
+    QnModel model;
+    QnStep step = { .multiplier = with == FALLEN ? 0 : 0.5 };
+    QnResult result = { .outcome = cases[i].outcome,
+                        .stop = cases[i].stop,
+                        .steps = &step,
+                        .step_count = with == NO_STEPS ? 0 : 1,
+                        .mechanism_uncertain = with == UNCERTAIN,
+                        .has_associative_bound = with == BOUND };
+    test_model_init_wall (&model, 1, 0);
+    g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+    model.analysis.procedure = cases[i].procedure;
+    model.analysis.flow =
+      with == ASSOCIATIVE ? QN_FLOW_ASSOCIATIVE : QN_FLOW_NON_ASSOCIATIVE;
+    model.analysis.geometry =
+      with == NONLINEAR ? QN_GEOMETRY_NONLINEAR : QN_GEOMETRY_LINEAR;
+    model.analysis.max_multiplier = with == ENDS ? 0.5 : INFINITY;
+    model.live_load_count = with == IDLE ? 0 : model.live_load_count;
+    g_autofree char *text = qn_outcome_dup_reason (&model, &result);
+    if (strstr (text, cases[i].words) == NULL)
+      g_error ("%s: %s", cases[i].words, text);
+    qn_model_clear (&model);
+  }
+}
+
+/* The same for analyses in time. */
+static void
+test_reasons_in_time (void)
+{
+  static const struct {
+    const char *words;
+    QnOutcome outcome;
+    QnStop stop;
+  } cases[] = {
+    { "Overturned at 2 s", QN_OUTCOME_COLLAPSE, 0 },
+    { "end of the duration, 3 s", QN_OUTCOME_TARGET_REACHED, 0 },
+    { "At rest at 3 s", QN_OUTCOME_REST, 0 },
+    { "Cancelled at 3 s", QN_OUTCOME_CANCELLED, 0 },
+    { "refused a part", QN_OUTCOME_NOT_CONVERGED, QN_STOP_CHECK },
+    { "max_factorizations", QN_OUTCOME_NOT_CONVERGED, QN_STOP_FACTORIZATIONS },
+    { "max_seconds", QN_OUTCOME_NOT_CONVERGED, QN_STOP_TIME },
+    { "no step converged", QN_OUTCOME_NOT_CONVERGED, 0 },
+  };
+  QnModel model;
+  test_model_init_wall (&model, 1, 0);
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    QnResult result = { .outcome = cases[i].outcome,
+                        .stop = cases[i].stop,
+                        .linearity = QN_LINEARITY_BEYOND,
+                        .history = { .width = 1, .collapse_time = 2, .end = 3 } };
+    g_autofree char *text = qn_outcome_dup_reason (&model, &result);
+    if (strstr (text, cases[i].words) == NULL)
+      g_error ("%s: %s", cases[i].words, text);
+    g_assert_nonnull (strstr (text, "a tenth of their least width"));
+  }
+  qn_model_clear (&model);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/outcome-text/reasons", test_reasons);
+  g_test_add_func ("/outcome-text/reasons-in-time", test_reasons_in_time);
   g_test_add_func ("/outcome-text/coarse-pairs", test_coarse_pairs);
   g_test_add_func ("/outcome-text/broken-bond", test_broken_bond);
 }
