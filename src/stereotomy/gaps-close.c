@@ -474,12 +474,12 @@ common_place (const Corner *corners, const QnId *group, size_t size)
 static bool
 gather_corners (const Closing *closing, QnRings *moved, double reach)
 {
-  Corner *corners = qn_alloc (closing->side_count, sizeof *corners);
-  QnBox *boxes = qn_alloc (closing->side_count, sizeof *boxes);
-  QnBoxTree tree = { 0 };
+  QnPool room = { 0 };
+  Corner *corners = qn_pool_alloc (&room, closing->side_count, sizeof *corners);
+  QnBox *boxes = qn_pool_alloc (&room, closing->side_count, sizeof *boxes);
+  QnBoxTree tree;
   size_t count = 0;
-  bool done = corners != NULL && boxes != NULL;
-  for (size_t i = 0; done && i < moved->count; i++)
+  for (size_t i = 0; !room.failed && i < moved->count; i++)
     for (size_t k = 0; k < moved->items[i].count; k++) {
       const ClosingSide *after = &closing->sides[closing->first_side[i] + k];
       if (!after->has_line || !closing->sides[after->before].has_line)
@@ -489,7 +489,8 @@ gather_corners (const Closing *closing, QnRings *moved, double reach)
       corners[count++] =
         (Corner){ i, { &closing->sides[after->before], after }, at, false };
     }
-  done = done && qn_box_tree_init (&tree, boxes, count);
+  qn_box_tree_init (&tree, boxes, count, &room);
+  const bool done = !room.failed;
   for (size_t i = 0; done && i < count; i++) {
     if (corners[i].taken)
       continue;
@@ -513,9 +514,7 @@ gather_corners (const Closing *closing, QnRings *moved, double reach)
         *corners[group[k]].at = place;
     }
   }
-  qn_box_tree_clear (&tree);
-  free (boxes);
-  free (corners);
+  qn_pool_clear (&room);
   return done;
 }
 
@@ -574,14 +573,15 @@ depth_of (QnBox a, QnBox b)
 static QnStatus
 trim_overlaps (const Closing *closing, QnRings *moved, QnDiag *diag)
 {
-  QnBox *boxes = qn_alloc (moved->count, sizeof *boxes);
-  QnBoxTree tree = { 0 };
+  QnPool room = { 0 };
+  QnBox *boxes = qn_pool_alloc (&room, moved->count, sizeof *boxes);
+  QnBoxTree tree;
   QnBoxPairs pairs = { 0 };
   for (size_t i = 0; boxes != NULL && i < moved->count; i++)
     if (moved->items[i].count > 0)
       boxes[i] = qn_box_of_points (moved->items[i].points, moved->items[i].count);
-  bool done = boxes != NULL && qn_box_tree_init (&tree, boxes, moved->count)
-              && qn_box_tree_pairs (&tree, 0, QN_MOST_SIDE_PAIRS, &pairs);
+  qn_box_tree_init (&tree, boxes, moved->count, &room);
+  bool done = !room.failed && qn_box_tree_pairs (&tree, 0, QN_MOST_SIDE_PAIRS, &pairs);
   QnStatus status = done ? QN_OK : qn_diag_no_memory (diag);
   double least = ROUNDING * closing->widest;
   for (size_t i = 0; status == QN_OK && i < pairs.count; i++) {
@@ -598,8 +598,7 @@ trim_overlaps (const Closing *closing, QnRings *moved, QnDiag *diag)
     }
   }
   qn_box_pairs_clear (&pairs);
-  qn_box_tree_clear (&tree);
-  free (boxes);
+  qn_pool_clear (&room);
   return status;
 }
 

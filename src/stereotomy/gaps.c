@@ -12,6 +12,7 @@ typedef struct Search {
   const QnRings *rings;
   double least, most; /* m */
   double parallel;    /* cosine of the angle that still counts as parallel */
+  QnPool *room;       /* of the trees */
   QnBoxTree rings_tree;
   QnGaps *gaps;
 } Search;
@@ -105,10 +106,10 @@ compare_gaps (const void *left, const void *right)
 static bool
 collect (Search *search)
 {
-  QnBoxTree tree = { 0 };
+  QnBoxTree tree;
   QnBoxPairs pairs = { 0 };
-  QnRingSide *sides = qn_rings_side_tree (search->rings, 0, &tree);
-  bool done = sides != NULL
+  QnRingSide *sides = qn_rings_side_tree (search->rings, 0, &tree, search->room);
+  bool done = !search->room->failed
               && qn_box_tree_pairs (
                 &tree, search->most,
                 QN_MOST_SIDE_PAIRS + QN_PAIRS_PER_SIDE * tree.item_count, &pairs);
@@ -126,24 +127,25 @@ collect (Search *search)
   if (done && search->gaps->count > 1)
     qsort (search->gaps->items, search->gaps->count, sizeof (QnGap), compare_gaps);
   qn_box_pairs_clear (&pairs);
-  qn_box_tree_clear (&tree);
-  free (sides);
   return done;
 }
 
 QnStatus
 qn_gaps_find (const QnRings *rings, double least, double most, QnGaps *gaps, QnDiag *diag)
 {
+  QnPool room = { 0 };
   Search search = { .rings = rings,
                     .least = least,
                     .most = most,
                     .parallel = cos (QN_GAP_ANGLE * acos (-1.0) / 180),
-                    .gaps = gaps };
+                    .gaps = gaps,
+                    .room = &room };
   *gaps = (QnGaps){ 0 };
   if (rings->count < 2 || !(most > least))
     return QN_OK;
-  bool done = qn_rings_tree (rings, 0, &search.rings_tree) && collect (&search);
-  qn_box_tree_clear (&search.rings_tree);
+  qn_rings_tree (rings, 0, &search.rings_tree, &room);
+  bool done = collect (&search);
+  qn_pool_clear (&room);
   if (done)
     return QN_OK;
   qn_gaps_clear (gaps);

@@ -179,19 +179,20 @@ apply_splits (QnSegments *segments, Splits *splits)
 static QnStatus
 close_gaps (QnSegments *segments, double tolerance, QnHealing *healing, QnDiag *diag)
 {
-  QnBox *boxes = qn_alloc (segments->count, sizeof *boxes);
-  QnBoxTree tree = { 0 };
+  QnPool room = { 0 };
+  QnBox *boxes = qn_pool_alloc (&room, segments->count, sizeof *boxes);
+  QnBoxTree tree;
   Splits splits = { 0 };
   for (size_t i = 0; boxes != NULL && i < segments->count; i++)
     boxes[i] = qn_box_grow (
       qn_box_of_segment (segments->items[i].a, segments->items[i].b), tolerance);
-  bool done = boxes != NULL && qn_box_tree_init (&tree, boxes, segments->count);
+  qn_box_tree_init (&tree, boxes, segments->count, &room);
+  bool done = !room.failed;
   for (size_t i = 0, count = segments->count; done && i < count; i++)
     done = reach (segments, i, true, &tree, tolerance, &splits, healing)
            && reach (segments, i, false, &tree, tolerance, &splits, healing);
   done = done && apply_splits (segments, &splits);
-  qn_box_tree_clear (&tree);
-  free (boxes);
+  qn_pool_clear (&room);
   free (splits.items);
   return done ? QN_OK : qn_diag_no_memory (diag);
 }
@@ -211,13 +212,14 @@ crosses (QnSegment s, QnSegment t)
 static QnStatus
 check_crossings (const QnSegments *segments, QnDiag *diag)
 {
-  QnBox *boxes = qn_alloc (segments->count, sizeof *boxes);
-  QnBoxTree tree = { 0 };
+  QnPool room = { 0 };
+  QnBox *boxes = qn_pool_alloc (&room, segments->count, sizeof *boxes);
+  QnBoxTree tree;
   size_t crossings = 0, meetings = 0;
   for (size_t i = 0; boxes != NULL && i < segments->count; i++)
     boxes[i] = qn_box_of_segment (segments->items[i].a, segments->items[i].b);
-  bool done = boxes != NULL && qn_box_tree_init (&tree, boxes, segments->count);
-  bool most = false;
+  qn_box_tree_init (&tree, boxes, segments->count, &room);
+  bool done = !room.failed, most = false;
   for (size_t i = 0; done && !most && i < segments->count; i++) {
     QnBoxQuery query = qn_box_tree_query (&tree, boxes[i]);
     for (QnId k; !most && (k = qn_box_query_next (&query)) != QN_NONE;) {
@@ -226,8 +228,7 @@ check_crossings (const QnSegments *segments, QnDiag *diag)
       most = crossings > QN_MOST_CROSSINGS || meetings > QN_MOST_LINE_MEETINGS;
     }
   }
-  qn_box_tree_clear (&tree);
-  free (boxes);
+  qn_pool_clear (&room);
   if (most)
     return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_TOO_MANY_CROSSINGS,
                         QN_ENTITY_MODEL, QN_NONE, QN_NONE);

@@ -174,8 +174,10 @@ tessellate (const QnVec2 *sites, size_t count, const QnRing *outline, QnRing *st
 {
   QnRings cells = { 0 };
   QnStatus status = divide (sites, count, outline, &cells, diag);
-  QnBoxTree tree = { 0 };
-  if (status == QN_OK && !qn_rings_tree (&cells, 0, &tree))
+  QnPool room = { 0 };
+  QnBoxTree tree;
+  qn_rings_tree (&cells, 0, &tree, &room);
+  if (status == QN_OK && room.failed)
     status = qn_diag_no_memory (diag);
   for (size_t i = 0; i < count && status == QN_OK; i++) {
     QnId cell = cell_of (&cells, &tree, sites[i]);
@@ -188,7 +190,7 @@ tessellate (const QnVec2 *sites, size_t count, const QnRing *outline, QnRing *st
     }
     qn_rings_clear (&parts);
   }
-  qn_box_tree_clear (&tree);
+  qn_pool_clear (&room);
   qn_rings_clear (&cells);
   return status;
 }

@@ -61,7 +61,7 @@ find_nodes (const QnPieces *pieces, Net *net)
   size_t count = 0, at = 0;
   for (size_t i = 0; i < pieces->count; i++)
     count += pieces->items[i].ring.count;
-  QnBoxTree vertices = { 0 };
+  QnBoxTree vertices;
   QnBox *boxes = qn_pool_alloc (&net->pool, count, sizeof *boxes);
   net->nodes = qn_pool_alloc (&net->pool, count, sizeof *net->nodes);
   net->corners = qn_pool_alloc (&net->pool, count, sizeof *net->corners);
@@ -77,8 +77,8 @@ find_nodes (const QnPieces *pieces, Net *net)
       net->corners[at] = QN_NONE;
     }
   net->tolerance = ROUNDING * qn_box_size (all);
-  bool done = qn_box_tree_init (&vertices, boxes, count);
-  for (size_t v = 0; done && v < count; v++) {
+  qn_box_tree_init (&vertices, boxes, count, &net->pool);
+  for (size_t v = 0; !net->pool.failed && v < count; v++) {
     if (net->corners[v] != QN_NONE)
       continue;
     QnBoxQuery query =
@@ -91,9 +91,8 @@ find_nodes (const QnPieces *pieces, Net *net)
   }
   for (size_t n = 0; n < net->node_count; n++)
     boxes[n] = (QnBox){ net->nodes[n].at, net->nodes[n].at };
-  done = done && qn_box_tree_init (&net->tree, boxes, net->node_count);
-  qn_box_tree_clear (&vertices);
-  return done;
+  qn_box_tree_init (&net->tree, boxes, net->node_count, &net->pool);
+  return !net->pool.failed;
 }
 
 static bool
@@ -257,7 +256,6 @@ qn_pieces_perturb (double size, uint32_t seed, QnPieces *pieces, QnDiag *diag)
         pieces->items[i].ring.points[k] =
           new_place (&net.nodes[n], size, seed, (uint32_t) n);
     }
-  qn_box_tree_clear (&net.tree);
   free (net.cycle);
   qn_pool_clear (&net.pool);
   return done ? QN_OK : qn_diag_no_memory (diag);

@@ -192,29 +192,25 @@ qn_rings_area (const QnRings *rings)
   return area;
 }
 
-bool
-qn_rings_tree (const QnRings *rings, double margin, QnBoxTree *tree)
+void
+qn_rings_tree (const QnRings *rings, double margin, QnBoxTree *tree, QnPool *pool)
 {
-  QnBox *boxes = qn_alloc (rings->count, sizeof *boxes);
-  if (boxes == NULL)
-    return false;
-  for (size_t i = 0; i < rings->count; i++)
+  QnBox *boxes = qn_pool_alloc (pool, rings->count, sizeof *boxes);
+  for (size_t i = 0; boxes != NULL && i < rings->count; i++)
     boxes[i] = qn_box_grow (rings->items[i].count > 0 ? qn_ring_bounds (&rings->items[i])
                                                       : (QnBox){ { 0, 0 }, { 0, 0 } },
                             margin);
-  bool done = qn_box_tree_init (tree, boxes, rings->count);
-  free (boxes);
-  return done;
+  qn_box_tree_init (tree, boxes, rings->count, pool);
 }
 
 QnRingSide *
-qn_rings_side_tree (const QnRings *rings, double margin, QnBoxTree *tree)
+qn_rings_side_tree (const QnRings *rings, double margin, QnBoxTree *tree, QnPool *pool)
 {
   size_t count = 0, n = 0;
   for (size_t i = 0; i < rings->count; i++)
     count += rings->items[i].count;
-  QnBox *boxes = qn_alloc (count, sizeof *boxes);
-  QnRingSide *sides = qn_alloc (count, sizeof *sides);
+  QnBox *boxes = qn_pool_alloc (pool, count, sizeof *boxes);
+  QnRingSide *sides = qn_pool_alloc (pool, count, sizeof *sides);
   for (size_t i = 0; boxes != NULL && sides != NULL && i < rings->count; i++)
     for (size_t k = 0; k < rings->items[i].count; k++, n++) {
       const QnRing *ring = &rings->items[i];
@@ -222,10 +218,6 @@ qn_rings_side_tree (const QnRings *rings, double margin, QnBoxTree *tree)
       boxes[n] = qn_box_grow (
         qn_box_of_segment (ring->points[k], ring->points[(k + 1) % ring->count]), margin);
     }
-  if (boxes == NULL || sides == NULL || !qn_box_tree_init (tree, boxes, count)) {
-    free (sides);
-    sides = NULL;
-  }
-  free (boxes);
+  qn_box_tree_init (tree, boxes, count, pool);
   return sides;
 }

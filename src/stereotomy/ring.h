@@ -60,7 +60,8 @@ typedef struct QnRingSide {
   size_t ring, edge;
 } QnRingSide;
 
-/* A tree of the rings, each grown by the margin, and one of all their sides in order, which are returned (owned).
- * False and NULL, with nothing to clear, when memory runs out. */
-bool qn_rings_tree (const QnRings *rings, double margin, QnBoxTree *tree);
-QnRingSide *qn_rings_side_tree (const QnRings *rings, double margin, QnBoxTree *tree);
+/* A tree of the rings, each grown by the margin, and one of all their sides in order, which are returned, in
+ * memory of the pool. */
+void qn_rings_tree (const QnRings *rings, double margin, QnBoxTree *tree, QnPool *pool);
+QnRingSide *qn_rings_side_tree (const QnRings *rings, double margin, QnBoxTree *tree,
+                                QnPool *pool);

@@ -107,16 +107,17 @@ collect_places (const QnRings *rings, Place *places)
 static bool
 choose_targets (Place *places, size_t count, double tolerance)
 {
-  Place **order = qn_alloc (count, sizeof *order);
-  QnBox *boxes = qn_alloc (count, sizeof *boxes);
-  QnBoxTree tree = { 0 };
-  bool done = order != NULL && boxes != NULL;
-  for (size_t i = 0; done && i < count; i++) {
+  QnPool room = { 0 };
+  Place **order = qn_pool_alloc (&room, count, sizeof *order);
+  QnBox *boxes = qn_pool_alloc (&room, count, sizeof *boxes);
+  QnBoxTree tree;
+  for (size_t i = 0; !room.failed && i < count; i++) {
     order[i] = &places[i];
     places[i].target = SIZE_MAX;
     boxes[i] = (QnBox){ places[i].at, places[i].at };
   }
-  done = done && qn_box_tree_init (&tree, boxes, count);
+  qn_box_tree_init (&tree, boxes, count, &room);
+  const bool done = !room.failed;
   if (done) {
     qsort (order, count, sizeof (Place *), compare_claims);
     for (size_t i = 0; i < count; i++) {
@@ -130,9 +131,7 @@ choose_targets (Place *places, size_t count, double tolerance)
           places[k].target = (size_t) (order[i] - places);
     }
   }
-  qn_box_tree_clear (&tree);
-  free (boxes);
-  free (order);
+  qn_pool_clear (&room);
   return done;
 }
 
@@ -304,14 +303,15 @@ qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing, QnDiag
 {
   if (rings->count == 0)
     return QN_OK;
-  QnBoxTree tree = { 0 }, side_tree = { 0 };
+  QnPool room = { 0 };
+  QnBoxTree tree, side_tree;
   QnHealing own = { 0 };
   QnHealing *told = healing != NULL ? healing : &own;
-  size_t *near = qn_alloc (rings->count, sizeof *near); /* see find_near() */
+  size_t *near = qn_pool_alloc (&room, rings->count, sizeof *near); /* see find_near() */
   /* Rings, and sides of both, move by up to the tolerance while others look for them. */
-  QnRingSide *sides = qn_rings_side_tree (rings, 4 * tolerance, &side_tree);
-  bool done =
-    near != NULL && sides != NULL && qn_rings_tree (rings, 2 * tolerance, &tree);
+  QnRingSide *sides = qn_rings_side_tree (rings, 4 * tolerance, &side_tree, &room);
+  qn_rings_tree (rings, 2 * tolerance, &tree, &room);
+  bool done = !room.failed;
   for (size_t i = 0; i < rings->count && done; i++) {
     const size_t before = told->count;
     find_near (&rings->items[i], i, &side_tree, sides, near);
@@ -320,10 +320,7 @@ qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing, QnDiag
     if (told->count > before)
       qn_ring_simplify (&rings->items[i], NEGLIGIBLE * tolerance);
   }
-  qn_box_tree_clear (&tree);
-  qn_box_tree_clear (&side_tree);
-  free (sides);
-  free (near);
+  qn_pool_clear (&room);
   return done ? QN_OK : qn_diag_no_memory (diag);
 }
 

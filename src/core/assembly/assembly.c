@@ -149,28 +149,21 @@ build_pattern (QnAssembly *as, QnDiag *diag)
   const QnContacts *contacts = as->contacts;
   size_t bodies = qn_model_body_count (as->model);
   QnSparsePattern pattern;
-  bool ok =
-    qn_sparse_pattern_init (&pattern, as->unknown_count,
-                            bodies * 9 + (contacts->face_count + as->beams.count) * 36);
 
-  for (size_t b = 0; ok && b < bodies; b++)
-    ok = qn_sparse_pattern_add_clique (&pattern, as->unknown + QN_DOF_COUNT * b,
-                                       QN_DOF_COUNT);
-  for (size_t f = 0; ok && f < contacts->face_count; f++)
-    ok = qn_sparse_pattern_add_clique (&pattern, as->face_unknowns + QN_FACE_UNKNOWNS * f,
-                                       QN_FACE_UNKNOWNS);
-  ok = ok && qn_beam_assembly_add_pattern (&as->beams, &pattern);
-  ok = ok && qn_sparse_pattern_compress (&pattern, &as->ap, &as->ai);
-  qn_sparse_pattern_clear (&pattern);
-  if (ok) {
-    qn_pool_add (&as->pool, as->ap);
-    qn_pool_add (&as->pool, as->ai);
-    ok = !as->pool.failed;
-  }
-  if (ok)
+  qn_sparse_pattern_init (&pattern, as->unknown_count,
+                          bodies * 9 + (contacts->face_count + as->beams.count) * 36,
+                          &as->pool);
+  for (size_t b = 0; b < bodies; b++)
+    qn_sparse_pattern_add_clique (&pattern, as->unknown + QN_DOF_COUNT * b, QN_DOF_COUNT);
+  for (size_t f = 0; f < contacts->face_count; f++)
+    qn_sparse_pattern_add_clique (&pattern, as->face_unknowns + QN_FACE_UNKNOWNS * f,
+                                  QN_FACE_UNKNOWNS);
+  qn_beam_assembly_add_pattern (&as->beams, &pattern);
+  qn_sparse_pattern_compress (&pattern, &as->ap, &as->ai);
+  if (!as->pool.failed)
     as->ax =
       qn_pool_alloc (&as->pool, (size_t) as->ap[as->unknown_count], sizeof (double));
-  if (!ok || as->pool.failed)
+  if (as->pool.failed)
     return qn_diag_no_memory (diag);
 
   for (size_t f = 0; f < contacts->face_count; f++)

@@ -162,13 +162,11 @@ qn_beam_assembly_clear (QnBeamAssembly *as)
   *as = (QnBeamAssembly){ 0 };
 }
 
-bool
+void
 qn_beam_assembly_add_pattern (const QnBeamAssembly *as, QnSparsePattern *pattern)
 {
   for (size_t i = 0; i < as->count; i++)
-    if (!qn_sparse_pattern_add_clique (pattern, as->beams[i].unknowns, 6))
-      return false;
-  return true;
+    qn_sparse_pattern_add_clique (pattern, as->beams[i].unknowns, 6);
 }
 
 void

@@ -75,7 +75,7 @@ void qn_beam_assembly_clear (QnBeamAssembly *beams);
 double qn_beam_assembly_stiffness (const QnBeamAssembly *beams);
 
 /* Adds the entries of the elements to the pattern; finds their indices in the compressed pattern. */
-bool qn_beam_assembly_add_pattern (const QnBeamAssembly *beams, QnSparsePattern *pattern);
+void qn_beam_assembly_add_pattern (const QnBeamAssembly *beams, QnSparsePattern *pattern);
 void qn_beam_assembly_find_places (QnBeamAssembly *beams, const int32_t *ap,
                                    const int32_t *ai);
 

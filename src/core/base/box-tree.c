@@ -1,7 +1,6 @@
 #include "core/base/box-tree.h"
 
 #include "core/base/integer.h"
-#include "core/base/memory.h"
 
 #include <stdlib.h>
 
@@ -67,13 +66,9 @@ sort_entries (Entry *entries, Entry *spare, size_t count)
 }
 _Static_assert(2 * CURVE_BITS % (2 * DIGIT_BITS) == 0, "an even number of passes");
 
-static bool
-sort_items (QnBoxTree *tree, const QnBox *boxes)
+static void
+sort_items (QnBoxTree *tree, const QnBox *boxes, Entry *entries)
 {
-  Entry *entries = qn_alloc_unset (2 * tree->item_count, sizeof *entries);
-  if (entries == NULL)
-    return false;
-
   QnBox whole = boxes[0];
   for (size_t i = 1; i < tree->item_count; i++)
     whole = qn_box_union (whole, boxes[i]);
@@ -90,16 +85,14 @@ sort_items (QnBoxTree *tree, const QnBox *boxes)
     tree->items[i] = entries[i].item;
     tree->nodes[i] = boxes[entries[i].item];
   }
-  free (entries);
-  return true;
 }
 
-bool
-qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count)
+void
+qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count, QnPool *pool)
 {
   *tree = (QnBoxTree){ 0 };
-  if (count == 0)
-    return true;
+  if (count == 0 || pool->failed)
+    return;
 
   size_t node_count = 0;
   size_t size = count;
@@ -113,12 +106,15 @@ qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count)
   }
 
   tree->item_count = count;
-  tree->nodes = qn_alloc_unset (node_count, sizeof *tree->nodes);
-  tree->items = qn_alloc_unset (count, sizeof *tree->items);
-  if (tree->nodes == NULL || tree->items == NULL || !sort_items (tree, boxes)) {
-    qn_box_tree_clear (tree);
-    return false;
-  }
+  tree->nodes = qn_pool_add (pool, qn_alloc_unset (node_count, sizeof *tree->nodes));
+  tree->items = qn_pool_add (pool, qn_alloc_unset (count, sizeof *tree->items));
+  Entry *entries = qn_alloc_unset (2 * count, sizeof *entries);
+  pool->failed |= entries == NULL;
+  if (pool->failed)
+    *tree = (QnBoxTree){ 0 };
+  else
+    sort_items (tree, boxes, entries);
+  free (entries);
   /* Fills the levels above the items, each node around QN_BOX_TREE_FANOUT of the level
    * below. */
   for (int32_t level = 1; level < tree->level_count; level++) {
@@ -130,15 +126,6 @@ qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count)
         i % QN_BOX_TREE_FANOUT == 0 ? below[i] : qn_box_union (nodes[parent], below[i]);
     }
   }
-  return true;
-}
-
-void
-qn_box_tree_clear (QnBoxTree *tree)
-{
-  free (tree->nodes);
-  free (tree->items);
-  *tree = (QnBoxTree){ 0 };
 }
 
 QnBoxQuery

@@ -9,14 +9,14 @@
 
 #include "core/base/base.h"
 #include "core/base/box.h"
+#include "core/base/memory.h"
 
 #define QN_BOX_TREE_FANOUT     8
 #define QN_BOX_TREE_MAX_LEVELS 12 /* 8^11 items are more than a QnId can number */
 
 typedef struct QnBoxTree {
-  QnBox
-    *nodes; /* owned: the items' boxes in tree order, then level by level to the root */
-  QnId *items; /* owned: item in each of the first item_count nodes */
+  QnBox *nodes; /* the items' boxes in tree order, then level by level to the root */
+  QnId *items;  /* item in each of the first item_count nodes */
   size_t item_count;
   size_t level_starts[QN_BOX_TREE_MAX_LEVELS]; /* of the nodes */
   size_t level_sizes[QN_BOX_TREE_MAX_LEVELS];
@@ -31,11 +31,9 @@ typedef struct QnBoxQuery {
   size_t cursor[QN_BOX_TREE_MAX_LEVELS], end[QN_BOX_TREE_MAX_LEVELS];
 } QnBoxQuery;
 
-/* Builds the tree of `count` boxes, which are copied; item i is boxes[i]. `tree` is overwritten
- * without being cleared. False when memory runs out, with the tree empty. */
-bool qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count);
-
-void qn_box_tree_clear (QnBoxTree *tree);
+/* Builds the tree of `count` boxes, which are copied, in memory of the pool; item i is boxes[i]. Empty where
+ * the pool has failed, be it before. */
+void qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count, QnPool *pool);
 
 /* Starts a walk over the items whose boxes meet `box`; touching counts. */
 QnBoxQuery qn_box_tree_query (const QnBoxTree *tree, QnBox box);

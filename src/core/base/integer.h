@@ -18,3 +18,12 @@ qn_to_integer (double value, int64_t least, int64_t most)
     return least;
   return value < (double) most ? (int64_t) value : most;
 }
+
+/* For qsort() and g_array_sort() of numbers of entities, ascending. */
+static inline int
+qn_compare_ids (const void *a, const void *b)
+{
+  int32_t x = *(const int32_t *) a, y = *(const int32_t *) b;
+
+  return (x > y) - (x < y);
+}

@@ -1,7 +1,9 @@
 #include "core/contact/contact-bars.h"
 
+#include "core/base/integer.h"
 #include "core/base/polygon.h"
 #include "core/base/tolerance.h"
+#include "core/contact/contact-search.h"
 #include "core/model/bar.h"
 
 #include <math.h>
@@ -10,22 +12,22 @@
 /* Parts of a face's or a bar's length that are rounding. */
 #define SNAP 1e-9
 
-QnStatus
-qn_bar_search_init (QnBarSearch *search, const QnModel *model, QnDiag *diag)
+void
+qn_bar_search_init (QnBarSearch *search, const QnModel *model, QnPool *room)
 {
   size_t count = 0, n = 0;
 
   for (size_t i = 0; i < model->bar_count; i++)
     count += qn_bar_line_count (&model->bars[i]);
   *search = (QnBarSearch){ 0 };
-  QnBox *boxes = qn_pool_alloc (&search->pool, count, sizeof *boxes);
-  search->near = qn_pool_alloc (&search->pool, count, sizeof *search->near);
-  search->bars = qn_pool_alloc (&search->pool, count, sizeof *search->bars);
-  search->lines = qn_pool_alloc (&search->pool, count, sizeof *search->lines);
-  search->used = qn_pool_alloc (&search->pool, model->bar_count, sizeof *search->used);
-  bool room = !search->pool.failed;
-
-  for (size_t i = 0; room && i < model->bar_count; i++)
+  QnBox *boxes = qn_pool_alloc (room, count, sizeof *boxes);
+  search->near = qn_pool_alloc (room, count, sizeof *search->near);
+  search->bars = qn_pool_alloc (room, count, sizeof *search->bars);
+  search->lines = qn_pool_alloc (room, count, sizeof *search->lines);
+  search->used = qn_pool_alloc (room, model->bar_count, sizeof *search->used);
+  if (room->failed)
+    return;
+  for (size_t i = 0; i < model->bar_count; i++)
     for (size_t k = 0; k < qn_bar_line_count (&model->bars[i]); k++, n++) {
       QnVec2 ends[2];
       qn_bar_line (&model->bars[i], k, ends);
@@ -33,21 +35,7 @@ qn_bar_search_init (QnBarSearch *search, const QnModel *model, QnDiag *diag)
       search->bars[n] = (QnId) i;
       search->lines[n] = (int32_t) k;
     }
-  room = room && qn_box_tree_init (&search->tree, boxes, count);
-  return room ? QN_OK : qn_diag_no_memory (diag);
-}
-
-void
-qn_bar_search_clear (QnBarSearch *search)
-{
-  qn_box_tree_clear (&search->tree);
-  qn_pool_clear (&search->pool);
-}
-
-static int
-compare_ids (const void *a, const void *b)
-{
-  return *(const QnId *) a - *(const QnId *) b;
+  qn_box_tree_init (&search->tree, boxes, count, room);
 }
 
 /* How many lines lie near a face. The margin is rounding where one crosses an end of it. */
@@ -62,7 +50,7 @@ find_near (QnBarSearch *search, const QnContactFace *face)
   for (QnId line = qn_box_query_next (&query); line != QN_NONE;
        line = qn_box_query_next (&query))
     search->near[count++] = line;
-  qsort (search->near, count, sizeof *search->near, compare_ids);
+  qsort (search->near, count, sizeof *search->near, qn_compare_ids);
   return count;
 }
 
@@ -99,17 +87,15 @@ crossing (const QnVec2 ends[2], bool goes_on, const QnContactFace *face, double 
          && *on_face <= 1;
 }
 
-QnStatus
+void
 qn_bar_search_cross (QnBarSearch *search, const QnModel *model, QnContacts *contacts,
-                     QnId index, QnDiag *diag)
+                     QnId index)
 {
   QnContactFace *face = &contacts->faces[index];
-  size_t count = find_near (search, face), need = contacts->pair_count + count;
+  size_t count = find_near (search, face);
 
-  if (need > INT32_MAX
-      || !qn_array_reserve (&contacts->pairs, &contacts->pair_capacity, need,
-                            sizeof *contacts->pairs))
-    return qn_diag_no_memory (diag);
+  if (!qn_contacts_reserve_pairs (contacts, count))
+    return;
   for (size_t k = 0; k < count; k++) {
     const QnId i = search->bars[search->near[k]];
     const int32_t line = search->lines[search->near[k]];
@@ -133,7 +119,6 @@ qn_bar_search_cross (QnBarSearch *search, const QnModel *model, QnContacts *cont
     face->pair_count++;
     search->used[i] = true;
   }
-  return QN_OK;
 }
 
 /* --- Along the bars ------------------------------------------------------------------------ */
@@ -193,14 +178,13 @@ side_of_face (const QnModel *model, const QnContacts *contacts, QnId p)
 }
 
 /* Halves the bars at every place where there are faces on either side. */
-static QnStatus
-share_ends (const QnModel *model, QnContacts *contacts, QnDiag *diag)
+static void
+share_ends (const QnModel *model, QnContacts *contacts)
 {
   size_t count;
-  QnBarCrossing *all = qn_bar_crossings (model, contacts, &count);
+  QnBarCrossing *all =
+    qn_pool_add (&contacts->room, qn_bar_crossings (model, contacts, &count));
 
-  if (all == NULL)
-    return qn_diag_no_memory (diag);
   for (size_t first = 0, next; first < count; first = next) {
     bool left = false, right = false;
     for (next = first; next < count && qn_bar_crossings_meet (&all[first], &all[next]);
@@ -213,8 +197,6 @@ share_ends (const QnModel *model, QnContacts *contacts, QnDiag *diag)
       if (side_of_face (model, contacts, all[i].pair) != 0)
         contacts->pairs[all[i].pair].tributary *= 0.5;
   }
-  free (all);
-  return QN_OK;
 }
 
 /* Whether a point lies in a block, or on its outline. */
@@ -236,18 +218,18 @@ is_in_block (const QnBoxTree *blocks, const QnModel *model, QnVec2 at)
 
 /* Both ends of every bar; a mesh may reach beyond the blocks. */
 static QnStatus
-check_ends (const QnModel *model, QnDiag *diag)
+check_ends (const QnModel *model, QnPool *room, QnDiag *diag)
 {
-  QnBox *boxes = qn_alloc (model->block_count, sizeof *boxes);
-  QnBoxTree blocks = { 0 };
+  QnBox *boxes = qn_pool_alloc (room, model->block_count, sizeof *boxes);
+  QnBoxTree blocks;
+  QnStatus status = QN_OK;
 
-  for (size_t i = 0; boxes != NULL && i < model->block_count; i++)
+  if (boxes == NULL)
+    return QN_OK;
+  for (size_t i = 0; i < model->block_count; i++)
     boxes[i] = qn_box_grow (qn_model_block_box (model, (QnId) i),
                             QN_TOLERANCE_CONVEX * sqrt (model->blocks[i].area));
-  bool room = boxes != NULL && qn_box_tree_init (&blocks, boxes, model->block_count);
-  QnStatus status = room ? QN_OK : qn_diag_no_memory (diag);
-
-  free (boxes);
+  qn_box_tree_init (&blocks, boxes, model->block_count, room);
   for (size_t i = 0; i < model->bar_count && status == QN_OK; i++) {
     const QnBar *bar = &model->bars[i];
     for (int end = 0; end < 2 && !qn_bar_is_mesh (bar) && status == QN_OK; end++) {
@@ -260,7 +242,6 @@ check_ends (const QnModel *model, QnDiag *diag)
         diag->at = at;
     }
   }
-  qn_box_tree_clear (&blocks);
   return status;
 }
 
@@ -270,13 +251,15 @@ qn_bar_search_finish (const QnBarSearch *search, const QnModel *model,
 {
   if (model->bar_count == 0)
     return QN_OK;
-  QnStatus status = check_ends (model, diag);
+  QnStatus status = check_ends (model, &contacts->room, diag);
 
   for (size_t i = 0; status == QN_OK && i < model->bar_count; i++)
     if (!search->used[i])
       status =
         qn_diag_set_field (diag, QN_PROBLEM_BAR_UNUSED, QN_ENTITY_BAR, (QnId) i, NULL, 0);
-  return status == QN_OK ? share_ends (model, contacts, diag) : status;
+  if (status == QN_OK)
+    share_ends (model, contacts);
+  return status;
 }
 
 double

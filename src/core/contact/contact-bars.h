@@ -14,7 +14,6 @@
 
 /* The bars of a model, line by line: found by their boxes, since each crosses few of many faces. */
 typedef struct QnBarSearch {
-  QnPool pool; /* of all but the tree */
   QnBoxTree tree;
   QnId *near;     /* lines at one face, in their own order */
   QnId *bars;     /* bar of each line */
@@ -22,13 +21,12 @@ typedef struct QnBarSearch {
   bool *used;     /* bars */
 } QnBarSearch;
 
-/* Fails for lack of memory alone; to be cleared then too. */
-QnStatus qn_bar_search_init (QnBarSearch *search, const QnModel *model, QnDiag *diag);
-void qn_bar_search_clear (QnBarSearch *search);
+/* In memory of the pool. */
+void qn_bar_search_init (QnBarSearch *search, const QnModel *model, QnPool *room);
 
 /* Appends the pairs of the bars that cross a face behind its other pairs. */
-QnStatus qn_bar_search_cross (QnBarSearch *search, const QnModel *model,
-                              QnContacts *contacts, QnId face, QnDiag *diag);
+void qn_bar_search_cross (QnBarSearch *search, const QnModel *model, QnContacts *contacts,
+                          QnId face);
 
 /* After all faces: divides bars through ends of faces; refuses bars that cross no face or end outside of
  * all blocks. */

@@ -1,7 +1,6 @@
 /* Contact faces: where a side of one block faces a side of another on a common line. */
 #include "core/contact/contact-search.h"
 
-#include "core/base/memory.h"
 #include "core/base/polygon.h"
 
 #include <stdlib.h>
@@ -22,10 +21,11 @@ typedef struct QnContactMatch {
 
 typedef QnContactMatches Matches;
 
-static bool
-add_match (Matches *matches, Match match)
+static void
+add_match (const QnContactSearch *search, Matches *matches, Match match)
 {
-  return QN_ARRAY_PUSH (matches->items, matches->count, matches->capacity, match);
+  search->room->failed |=
+    !QN_ARRAY_PUSH (matches->items, matches->count, matches->capacity, match);
 }
 
 /* One end of the stretch that two opposite sides have in common. */
@@ -74,26 +74,26 @@ common_stretch (const QnSide *a, const QnSide *b, double least, StretchEnd ends[
 }
 
 /* A face if the gap is within the tolerance all along; a near miss if it is not much wider. */
-static bool
+static void
 match_stretch (const QnContactSearch *search, const QnSide *a, const QnSide *b,
                Match match, Matches *matches)
 {
   StretchEnd ends[2];
   if (!common_stretch (a, b, 2 * search->lengths.tolerance, ends))
-    return true;
+    return;
 
   double widest = qn_max (ends[0].gap, ends[1].gap);
   double narrowest = qn_min (ends[0].gap, ends[1].gap);
   if (narrowest < -search->lengths.tolerance || widest > search->lengths.gap_limit)
-    return true;
+    return;
   match.kind = widest <= search->lengths.tolerance ? MATCH_FACE : MATCH_GAP;
   if (match.kind == MATCH_GAP && ends[1].along - ends[0].along <= widest)
-    return true; /* corners that pass each other, no joint */
+    return; /* corners that pass each other, no joint */
   match.from = ends[0].along;
   match.start = ends[0].place;
   match.end = ends[1].place;
   match.width = widest;
-  return add_match (matches, match);
+  add_match (search, matches, match);
 }
 
 /* Whether `corner` lies on `side`, its end excluded, and its start too unless `with_start`. */
@@ -108,22 +108,19 @@ lies_on (QnVec2 corner, const QnSide *side, bool with_start, double tolerance)
 }
 
 /* Every corner is the start of one side; where two corners meet, only the first test sees it. */
-static bool
+static void
 match_corners (const QnContactSearch *search, const QnSide *a, const QnSide *b,
                Match match, Matches *matches)
 {
   match.kind = MATCH_TOUCH;
   if (lies_on (a->start, b, true, search->lengths.tolerance)) {
     match.start = match.end = a->start;
-    if (!add_match (matches, match))
-      return false;
+    add_match (search, matches, match);
   }
   if (lies_on (b->start, a, false, search->lengths.tolerance)) {
     match.start = match.end = b->start;
-    if (!add_match (matches, match))
-      return false;
+    add_match (search, matches, match);
   }
-  return true;
 }
 
 static int
@@ -157,7 +154,7 @@ sort_matches (Matches *matches)
 }
 
 /* Everything that two blocks have to do with each other, sorted. */
-static bool
+static void
 find_matches (const QnContactSearch *search, QnId a, QnId b, Matches *matches)
 {
   const QnSide *sides = search->sides.items, *side_a, *side_b;
@@ -173,43 +170,38 @@ find_matches (const QnContactSearch *search, QnId a, QnId b, Matches *matches)
     while ((side_b = qn_side_walk_next (&walk_b)) != NULL) {
       Match match = { .side_a = (QnId) (side_a - sides),
                       .side_b = (QnId) (side_b - sides) };
-      if (!match_stretch (search, side_a, side_b, match, matches)
-          || !match_corners (search, side_a, side_b, match, matches))
-        return false;
+      match_stretch (search, side_a, side_b, match, matches);
+      match_corners (search, side_a, side_b, match, matches);
     }
   }
   sort_matches (matches);
-  return true;
 }
 
-static bool
+static void
 add_face (const QnContactSearch *search, QnContacts *contacts, const Match *match)
 {
-  if (!qn_array_reserve (&contacts->faces, &contacts->face_capacity,
-                         contacts->face_count + 1, sizeof *contacts->faces))
-    return false;
-
   const QnSide *a = &search->sides.items[match->side_a];
   const QnSide *b = &search->sides.items[match->side_b];
   const QnBlock *blocks = search->model->blocks;
   QnVec2 along = qn_vec2_sub (match->end, match->start);
-  QnContactFace *face = &contacts->faces[contacts->face_count++];
-  *face = (QnContactFace){
+  QnVec2 tangent =
+    a->length >= b->length ? a->direction : qn_vec2_scale (-1, b->direction);
+  QnContactFace face = {
     .a = a->block,
     .b = b->block,
     .edge_a = a->vertex,
     .edge_b = b->vertex,
     .start = match->start,
     .end = match->end,
+    .normal = { tangent.y, -tangent.x },
+    .tangent = tangent,
     .length = qn_vec2_length (along),
     .thickness = qn_min (blocks[a->block].thickness, blocks[b->block].thickness),
     .law_a = QN_NONE,
     .law_b = QN_NONE,
   };
-  face->tangent =
-    a->length >= b->length ? a->direction : qn_vec2_scale (-1, b->direction);
-  face->normal = qn_vec2 (face->tangent.y, -face->tangent.x);
-  return true;
+  search->room->failed |=
+    !QN_ARRAY_PUSH (contacts->faces, contacts->face_count, contacts->face_capacity, face);
 }
 
 /* Whether a third block fills the gap there. */
@@ -229,21 +221,20 @@ is_filled (const QnContactSearch *search, QnVec2 at, QnId a, QnId b)
   return false;
 }
 
-static bool
-add_gap (const QnContactSearch *search, QnFindings *findings, const Match *match)
+static void
+add_gap (const QnContactSearch *search, QnContacts *contacts, const Match *match)
 {
   QnId a = search->sides.items[match->side_a].block;
   QnId b = search->sides.items[match->side_b].block;
   QnVec2 at = qn_vec2_lerp (match->start, match->end, 0.5);
   QnVec2 across = qn_vec2_perp (search->sides.items[match->side_a].direction);
   QnVec2 between = qn_vec2_add_scaled (at, -match->width / 2, across);
-  if (is_filled (search, between, a, b))
-    return true;
-  return qn_findings_add (findings, (QnFinding){ QN_PROBLEM_NEAR_MISS_GAP, a, b, at,
-                                                 match->width, QN_NONE, NULL });
+  if (!is_filled (search, between, a, b))
+    qn_contacts_report (contacts, (QnFinding){ QN_PROBLEM_NEAR_MISS_GAP, a, b, at,
+                                               match->width, QN_NONE, NULL });
 }
 
-static bool
+static void
 add_touch (const QnContactSearch *search, QnTouches *touches, QnId a, QnId b, QnVec2 at)
 {
   /* A corner on a corner of sides in several directions may be seen more than once. */
@@ -252,11 +243,10 @@ add_touch (const QnContactSearch *search, QnTouches *touches, QnId a, QnId b, Qn
     if (earlier->a != a || earlier->b != b)
       break;
     if (qn_vec2_length (qn_vec2_sub (earlier->at, at)) <= 4 * search->lengths.tolerance)
-      return true;
+      return;
   }
-
-  return QN_ARRAY_PUSH (touches->items, touches->count, touches->capacity,
-                        (QnTouch){ a, b, at });
+  search->room->failed |= !QN_ARRAY_PUSH (touches->items, touches->count,
+                                          touches->capacity, (QnTouch){ a, b, at });
 }
 
 /* Whether the place lies on one of the faces from `first` on. */
@@ -273,28 +263,27 @@ on_common_face (const QnContactSearch *search, const QnContacts *contacts, size_
   return false;
 }
 
-bool
+void
 qn_contact_match_pair (const QnContactSearch *search, QnId a, QnId b, Matches *matches,
                        QnContacts *contacts, QnTouches *touches)
 {
   size_t first = contacts->face_count;
-  bool done = find_matches (search, a, b, matches);
 
+  find_matches (search, a, b, matches);
   /* Faces come before touches. */
-  for (size_t i = 0; i < matches->count && done; i++) {
+  for (size_t i = 0; i < matches->count; i++) {
     const Match *match = &matches->items[i];
     switch (match->kind) {
     case MATCH_FACE:
-      done = add_face (search, contacts, match);
+      add_face (search, contacts, match);
       break;
     case MATCH_TOUCH:
       if (!on_common_face (search, contacts, first, match->start))
-        done = add_touch (search, touches, a, b, match->start);
+        add_touch (search, touches, a, b, match->start);
       break;
     case MATCH_GAP:
-      done = add_gap (search, &contacts->findings, match);
+      add_gap (search, contacts, match);
       break;
     }
   }
-  return done;
 }

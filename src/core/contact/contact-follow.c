@@ -22,8 +22,9 @@ qn_contact_follow_init (QnContactFollow *follow, const QnModel *model,
   follow->left = qn_pool_alloc (&follow->pool, drawn->face_count, sizeof *follow->left);
   follow->at_search =
     qn_pool_alloc (&follow->pool, blocks * QN_DOF_COUNT, sizeof (double));
-  if (follow->pool.failed
-      || !qn_sides_init (&follow->sides, model, qn_contact_lengths (model).tolerance))
+  qn_sides_init (&follow->sides, model, qn_contact_lengths (model).tolerance,
+                 &follow->pool);
+  if (follow->pool.failed)
     return qn_diag_no_memory (diag);
   for (size_t b = 0; b < blocks; b++) {
     const QnVec2 *v = qn_model_block_vertices (model, (QnId) b);
@@ -38,7 +39,6 @@ qn_contact_follow_init (QnContactFollow *follow, const QnModel *model,
 void
 qn_contact_follow_clear (QnContactFollow *follow)
 {
-  qn_sides_clear (&follow->sides);
   free (follow->found);
   free (follow->active);
   qn_pool_clear (&follow->pool);
@@ -257,19 +257,19 @@ list_all (QnContactFollow *follow, const double *displacements, double margin)
 {
   const QnModel *model = follow->model;
   size_t blocks = model->block_count;
-  QnBox *boxes = qn_alloc (blocks, sizeof *boxes);
-  QnBoxTree tree = { 0 };
+  QnPool room = { 0 };
+  QnBox *boxes = qn_pool_alloc (&room, blocks, sizeof *boxes);
+  QnBoxTree tree;
   QnBoxPairs pairs = { 0 };
-  bool ok = boxes != NULL;
 
-  for (size_t b = 0; ok && b < blocks; b++) {
+  for (size_t b = 0; boxes != NULL && b < blocks; b++) {
     const QnVec2 *v = qn_model_block_vertices (model, (QnId) b);
     boxes[b] = QN_BOX_EMPTY;
     for (QnId i = 0; i < model->blocks[b].vertex_count; i++)
       qn_box_add_point (&boxes[b], qn_block_place (model, (QnId) b, displacements, v[i]));
   }
-  ok = ok && qn_box_tree_init (&tree, boxes, blocks)
-       && qn_box_tree_pairs (&tree, margin, MOST_NEAR * blocks, &pairs);
+  qn_box_tree_init (&tree, boxes, blocks, &room);
+  bool ok = !room.failed && qn_box_tree_pairs (&tree, margin, MOST_NEAR * blocks, &pairs);
   for (size_t i = 0; ok && i < pairs.count; i++)
     if (pairs.items[i][0] > pairs.items[i][1]) {
       QnId low = pairs.items[i][1];
@@ -287,8 +287,7 @@ list_all (QnContactFollow *follow, const double *displacements, double margin)
          && list_corners (follow, b, a, displacements, margin);
   }
   qn_box_pairs_clear (&pairs);
-  qn_box_tree_clear (&tree);
-  free (boxes);
+  qn_pool_clear (&room);
   return ok;
 }
 

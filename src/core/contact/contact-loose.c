@@ -1,12 +1,9 @@
 /* Blocks with point contacts alone, without contact, or without connection to a support. */
 #include "core/contact/contact-search.h"
 
-#include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "core/base/union-find.h"
 #include "core/model/support.h"
-
-#include <stdlib.h>
 
 /* Which faces each block has: those of block i are faces[first[i]] up to faces[first[i + 1]]. */
 typedef struct {
@@ -14,13 +11,14 @@ typedef struct {
   size_t *faces;
 } FaceLists;
 
-static bool
-face_lists_init (FaceLists *lists, size_t block_count, const QnContacts *contacts)
+static void
+face_lists_init (FaceLists *lists, size_t block_count, QnContacts *contacts)
 {
-  lists->first = qn_alloc (block_count + 2, sizeof *lists->first);
-  lists->faces = qn_alloc (2 * contacts->face_count, sizeof *lists->faces);
-  if (lists->first == NULL || lists->faces == NULL)
-    return false;
+  lists->first = qn_pool_alloc (&contacts->room, block_count + 2, sizeof *lists->first);
+  lists->faces =
+    qn_pool_alloc (&contacts->room, 2 * contacts->face_count, sizeof *lists->faces);
+  if (contacts->room.failed)
+    return;
 
   /* Counting sort, shifted by one so that filling moves every start to its place. */
   size_t *end = lists->first + 1;
@@ -34,7 +32,6 @@ face_lists_init (FaceLists *lists, size_t block_count, const QnContacts *contact
     lists->faces[end[contacts->faces[i].a]++] = i;
     lists->faces[end[contacts->faces[i].b]++] = i;
   }
-  return true;
 }
 
 static bool
@@ -74,63 +71,44 @@ overlap (const QnFindings *findings, size_t count, const QnTouch *touch, size_t 
 
 /* In a bond every joint ends at corners, where blocks that share no face meet too. That is
  * ordinary as long as both have a face there; a corner that bears on its own is not. */
-static bool
-report_points (const QnContactSearch *search, const FaceLists *lists,
-               QnContacts *contacts, const QnTouches *touches)
+void
+qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
+                          const QnTouches *touches)
 {
-  QnFindings *findings = &contacts->findings;
-  double near = 4 * search->lengths.tolerance;
-  size_t earlier = findings->count, next = 0;
-  for (size_t i = 0; i < touches->count; i++) {
+  const double near = 4 * search->lengths.tolerance;
+  size_t earlier = contacts->findings.count, next = 0;
+  FaceLists lists;
+
+  face_lists_init (&lists, search->model->block_count, contacts);
+  for (size_t i = 0; i < touches->count && !contacts->room.failed; i++) {
     const QnTouch *touch = &touches->items[i];
-    if ((has_face_at (lists, contacts, touch->a, touch->at, near)
-         && has_face_at (lists, contacts, touch->b, touch->at, near))
-        || overlap (findings, earlier, touch, &next))
-      continue;
-    if (!qn_findings_add (findings, (QnFinding){ QN_PROBLEM_POINT_CONTACT, touch->a,
-                                                 touch->b, touch->at, 0, QN_NONE, NULL }))
-      return false;
+    if (!(has_face_at (&lists, contacts, touch->a, touch->at, near)
+          && has_face_at (&lists, contacts, touch->b, touch->at, near))
+        && !overlap (&contacts->findings, earlier, touch, &next))
+      qn_contacts_report (contacts, (QnFinding){ QN_PROBLEM_POINT_CONTACT, touch->a,
+                                                 touch->b, touch->at, 0, QN_NONE, NULL });
   }
-  return true;
 }
 
-static bool
-report_blocks (const QnModel *model, QnFindings *findings, QnProblem problem,
+static void
+report_blocks (const QnModel *model, QnContacts *contacts, QnProblem problem,
                const bool *in_order)
 {
-  for (size_t i = 0; i < model->block_count; i++) {
-    if (!in_order[i]
-        && !qn_findings_add (findings,
-                             (QnFinding){ problem, (QnId) i, QN_NONE,
-                                          model->blocks[i].centroid, 0, QN_NONE, NULL }))
-      return false;
-  }
-  return true;
+  for (size_t i = 0; i < model->block_count; i++)
+    if (!in_order[i])
+      qn_contacts_report (contacts,
+                          (QnFinding){ problem, (QnId) i, QN_NONE,
+                                       model->blocks[i].centroid, 0, QN_NONE, NULL });
 }
 
-QnStatus
-qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
-                          const QnTouches *touches, QnDiag *diag)
+static void
+report_beam (QnContacts *contacts, QnProblem problem, size_t beam, QnVec2 at)
 {
-  if (touches->count == 0)
-    return QN_OK;
-
-  FaceLists lists = { 0 };
-  bool done = face_lists_init (&lists, search->model->block_count, contacts)
-              && report_points (search, &lists, contacts, touches);
-  free (lists.first);
-  free (lists.faces);
-  return done ? QN_OK : qn_diag_no_memory (diag);
-}
-
-static bool
-report_beam (QnFindings *findings, QnProblem problem, size_t beam, QnVec2 at)
-{
-  return qn_findings_add (findings, (QnFinding){ .problem = problem,
-                                                 .block_a = QN_NONE,
-                                                 .block_b = QN_NONE,
-                                                 .subject = (QnId) beam,
-                                                 .at = at });
+  qn_contacts_report (contacts, (QnFinding){ .problem = problem,
+                                             .block_a = QN_NONE,
+                                             .block_b = QN_NONE,
+                                             .subject = (QnId) beam,
+                                             .at = at });
 }
 
 /* Whether a point that moves with a block lies outside of it by more than joints may be wide. */
@@ -146,35 +124,34 @@ lies_off_block (const QnModel *model, QnId block, QnVec2 at)
 
 /* Ends of beams where there is nothing else: no block, support, other beam, load or control; and ends
  * that do not lie on the block that they move with. */
-static bool
-report_free_ends (const QnModel *model, QnFindings *findings)
+static void
+report_free_ends (const QnModel *model, QnContacts *contacts)
 {
   size_t ends = 2 * model->beam_count;
-  int *uses = qn_alloc (model->node_count, sizeof *uses);
-  bool done = uses != NULL;
+  int *uses = qn_pool_alloc (&contacts->room, model->node_count, sizeof *uses);
 
-  for (size_t i = 0; i < ends && done; i++)
+  if (uses == NULL)
+    return;
+  for (size_t i = 0; i < ends; i++)
     uses[model->beams[i / 2].nodes[i % 2]]++;
-  for (size_t i = 0; i < qn_model_load_count (model) && done; i++)
+  for (size_t i = 0; i < qn_model_load_count (model); i++)
     if (qn_model_load (model, i)->kind == QN_LOAD_NODE)
       uses[qn_model_load (model, i)->node]++;
-  if (done && model->analysis.control_node != QN_NONE)
+  if (model->analysis.control_node != QN_NONE)
     uses[model->analysis.control_node]++;
-  for (size_t i = 0; i < ends && done; i++) {
+  for (size_t i = 0; i < ends; i++) {
     QnId id = model->beams[i / 2].nodes[i % 2];
     const QnNode *node = &model->nodes[id];
     bool alone =
       uses[id] == 1 && node->block == QN_NONE && !qn_support_is_any (node->support);
     if (alone || lies_off_block (model, node->block, node->at))
-      done = report_beam (findings, QN_PROBLEM_BEAM_END_FREE, i / 2, node->at);
+      report_beam (contacts, QN_PROBLEM_BEAM_END_FREE, i / 2, node->at);
   }
-  free (uses);
-  return done;
 }
 
 /* Surcharges, backfills and axles that lie beside the structure, and forces beside their blocks. */
-static bool
-report_loads (const QnModel *model, QnFindings *findings)
+static void
+report_loads (const QnModel *model, QnContacts *contacts)
 {
   for (size_t i = 0; i < qn_model_load_count (model); i++) {
     const QnLoad *load = qn_model_load (model, i);
@@ -188,121 +165,110 @@ report_loads (const QnModel *model, QnFindings *findings)
     bool nothing = qn_load_is_on_edges (load->kind) && load->kind != QN_LOAD_EDGE && any
                    && qn_model_edge_forces_of (model, i, &count) == NULL;
     bool beside = load->kind == QN_LOAD_VEHICLE && load->beside > 0;
-    if (!off && !nothing && !beside)
-      continue;
-    QnFinding finding = { .problem = off       ? QN_PROBLEM_LOAD_OFF_BLOCK
-                                     : nothing ? QN_PROBLEM_LOAD_MEETS_NOTHING
-                                               : QN_PROBLEM_LOAD_BESIDE,
-                          .block_a = off ? load->block : QN_NONE,
-                          .block_b = QN_NONE,
-                          .subject = (QnId) i,
-                          .at = load->at };
-    if (!qn_findings_add (findings, finding))
-      return false;
+    if (off || nothing || beside)
+      qn_contacts_report (
+        contacts, (QnFinding){ .problem = off       ? QN_PROBLEM_LOAD_OFF_BLOCK
+                                          : nothing ? QN_PROBLEM_LOAD_MEETS_NOTHING
+                                                    : QN_PROBLEM_LOAD_BESIDE,
+                               .block_a = off ? load->block : QN_NONE,
+                               .block_b = QN_NONE,
+                               .subject = (QnId) i,
+                               .at = load->at });
   }
-  return true;
 }
 
 /* Ends of ties that lie outside their blocks. */
-static bool
-report_ties (const QnModel *model, QnFindings *findings)
+static void
+report_ties (const QnModel *model, QnContacts *contacts)
 {
   for (size_t i = 0; i < 2 * model->tie_count; i++) {
     const QnTieEnd *end = &model->ties[i / 2].ends[i % 2];
-    if (!lies_off_block (model, end->block, end->at))
-      continue;
-    if (!qn_findings_add (findings, (QnFinding){ .problem = QN_PROBLEM_TIE_OFF_BLOCK,
+    if (lies_off_block (model, end->block, end->at))
+      qn_contacts_report (contacts, (QnFinding){ .problem = QN_PROBLEM_TIE_OFF_BLOCK,
                                                  .block_a = end->block,
                                                  .block_b = QN_NONE,
                                                  .subject = (QnId) (i / 2),
-                                                 .at = end->at }))
-      return false;
+                                                 .at = end->at });
   }
-  return true;
 }
 
-QnStatus
-qn_contacts_report_loose (const QnModel *model, QnContacts *contacts, QnDiag *diag)
+void
+qn_contacts_report_loose (const QnModel *model, QnContacts *contacts)
 {
   size_t blocks = model->block_count, bodies = qn_model_body_count (model);
   size_t held_count = 0;
-  QnFindings *findings = &contacts->findings;
+  const QnFindings *findings = &contacts->findings;
   /* Blocks that have a face, a point contact, an overlap, a beam or a tie; sets of bodies that hang together;
    * bodies in a set with a support. */
-  bool *touching = qn_alloc (blocks, sizeof *touching);
-  QnId *sets = qn_alloc_unset (bodies, sizeof *sets);
-  bool *held = qn_alloc (bodies, sizeof *held);
-  bool done = touching != NULL && sets != NULL && held != NULL;
+  bool *touching = qn_pool_alloc (&contacts->room, blocks, sizeof *touching);
+  QnId *sets = qn_pool_alloc (&contacts->room, bodies, sizeof *sets);
+  bool *held = qn_pool_alloc (&contacts->room, bodies, sizeof *held);
 
-  if (done) {
-    qn_sets_init (sets, bodies);
-    for (size_t i = 0; i < contacts->face_count; i++) {
-      const QnContactFace *face = &contacts->faces[i];
-      touching[face->a] = touching[face->b] = true;
-      qn_sets_join (sets, face->a, face->b);
-    }
-    for (size_t i = 0; i < findings->count; i++) {
-      const QnFinding *finding = &findings->items[i];
-      if (finding->problem == QN_PROBLEM_POINT_CONTACT || is_overlap (finding))
-        touching[finding->block_a] = touching[finding->block_b] = true;
-    }
-    for (size_t i = 0; i < 2 * model->beam_count; i++) {
-      QnId block = model->nodes[model->beams[i / 2].nodes[i % 2]].block;
-      if (block != QN_NONE)
-        touching[block] = true;
-    }
-    for (size_t i = 0; i < model->element_count; i++) {
-      const QnId *nodes = model->elements[i].nodes;
-      qn_sets_join (sets, (QnId) qn_model_node_body (model, nodes[0]),
-                    (QnId) qn_model_node_body (model, nodes[1]));
-    }
-    for (size_t i = 0; i < model->tie_count; i++) {
-      QnId a = model->ties[i].ends[0].block, b = model->ties[i].ends[1].block;
-      if (a != QN_NONE)
-        touching[a] = true;
-      if (b != QN_NONE)
-        touching[b] = true;
-      if (a != QN_NONE && b != QN_NONE)
-        qn_sets_join (sets, a, b);
-    }
-    for (size_t i = 0; i < model->tie_count; i++) {
-      const QnTieEnd *ends = model->ties[i].ends;
-      if (ends[0].block == QN_NONE || ends[1].block == QN_NONE)
-        held[qn_sets_root (sets, ends[0].block != QN_NONE ? ends[0].block
-                                                          : ends[1].block)] = true;
-    }
-    for (size_t i = 0; i < bodies; i++) {
-      const bool *support =
-        i < blocks ? model->blocks[i].support : model->nodes[i - blocks].support;
-      if (qn_support_is_any (support))
-        held[qn_sets_root (sets, (QnId) i)] = true;
-    }
-    for (size_t i = 0; i < bodies; i++) {
-      held[i] = held[qn_sets_root (sets, (QnId) i)];
-      held_count += held[i];
-    }
+  if (contacts->room.failed)
+    return;
+  qn_sets_init (sets, bodies);
+  for (size_t i = 0; i < contacts->face_count; i++) {
+    const QnContactFace *face = &contacts->faces[i];
+    touching[face->a] = touching[face->b] = true;
+    qn_sets_join (sets, face->a, face->b);
+  }
+  for (size_t i = 0; i < findings->count; i++) {
+    const QnFinding *finding = &findings->items[i];
+    if (finding->problem == QN_PROBLEM_POINT_CONTACT || is_overlap (finding))
+      touching[finding->block_a] = touching[finding->block_b] = true;
+  }
+  for (size_t i = 0; i < 2 * model->beam_count; i++) {
+    QnId block = model->nodes[model->beams[i / 2].nodes[i % 2]].block;
+    if (block != QN_NONE)
+      touching[block] = true;
+  }
+  for (size_t i = 0; i < model->element_count; i++) {
+    const QnId *nodes = model->elements[i].nodes;
+    qn_sets_join (sets, (QnId) qn_model_node_body (model, nodes[0]),
+                  (QnId) qn_model_node_body (model, nodes[1]));
+  }
+  for (size_t i = 0; i < model->tie_count; i++) {
+    QnId a = model->ties[i].ends[0].block, b = model->ties[i].ends[1].block;
+    if (a != QN_NONE)
+      touching[a] = true;
+    if (b != QN_NONE)
+      touching[b] = true;
+    if (a != QN_NONE && b != QN_NONE)
+      qn_sets_join (sets, a, b);
+  }
+  for (size_t i = 0; i < model->tie_count; i++) {
+    const QnTieEnd *ends = model->ties[i].ends;
+    if (ends[0].block == QN_NONE || ends[1].block == QN_NONE)
+      held[qn_sets_root (sets, ends[0].block != QN_NONE ? ends[0].block
+                                                        : ends[1].block)] = true;
+  }
+  for (size_t i = 0; i < bodies; i++) {
+    const bool *support =
+      i < blocks ? model->blocks[i].support : model->nodes[i - blocks].support;
+    if (qn_support_is_any (support))
+      held[qn_sets_root (sets, (QnId) i)] = true;
+  }
+  for (size_t i = 0; i < bodies; i++) {
+    held[i] = held[qn_sets_root (sets, (QnId) i)];
+    held_count += held[i];
   }
 
-  done =
-    done && report_blocks (model, findings, QN_PROBLEM_BLOCK_WITHOUT_CONTACT, touching);
-  if (done && held_count == 0) { /* one finding says more than one for every block */
+  report_blocks (model, contacts, QN_PROBLEM_BLOCK_WITHOUT_CONTACT, touching);
+  if (held_count == 0) { /* one finding says more than one for every block */
     QnVec2 at = blocks > 0 ? model->blocks[0].centroid : model->nodes[0].at;
-    done = qn_findings_add (findings, (QnFinding){ .problem = QN_PROBLEM_NO_SUPPORT,
-                                                   .block_a = QN_NONE,
-                                                   .block_b = QN_NONE,
-                                                   .at = at });
+    qn_contacts_report (contacts, (QnFinding){ .problem = QN_PROBLEM_NO_SUPPORT,
+                                               .block_a = QN_NONE,
+                                               .block_b = QN_NONE,
+                                               .at = at });
   } else {
-    done = done && report_blocks (model, findings, QN_PROBLEM_BLOCK_FLOATING, held);
-    for (size_t i = 0; done && i < model->beam_count; i++) {
+    report_blocks (model, contacts, QN_PROBLEM_BLOCK_FLOATING, held);
+    for (size_t i = 0; i < model->beam_count; i++) {
       const QnId node = model->beams[i].nodes[0];
       if (!held[qn_model_node_body (model, node)])
-        done = report_beam (findings, QN_PROBLEM_BEAM_FLOATING, i, model->nodes[node].at);
+        report_beam (contacts, QN_PROBLEM_BEAM_FLOATING, i, model->nodes[node].at);
     }
   }
-  done = done && report_free_ends (model, findings) && report_loads (model, findings)
-         && report_ties (model, findings);
-  free (touching);
-  free (sets);
-  free (held);
-  return done ? QN_OK : qn_diag_no_memory (diag);
+  report_free_ends (model, contacts);
+  report_loads (model, contacts);
+  report_ties (model, contacts);
 }

@@ -1,7 +1,7 @@
 /* All pairs of blocks that lie near each other, one after the other. */
 #include "core/contact/contact-search.h"
 
-#include "core/base/memory.h"
+#include "core/base/integer.h"
 
 #include <stdlib.h>
 
@@ -15,18 +15,11 @@ typedef struct {
   QnId *items;
 } Neighbours;
 
-static int
-compare_ids (const void *a, const void *b)
-{
-  QnId left = *(const QnId *) a, right = *(const QnId *) b;
-  return (left > right) - (left < right);
-}
-
 static void
 sort_ids (QnId *items, size_t count)
 {
   if (count > FEW_NEIGHBOURS) {
-    qsort (items, count, sizeof *items, compare_ids);
+    qsort (items, count, sizeof *items, qn_compare_ids);
     return;
   }
   for (size_t i = 1; i < count; i++) {
@@ -39,13 +32,14 @@ sort_ids (QnId *items, size_t count)
 }
 
 /* Counting sort by the lower number of each pair. */
-static bool
-list_pairs (Neighbours *neighbours, size_t block_count, const QnBoxPairs *pairs)
+static void
+list_pairs (Neighbours *neighbours, size_t block_count, const QnBoxPairs *pairs,
+            QnPool *room)
 {
-  neighbours->first = qn_alloc (block_count + 2, sizeof *neighbours->first);
-  neighbours->items = qn_alloc_unset (pairs->count, sizeof *neighbours->items);
-  if (neighbours->first == NULL || neighbours->items == NULL)
-    return false;
+  neighbours->first = qn_pool_alloc (room, block_count + 2, sizeof *neighbours->first);
+  neighbours->items = qn_pool_alloc (room, pairs->count, sizeof *neighbours->items);
+  if (room->failed)
+    return;
 
   /* Shifted by one, so that filling moves every start to its place. */
   size_t *end = neighbours->first + 1;
@@ -63,24 +57,22 @@ list_pairs (Neighbours *neighbours, size_t block_count, const QnBoxPairs *pairs)
   for (size_t a = 0; a < block_count; a++)
     sort_ids (neighbours->items + neighbours->first[a],
               neighbours->first[a + 1] - neighbours->first[a]);
-  return true;
 }
 
-/* `neighbours` is cleared by the caller, whether it has been filled or not. */
 static QnStatus
 find_neighbours (const QnContactSearch *search, Neighbours *neighbours, QnDiag *diag)
 {
   size_t blocks = search->model->block_count, most = QN_MOST_NEIGHBOURS (blocks);
   QnBoxPairs pairs = { 0 };
-  bool done =
-    qn_box_tree_pairs (&search->block_tree, 2 * search->lengths.gap_limit, most, &pairs);
-  bool crowded = done && pairs.count == most;
-  done = done && !crowded && list_pairs (neighbours, blocks, &pairs);
+  search->room->failed |=
+    !qn_box_tree_pairs (&search->block_tree, 2 * search->lengths.gap_limit, most, &pairs);
+  bool crowded = pairs.count == most;
+  if (!crowded)
+    list_pairs (neighbours, blocks, &pairs, search->room);
   qn_box_pairs_clear (&pairs);
-  if (crowded)
-    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_TOO_MANY_NEIGHBOURS,
-                        QN_ENTITY_MODEL, QN_NONE, QN_NONE);
-  return done ? QN_OK : qn_diag_no_memory (diag);
+  return crowded ? qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_TOO_MANY_NEIGHBOURS,
+                                QN_ENTITY_MODEL, QN_NONE, QN_NONE)
+                 : QN_OK;
 }
 
 QnStatus
@@ -94,27 +86,23 @@ qn_contact_search_all (const QnContactSearch *search, QnContacts *contacts, QnDi
   QnContactMatches matches = { 0 }; /* scratch of one pair of blocks, as the next */
   QnContactCuts cuts = { 0 };
   QnStatus status = find_neighbours (search, &neighbours, diag);
-  bool done = status == QN_OK;
 
+  if (status != QN_OK || search->room->failed)
+    return status;
   /* Room for as many faces as there are sides: in a structure without gaps every face begins at a
    * corner, and few corners begin two. More is made where that is not enough. */
-  if (done) {
-    contacts->faces = qn_alloc_unset (sides, sizeof *contacts->faces);
-    contacts->face_capacity = contacts->faces != NULL ? sides : 0;
-    done = contacts->faces != NULL;
-  }
-  for (size_t a = 0; done && a < blocks && deep_overlaps <= QN_MOST_OVERLAPS (blocks);
-       a++)
-    for (size_t k = neighbours.first[a]; done && k < neighbours.first[a + 1]; k++) {
+  contacts->faces = qn_alloc_unset (sides, sizeof *contacts->faces);
+  contacts->face_capacity = contacts->faces != NULL ? sides : 0;
+  search->room->failed = contacts->faces == NULL;
+  for (size_t a = 0; a < blocks && deep_overlaps <= QN_MOST_OVERLAPS (blocks); a++)
+    for (size_t k = neighbours.first[a]; k < neighbours.first[a + 1]; k++) {
       QnId b = neighbours.items[k];
       size_t earlier = overlaps.count;
-      done = qn_contact_match_pair (search, (QnId) a, b, &matches, contacts, &touches)
-             && qn_contact_check_overlap (search, (QnId) a, b, &cuts, &overlaps);
-      deep_overlaps += done && overlaps.count > earlier
+      qn_contact_match_pair (search, (QnId) a, b, &matches, contacts, &touches);
+      qn_contact_check_overlap (search, (QnId) a, b, &cuts, &overlaps);
+      deep_overlaps += overlaps.count > earlier
                        && overlaps.items[earlier].problem == QN_PROBLEM_BLOCKS_OVERLAP;
     }
-  free (neighbours.first);
-  free (neighbours.items);
   free (matches.items);
   free (cuts.items);
 
@@ -123,21 +111,20 @@ qn_contact_search_all (const QnContactSearch *search, QnContacts *contacts, QnDi
                           QN_ENTITY_BLOCK, overlaps.items[0].block_a, QN_NONE);
     if (diag != NULL)
       diag->other = overlaps.items[0].block_b;
-  } else if (status == QN_OK) {
+  } else {
     /* What was reserved for nothing is given back. */
     size_t kept = contacts->face_count > 0 ? contacts->face_count : 1;
-    QnContactFace *faces = done ? realloc (contacts->faces, kept * sizeof *faces) : NULL;
+    QnContactFace *faces = realloc (contacts->faces, kept * sizeof *faces);
+    search->room->failed |= faces == NULL;
     if (faces != NULL) {
       contacts->faces = faces;
       contacts->face_capacity = kept;
     }
-    done = faces != NULL;
-    for (size_t i = 0; done && i < overlaps.count; i++)
-      done = qn_findings_add (&contacts->findings, overlaps.items[i]);
-    status = done ? qn_contact_search_points (search, contacts, &touches, diag)
-                  : qn_diag_no_memory (diag);
+    for (size_t i = 0; i < overlaps.count; i++)
+      qn_contacts_report (contacts, overlaps.items[i]);
+    qn_contact_search_points (search, contacts, &touches);
   }
   free (touches.items);
-  qn_findings_clear (&overlaps);
+  free (overlaps.items);
   return status;
 }

@@ -1,16 +1,16 @@
 /* Blocks that overlap, how deeply and where. */
 #include "core/contact/contact-search.h"
 
-#include "core/base/memory.h"
 #include "core/base/numbers.h"
 #include "core/base/polygon.h"
 
 #include <stdlib.h>
 
-static bool
-add_number (QnContactCuts *numbers, double value)
+static void
+add_number (const QnContactSearch *search, QnContactCuts *numbers, double value)
 {
-  return QN_ARRAY_PUSH (numbers->items, numbers->count, numbers->capacity, value);
+  search->room->failed |=
+    !QN_ARRAY_PUSH (numbers->items, numbers->count, numbers->capacity, value);
 }
 
 /* How far block b reaches behind the sides of the convex block a: the least over these sides of
@@ -95,17 +95,18 @@ try_point (const QnContactSearch *search, QnId block, QnId other, QnVec2 point,
 
 /* Cuts a side of `other` where it meets the boundary of `block` and tries the middle of every
  * piece: a piece lies inside or outside as a whole. */
-static bool
+static void
 try_side (const QnContactSearch *search, const QnSide *side, QnId block,
           QnContactCuts *cuts, Deepest *deepest)
 {
   cuts->count = 0;
-  bool done = add_number (cuts, 0) && add_number (cuts, side->length);
+  add_number (search, cuts, 0);
+  add_number (search, cuts, side->length);
   QnSideWalk walk;
   qn_side_walk_start (&walk, search, block,
                       qn_box_grow (qn_side_box (side), search->lengths.tolerance));
   const QnSide *cutter;
-  while (done && (cutter = qn_side_walk_next (&walk)) != NULL) {
+  while ((cutter = qn_side_walk_next (&walk)) != NULL) {
     QnVec2 p = qn_vec2_sub (cutter->start, side->start);
     QnVec2 q = qn_vec2_sub (cutter->end, side->start);
     double left_p = qn_vec2_cross (side->direction, p);
@@ -116,10 +117,10 @@ try_side (const QnContactSearch *search, const QnSide *side, QnId block,
     else if ((left_p > 0) != (left_q > 0))
       at = qn_vec2_dot (side->direction, qn_vec2_lerp (p, q, left_p / (left_p - left_q)));
     if (at > 0 && at < side->length)
-      done = add_number (cuts, at);
+      add_number (search, cuts, at);
   }
-  if (!done)
-    return false;
+  if (search->room->failed)
+    return;
 
   qsort (cuts->items, cuts->count, sizeof *cuts->items, qn_compare_doubles);
   size_t number = (size_t) (side - search->sides.items);
@@ -130,22 +131,18 @@ try_side (const QnContactSearch *search, const QnSide *side, QnId block,
                deepest);
   }
   try_point (search, block, side->block, side->start, number, deepest);
-  return true;
 }
 
 /* Finds the point on the boundary of a that lies deepest in b. */
-static bool
+static void
 try_boundary (const QnContactSearch *search, QnId a, QnId b, QnContactCuts *cuts,
               Deepest *deepest)
 {
   QnSideWalk walk;
   qn_side_walk_start (&walk, search, a, search->block_boxes[b]);
   const QnSide *side;
-  while ((side = qn_side_walk_next (&walk)) != NULL) {
-    if (!try_side (search, side, b, cuts, deepest))
-      return false;
-  }
-  return true;
+  while ((side = qn_side_walk_next (&walk)) != NULL)
+    try_side (search, side, b, cuts, deepest);
 }
 
 /* Whether two blocks fill the same box, up to what may pass unnoticed on either. */
@@ -161,14 +158,13 @@ fill_same_box (const QnContactSearch *search, QnId a, QnId b)
 
 /* Depth and place of the overlap of two blocks of any shape, depth 0 where they do not overlap.
  * If the interiors meet, the boundary of one passes through the other, or they are equal. */
-static bool
+static void
 find_deepest (const QnContactSearch *search, QnId a, QnId b, QnContactCuts *cuts,
               Deepest *deepest)
 {
   *deepest = (Deepest){ 0, { 0, 0 }, 0 };
-  if (!try_boundary (search, a, b, cuts, deepest)
-      || !try_boundary (search, b, a, cuts, deepest))
-    return false;
+  try_boundary (search, a, b, cuts, deepest);
+  try_boundary (search, b, a, cuts, deepest);
   if (deepest->depth <= search->lengths.tolerance && fill_same_box (search, a, b)) {
     const QnModel *model = search->model;
     QnVec2 inner = qn_polygon_inner_point (qn_model_block_vertices (model, a),
@@ -180,17 +176,16 @@ find_deepest (const QnContactSearch *search, QnId a, QnId b, QnContactCuts *cuts
     if (depth > deepest->depth)
       *deepest = (Deepest){ depth, inner, 0 };
   }
-  return true;
 }
 
-bool
+void
 qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
                           QnContactCuts *cuts, QnFindings *findings)
 {
   double tolerance = search->lengths.tolerance;
   if (!qn_box_meets (search->block_boxes[b],
                      qn_box_grow (search->block_boxes[a], -tolerance)))
-    return true;
+    return;
 
   bool small =
     qn_side_count (search, a) * qn_side_count (search, b) <= QN_FEW_SIDES * QN_FEW_SIDES;
@@ -200,19 +195,19 @@ qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
   if (small && search->convex[b] && depth > search->lengths.tolerance)
     depth = qn_min (depth, reach_behind_sides (search, b, a, search->lengths.tolerance));
   if (depth <= search->lengths.tolerance)
-    return true;
+    return;
 
   Deepest deepest;
-  if (!find_deepest (search, a, b, cuts, &deepest))
-    return false;
+  find_deepest (search, a, b, cuts, &deepest);
   /* For two convex blocks the separating axes know the depth exactly. */
   if (!small || !search->convex[a] || !search->convex[b])
     depth = deepest.depth;
   if (depth <= search->lengths.tolerance)
-    return true;
+    return;
   QnProblem problem = depth > search->lengths.overlap_limit
                         ? QN_PROBLEM_BLOCKS_OVERLAP
                         : QN_PROBLEM_NEAR_MISS_OVERLAP;
-  return qn_findings_add (findings,
-                          (QnFinding){ problem, a, b, deepest.at, depth, QN_NONE, NULL });
+  search->room->failed |=
+    !QN_ARRAY_PUSH (findings->items, findings->count, findings->capacity,
+                    (QnFinding){ problem, a, b, deepest.at, depth, QN_NONE, NULL });
 }

@@ -1,9 +1,6 @@
 #include "core/contact/contact-search.h"
 
-#include "core/base/memory.h"
 #include "core/base/tolerance.h"
-
-#include <stdlib.h>
 
 QnContactLengths
 qn_contact_lengths (const QnModel *model)
@@ -44,7 +41,7 @@ describe_blocks (QnContactSearch *search)
 }
 
 /* The trees of the sides of blocks that have many. */
-static bool
+static void
 plant_sides (QnContactSearch *search)
 {
   QnId blocks = (QnId) search->model->block_count;
@@ -52,53 +49,33 @@ plant_sides (QnContactSearch *search)
   for (QnId i = 0; i < blocks; i++)
     most = qn_side_count (search, i) > most ? qn_side_count (search, i) : most;
   if (most <= QN_FEW_SIDES)
-    return true;
+    return;
 
-  QnBox *boxes = qn_alloc (most, sizeof *boxes);
-  search->side_trees = qn_alloc ((size_t) blocks, sizeof *search->side_trees);
-  bool done = boxes != NULL && search->side_trees != NULL;
-  for (QnId i = 0; i < blocks && done; i++) {
+  QnBox *boxes = qn_pool_alloc (search->room, most, sizeof *boxes);
+  search->side_trees =
+    qn_pool_alloc (search->room, (size_t) blocks, sizeof *search->side_trees);
+  for (QnId i = 0; i < blocks && !search->room->failed; i++) {
     size_t count = qn_side_count (search, i);
     if (count <= QN_FEW_SIDES)
       continue;
     for (size_t k = 0; k < count; k++)
       boxes[k] = qn_side_box (&search->sides.items[search->sides.first[i] + k]);
-    done = qn_box_tree_init (&search->side_trees[i], boxes, count);
+    qn_box_tree_init (&search->side_trees[i], boxes, count, search->room);
   }
-  free (boxes);
-  return done;
-}
-
-QnStatus
-qn_contact_search_init (QnContactSearch *search, const QnModel *model,
-                        QnContactLengths lengths, QnDiag *diag)
-{
-  *search = (QnContactSearch){ .model = model, .lengths = lengths };
-  search->block_boxes = qn_alloc_unset (model->block_count, sizeof *search->block_boxes);
-  search->convex = qn_alloc_unset (model->block_count, sizeof *search->convex);
-  bool done = search->block_boxes != NULL && search->convex != NULL
-              && qn_sides_init (&search->sides, model, search->lengths.tolerance);
-  if (done) {
-    describe_blocks (search);
-    done = qn_box_tree_init (&search->block_tree, search->block_boxes, model->block_count)
-           && plant_sides (search);
-  }
-  if (!done) {
-    qn_contact_search_clear (search);
-    return qn_diag_no_memory (diag);
-  }
-  return QN_OK;
 }
 
 void
-qn_contact_search_clear (QnContactSearch *search)
+qn_contact_search_init (QnContactSearch *search, const QnModel *model,
+                        QnContactLengths lengths, QnPool *room)
 {
-  qn_sides_clear (&search->sides);
-  free (search->block_boxes);
-  free (search->convex);
-  qn_box_tree_clear (&search->block_tree);
-  for (size_t i = 0; search->side_trees != NULL && i < search->model->block_count; i++)
-    qn_box_tree_clear (&search->side_trees[i]);
-  free (search->side_trees);
-  *search = (QnContactSearch){ 0 };
+  *search = (QnContactSearch){ .model = model, .lengths = lengths, .room = room };
+  search->block_boxes =
+    qn_pool_alloc (room, model->block_count, sizeof *search->block_boxes);
+  search->convex = qn_pool_alloc (room, model->block_count, sizeof *search->convex);
+  qn_sides_init (&search->sides, model, search->lengths.tolerance, room);
+  if (room->failed)
+    return;
+  describe_blocks (search);
+  qn_box_tree_init (&search->block_tree, search->block_boxes, model->block_count, room);
+  plant_sides (search);
 }

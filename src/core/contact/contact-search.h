@@ -21,6 +21,7 @@ QnContactLengths qn_contact_lengths (const QnModel *model);
 typedef struct QnContactSearch {
   const QnModel *model; /* borrowed */
   QnContactLengths lengths;
+  QnPool *room; /* of all below; whether memory ran out */
 
   QnSides sides;
   QnBox *block_boxes;
@@ -37,11 +38,10 @@ qn_side_box (const QnSide *side)
   return qn_box_of_segment (side->start, side->end);
 }
 
-/* `search` is overwritten without being cleared. */
-QnStatus qn_contact_search_init (QnContactSearch *search, const QnModel *model,
-                                 QnContactLengths lengths, QnDiag *diag);
-
-void qn_contact_search_clear (QnContactSearch *search);
+/* `search` is overwritten. Lack of memory anywhere below is told by the pool alone: what is found then is
+ * not all. */
+void qn_contact_search_init (QnContactSearch *search, const QnModel *model,
+                             QnContactLengths lengths, QnPool *room);
 
 /* Iterator over the sides of one block that meet a box: compares all sides up to QN_FEW_SIDES, uses the
  * tree above. */
@@ -120,8 +120,8 @@ typedef struct QnContactMatches {
 } QnContactMatches;
 
 /* Appends the faces (without pairs) of blocks a < b in their final order, their gaps, and the
- * touches that lie on no common face of the two. False when memory runs out. */
-bool qn_contact_match_pair (const QnContactSearch *search, QnId a, QnId b,
+ * touches that lie on no common face of the two. */
+void qn_contact_match_pair (const QnContactSearch *search, QnId a, QnId b,
                             QnContactMatches *matches, QnContacts *contacts,
                             QnTouches *touches);
 
@@ -130,8 +130,8 @@ typedef struct QnContactCuts {
   size_t count, capacity;
 } QnContactCuts;
 
-/* Appends a finding if blocks a < b overlap; false when memory runs out. */
-bool qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
+/* Appends a finding if blocks a < b overlap. */
+void qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
                                QnContactCuts *cuts, QnFindings *findings);
 
 /* ---- laws and pairs of the faces; blocks that nothing holds ---- */
@@ -142,9 +142,13 @@ QnStatus qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts,
                                   QnDiag *diag);
 
 /* Appends findings for blocks that touch at a point only; overlaps must be found before. */
-QnStatus qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
-                                   const QnTouches *touches, QnDiag *diag);
+void qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
+                               const QnTouches *touches);
 
 /* Appends findings for blocks without contact and for blocks not connected to a support. */
-QnStatus qn_contacts_report_loose (const QnModel *model, QnContacts *contacts,
-                                   QnDiag *diag);
+void qn_contacts_report_loose (const QnModel *model, QnContacts *contacts);
+
+void qn_contacts_report (QnContacts *contacts, QnFinding finding);
+
+/* Room for so many pairs more; false where there is none. */
+bool qn_contacts_reserve_pairs (QnContacts *contacts, size_t count);

@@ -1,9 +1,5 @@
 #include "core/contact/contact-side.h"
 
-#include "core/base/memory.h"
-
-#include <stdlib.h>
-
 /* Directions that a run from its first vertex may take without leaving a vertex behind, as an
  * interval of angles about the direction of its first edge. */
 typedef struct {
@@ -126,17 +122,14 @@ rotate_sides (QnSide *sides, size_t count)
   reverse_sides (sides, count);
 }
 
-bool
-qn_sides_init (QnSides *sides, const QnModel *model, double tolerance)
+void
+qn_sides_init (QnSides *sides, const QnModel *model, double tolerance, QnPool *pool)
 {
   *sides = (QnSides){ 0 };
-  sides->items = qn_alloc_unset (model->vertex_count, sizeof *sides->items);
-  sides->first = qn_alloc_unset (model->block_count + 1, sizeof *sides->first);
-  if (sides->items == NULL || sides->first == NULL) {
-    qn_sides_clear (sides);
-    return false;
-  }
-
+  sides->items = qn_pool_alloc (pool, model->vertex_count, sizeof *sides->items);
+  sides->first = qn_pool_alloc (pool, model->block_count + 1, sizeof *sides->first);
+  if (pool->failed)
+    return;
   for (size_t block = 0; block < model->block_count; block++) {
     size_t begin = sides->count;
     sides->first[block] = begin;
@@ -144,13 +137,4 @@ qn_sides_init (QnSides *sides, const QnModel *model, double tolerance)
     rotate_sides (sides->items + begin, sides->count - begin);
   }
   sides->first[model->block_count] = sides->count;
-  return true;
-}
-
-void
-qn_sides_clear (QnSides *sides)
-{
-  free (sides->items);
-  free (sides->first);
-  *sides = (QnSides){ 0 };
 }

@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include "core/base/memory.h"
 #include "core/model/model.h"
 
 typedef struct QnSide {
@@ -17,14 +18,11 @@ typedef struct QnSide {
 
 /* The sides of all blocks, those of block i from first[i] up to first[i + 1]. */
 typedef struct QnSides {
-  QnSide *items; /* owned */
-  size_t *first; /* owned */
+  QnSide *items;
+  size_t *first;
   size_t count;
 } QnSides;
 
 /* Collects the sides of a prepared model. Vertices within `tolerance` (m) of the line between
- * the ends of a run are on it. `sides` is overwritten without being cleared; false when memory
- * runs out. */
-bool qn_sides_init (QnSides *sides, const QnModel *model, double tolerance);
-
-void qn_sides_clear (QnSides *sides);
+ * the ends of a run are on it. `sides` is overwritten, and in memory of the pool. */
+void qn_sides_init (QnSides *sides, const QnModel *model, double tolerance, QnPool *pool);

@@ -21,21 +21,43 @@ qn_contacts_detect (const QnModel *model, QnContacts *contacts, QnDiag *diag)
   QnStatus status = QN_OK;
   if (model->block_count > 0) {
     QnContactSearch search;
-    status = qn_contact_search_init (&search, model, qn_contact_lengths (model), diag);
-    if (status != QN_OK)
-      return status;
-    status = qn_contact_search_all (&search, contacts, diag);
-    qn_contact_search_clear (&search);
-    if (status == QN_OK)
+    qn_contact_search_init (&search, model, qn_contact_lengths (model), &contacts->room);
+    if (!contacts->room.failed)
+      status = qn_contact_search_all (&search, contacts, diag);
+    if (status == QN_OK && !contacts->room.failed)
       status = qn_contacts_place_pairs (model, contacts, diag);
   }
-  if (status == QN_OK)
-    status = qn_contacts_report_loose (model, contacts, diag);
-  if (status == QN_OK)
-    status = qn_contacts_report_doubts (model, contacts, diag);
+  if (status == QN_OK && !contacts->room.failed) {
+    qn_contacts_report_loose (model, contacts);
+    qn_contacts_report_doubts (model, contacts);
+  }
+  if (contacts->room.failed)
+    status = qn_diag_no_memory (diag);
+  qn_pool_clear (&contacts->room);
   if (status != QN_OK)
     qn_contacts_clear (contacts);
   return status;
+}
+
+void
+qn_contacts_report (QnContacts *contacts, QnFinding finding)
+{
+  QnFindings *findings = &contacts->findings;
+
+  contacts->room.failed |=
+    !QN_ARRAY_PUSH (findings->items, findings->count, findings->capacity, finding);
+}
+
+bool
+qn_contacts_reserve_pairs (QnContacts *contacts, size_t count)
+{
+  size_t need = contacts->pair_count + count;
+  bool room = need <= INT32_MAX
+              && qn_array_reserve (&contacts->pairs, &contacts->pair_capacity, need,
+                                   sizeof *contacts->pairs);
+
+  contacts->room.failed |= !room;
+  return room;
 }
 
 /* The first finding of a kind, or NULL. */
@@ -157,6 +179,7 @@ qn_contacts_clear (QnContacts *contacts)
 {
   free (contacts->faces);
   free (contacts->pairs);
-  qn_findings_clear (&contacts->findings);
+  free (contacts->findings.items);
+  qn_pool_clear (&contacts->room);
   *contacts = (QnContacts){ 0 };
 }

@@ -6,6 +6,7 @@
  */
 #pragma once
 
+#include "core/base/memory.h"
 #include "core/contact/contact-pair.h"
 #include "core/contact/finding.h"
 #include "core/model/model.h"
@@ -52,6 +53,7 @@ typedef struct QnContacts {
   QnContactPair *pairs;
   size_t pair_count, pair_capacity;
   QnFindings findings; /* gaps, overlaps, point contacts, loose and floating blocks */
+  QnPool room; /* what detection needs for a while; failed: not all has been found */
 } QnContacts;
 
 /* Finds all faces and pairs of a prepared model in O(n log n) time. Overlaps deeper than the tolerance and

@@ -31,8 +31,3 @@ qn_finding_has_place (const QnFinding *finding)
 {
   return finding->block_a != QN_NONE || finding->range == NULL;
 }
-
-/* Appends; false when memory runs out. */
-bool qn_findings_add (QnFindings *findings, QnFinding finding);
-
-void qn_findings_clear (QnFindings *findings);

@@ -1,11 +1,9 @@
 #include "core/contact/contact-search.h"
 
-#include "core/base/memory.h"
 #include "core/contact/contact-bars.h"
+#include "core/contact/contact-follow.h"
 #include "core/contact/pair-abscissae.h"
 #include "core/model/support.h"
-
-#include <stdlib.h>
 
 /* What pairs may make of the bending stiffness and of the moment of a crushed joint before that is a
  * finding. Two evenly spaced pairs have 3/4 of the stiffness, two Gauss points 1.15 times the moment. */
@@ -14,46 +12,25 @@ static const double least_bending = 0.8, most_bending = 1.25, most_crushing = 1.
 /* Sine of the angle between two faces of a block from which on its neighbours lie in two directions. */
 #define SIDEWAYS 0.5
 
-/* The first face between two blocks, or where it would be. */
-static size_t
-first_face (const QnContacts *contacts, QnId a, QnId b)
-{
-  size_t low = 0, high = contacts->face_count;
-
-  while (low < high) {
-    size_t middle = (low + high) / 2;
-    const QnContactFace *face = &contacts->faces[middle];
-    if (face->a < a || (face->a == a && face->b < b))
-      low = middle + 1;
-    else
-      high = middle;
-  }
-  return low;
-}
-
 /* Fills the exception of each face, NULL where there is none; of two for the same blocks the later one
- * counts. Those without a face are findings. False when memory runs out. */
-static bool
+ * counts. Those without a face are findings. */
+static void
 find_exceptions (const QnModel *model, QnContacts *contacts, const QnFaceOverride **own)
 {
   for (size_t i = 0; i < model->override_count; i++) {
     const QnFaceOverride *override = &model->overrides[i];
     QnId a = override->block_a, b = override->block_b;
+    size_t face, end;
     if (a > b)
       a = override->block_b, b = override->block_a;
-    size_t first = first_face (contacts, a, b), face = first;
-    for (; face < contacts->face_count && contacts->faces[face].a == a
-           && contacts->faces[face].b == b;
-         face++)
-      own[face] = override;
     QnVec2 at = qn_vec2_lerp (model->blocks[a].centroid, model->blocks[b].centroid, 0.5);
-    if (face == first
-        && !qn_findings_add (
-          &contacts->findings,
-          (QnFinding){ QN_PROBLEM_OVERRIDE_UNUSED, a, b, at, 0, QN_NONE, NULL }))
-      return false;
+    qn_contacts_between (contacts, a, b, &face, &end);
+    if (face == end)
+      qn_contacts_report (
+        contacts, (QnFinding){ QN_PROBLEM_OVERRIDE_UNUSED, a, b, at, 0, QN_NONE, NULL });
+    for (; face < end; face++)
+      own[face] = override;
   }
-  return true;
 }
 
 static QnId
@@ -76,19 +53,6 @@ refuse (const QnContactFace *face, QnProblem problem, QnDiag *diag)
   return QN_ERROR_INVALID;
 }
 
-/* Room for so many pairs more. */
-static QnStatus
-reserve (QnContacts *contacts, size_t count, QnDiag *diag)
-{
-  size_t need = contacts->pair_count + count;
-
-  return need <= INT32_MAX
-             && qn_array_reserve (&contacts->pairs, &contacts->pair_capacity, need,
-                                  sizeof *contacts->pairs)
-           ? QN_OK
-           : qn_diag_no_memory (diag);
-}
-
 static QnStatus
 place_pairs (QnContacts *contacts, size_t index, const QnPairRule *rule, QnDiag *diag)
 {
@@ -97,9 +61,8 @@ place_pairs (QnContacts *contacts, size_t index, const QnPairRule *rule, QnDiag 
 
   if (rule->placement == QN_PLACEMENT_ENDS && 2 * rule->offset >= face->length)
     return refuse (face, QN_PROBLEM_PAIR_OFFSET_TOO_LARGE, diag);
-  QnStatus status = reserve (contacts, count, diag);
-  if (status != QN_OK)
-    return status;
+  if (!qn_contacts_reserve_pairs (contacts, count))
+    return QN_OK;
   face->first_pair = (QnId) contacts->pair_count;
   face->pair_count = (int32_t) count;
   for (size_t i = 0; i < count; i++) {
@@ -219,11 +182,11 @@ furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
   QnPairRule rule = qn_pair_rule_by_law (
     own_pairs ? &exception->pairs : &model->contact.pairs, deciding_law (model, face));
   QnStatus status = place_pairs (contacts, index, &rule, diag);
-  if (status == QN_OK)
-    judge_pairs (model, face, &rule, &judged[0], &judged[1]);
-  if (status == QN_OK)
-    status = qn_bar_search_cross (bars, model, contacts, (QnId) index, diag);
-  return status == QN_OK ? check_springs (model, contacts, (QnId) index, diag) : status;
+  if (status != QN_OK)
+    return status;
+  judge_pairs (model, face, &rule, &judged[0], &judged[1]);
+  qn_bar_search_cross (bars, model, contacts, (QnId) index);
+  return check_springs (model, contacts, (QnId) index, diag);
 }
 
 /* What laws are used for: the sides of faces with each, and those that make its blocks have neighbours in
@@ -233,8 +196,8 @@ typedef struct LawUse {
   size_t sides, sideways;
 } LawUse;
 
-static bool
-report_use (QnFindings *findings, const QnLaw *law, QnId id, const LawUse *use)
+static void
+report_use (QnContacts *contacts, const QnLaw *law, QnId id, const LawUse *use)
 {
   const bool chain = law->arrangement == QN_ARRANGEMENT_CHAIN;
   QnFinding finding = { .block_a = use->block,
@@ -242,12 +205,12 @@ report_use (QnFindings *findings, const QnLaw *law, QnId id, const LawUse *use)
                         .subject = id,
                         .problem = chain ? QN_PROBLEM_LAW_CHAIN : QN_PROBLEM_LAW_GRID };
 
-  if (use->sides > 0 && law->elasticity > 0 && chain == (use->sideways > 0)
-      && !qn_findings_add (findings, finding))
-    return false;
+  if (use->sides > 0 && law->elasticity > 0 && chain == (use->sideways > 0))
+    qn_contacts_report (contacts, finding);
   finding.problem = QN_PROBLEM_LAW_SHEAR;
-  return !qn_law_yields (law->kind) || qn_law_may_bond (law->kind)
-         || 4 * use->sideways <= use->sides || qn_findings_add (findings, finding);
+  if (qn_law_yields (law->kind) && !qn_law_may_bond (law->kind)
+      && 4 * use->sideways > use->sides)
+    qn_contacts_report (contacts, finding);
 }
 
 /* A face of a block, the first one of those with its law. */
@@ -259,14 +222,15 @@ typedef struct FirstFace {
 /* How the blocks lie that laws join. It is a finding of the first block where a law of a chain joins blocks
  * that have neighbours in two directions, or one of a grid blocks where none has; and where many blocks of
  * a law that is elastic in shear have, which is more than the corners of frames. */
-static QnStatus
-judge_arrangements (const QnModel *model, QnContacts *contacts, QnDiag *diag)
+static void
+judge_arrangements (const QnModel *model, QnContacts *contacts)
 {
-  FirstFace *first = qn_alloc (model->block_count, sizeof *first);
-  LawUse *uses = qn_alloc (model->law_count, sizeof *uses);
-  bool room = first != NULL && uses != NULL;
+  FirstFace *first = qn_pool_alloc (&contacts->room, model->block_count, sizeof *first);
+  LawUse *uses = qn_pool_alloc (&contacts->room, model->law_count, sizeof *uses);
 
-  for (size_t i = 0; room && i < 2 * contacts->face_count; i++) {
+  if (contacts->room.failed)
+    return;
+  for (size_t i = 0; i < 2 * contacts->face_count; i++) {
     const QnContactFace *face = &contacts->faces[i / 2];
     QnId block = i % 2 == 0 ? face->a : face->b;
     QnId id = i % 2 == 0 ? face->law_a : face->law_b;
@@ -283,37 +247,34 @@ judge_arrangements (const QnModel *model, QnContacts *contacts, QnDiag *diag)
              && model->laws[id].arrangement == QN_ARRANGEMENT_CHAIN)
       use->block = block;
   }
-  for (size_t i = 0; room && i < model->law_count; i++)
-    room = report_use (&contacts->findings, &model->laws[i], (QnId) i, &uses[i]);
-  free (first);
-  free (uses);
-  return room ? QN_OK : qn_diag_no_memory (diag);
+  for (size_t i = 0; i < model->law_count; i++)
+    report_use (contacts, &model->laws[i], (QnId) i, &uses[i]);
 }
 
 QnStatus
 qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
-  const QnFaceOverride **own = qn_alloc (contacts->face_count, sizeof *own);
+  const QnFaceOverride **own =
+    qn_pool_alloc (&contacts->room, contacts->face_count, sizeof *own);
+  QnStatus status = QN_OK;
   QnBarSearch bars;
   QnFinding judged[2] = {
     { .problem = QN_PROBLEM_PAIRS_BENDING, .block_a = QN_NONE, .block_b = QN_NONE },
     { .problem = QN_PROBLEM_PAIRS_CRUSHING, .block_a = QN_NONE, .block_b = QN_NONE },
   };
-  QnStatus status = qn_bar_search_init (&bars, model, diag);
-  if (status == QN_OK && (own == NULL || !find_exceptions (model, contacts, own)))
-    status = qn_diag_no_memory (diag);
 
-  contacts->pair_count = 0;
-  for (size_t i = 0; i < contacts->face_count && status == QN_OK; i++)
+  qn_bar_search_init (&bars, model, &contacts->room);
+  if (own != NULL)
+    find_exceptions (model, contacts, own);
+  for (size_t i = 0;
+       i < contacts->face_count && status == QN_OK && !contacts->room.failed; i++)
     status = furnish_face (model, contacts, i, own[i], &bars, judged, diag);
-  if (status == QN_OK)
+  if (status == QN_OK && !contacts->room.failed)
     status = qn_bar_search_finish (&bars, model, contacts, diag);
-  for (size_t i = 0; status == QN_OK && i < QN_N_ELEMENTS (judged); i++)
-    if (judged[i].block_a != QN_NONE && !qn_findings_add (&contacts->findings, judged[i]))
-      status = qn_diag_no_memory (diag);
+  for (size_t i = 0; i < QN_N_ELEMENTS (judged); i++)
+    if (judged[i].block_a != QN_NONE)
+      qn_contacts_report (contacts, judged[i]);
   if (status == QN_OK)
-    status = judge_arrangements (model, contacts, diag);
-  free (own);
-  qn_bar_search_clear (&bars);
+    judge_arrangements (model, contacts);
   return status;
 }

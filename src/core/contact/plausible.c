@@ -1,8 +1,8 @@
 #include "core/contact/plausible.h"
 
 #include "core/base/box.h"
-#include "core/base/memory.h"
 #include "core/base/numbers.h"
+#include "core/contact/contact-search.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -180,11 +180,10 @@ qn_usual_ranges (size_t *count)
 }
 
 typedef struct Doubts {
-  QnFindings *findings;
+  QnContacts *contacts;
   const QnModel *model;
   double last[ROW_COUNT]; /* the number of a row that was found last */
   int found[ROW_COUNT];
-  bool no_memory;
 } Doubts;
 
 /* Whether a number lies in the range of its row; `block` is the block concerned, or QN_NONE. */
@@ -198,15 +197,15 @@ examine (Doubts *d, Row row, size_t index, QnId block, double value)
     return;
   d->last[row] = value;
   d->found[row]++;
-  d->no_memory |= !qn_findings_add (
-    d->findings, (QnFinding){ .problem = range->doubt,
-                              .block_a = block,
-                              .block_b = QN_NONE,
-                              .at = block != QN_NONE ? d->model->blocks[block].centroid
-                                                     : qn_vec2 (0, 0),
-                              .value = value,
-                              .subject = (QnId) index,
-                              .range = range });
+  qn_contacts_report (d->contacts, (QnFinding){ .problem = range->doubt,
+                                                .block_a = block,
+                                                .block_b = QN_NONE,
+                                                .at = block != QN_NONE
+                                                        ? d->model->blocks[block].centroid
+                                                        : qn_vec2 (0, 0),
+                                                .value = value,
+                                                .subject = (QnId) index,
+                                                .range = range });
 }
 
 /* The members of an item that have a row. */
@@ -406,9 +405,9 @@ examine_dead_load (Doubts *d)
   if (any || model->live_load_count == 0 || model->block_count < 2 || model->bar_count > 0
       || model->tie_count > 0 || !needs_pressure (model))
     return;
-  d->no_memory |= !qn_findings_add (
-    d->findings, (QnFinding){ QN_PROBLEM_DOUBT_NO_DEAD_LOAD, QN_NONE, QN_NONE,
-                              qn_vec2 (0, 0), 0, QN_NONE, NULL });
+  qn_contacts_report (d->contacts,
+                      (QnFinding){ QN_PROBLEM_DOUBT_NO_DEAD_LOAD, QN_NONE, QN_NONE,
+                                   qn_vec2 (0, 0), 0, QN_NONE, NULL });
 }
 
 /* A face that bears, seen along the dead load. */
@@ -471,30 +470,32 @@ excess_of (const QnModel *model, QnId block, const Seat *seat, double own, QnVec
 
 /* Distributes the load of every block, with that from above, to the blocks below by the stiffness of its
  * joints. Reports the block that sinks most if it sinks too far. */
-static bool
-examine_sinking (Doubts *d, const QnContacts *contacts)
+static void
+examine_sinking (Doubts *d)
 {
+  QnContacts *contacts = d->contacts;
   const QnModel *model = d->model;
   QnVec2 weight = dead_weight (model);
   double part = qn_vec2_length (weight), sinking = 0, deepest = 0;
   if (!(part > 0) || contacts->face_count == 0)
-    return true;
+    return;
   QnVec2 down = qn_vec2_scale (1 / part, weight);
-  Bearing *bearings = qn_alloc (contacts->face_count, sizeof *bearings);
-  Seat *seats = qn_alloc (model->block_count, sizeof *seats);
-  bool done = bearings != NULL && seats != NULL;
+  Bearing *bearings =
+    qn_pool_alloc (&contacts->room, contacts->face_count, sizeof *bearings);
+  Seat *seats = qn_pool_alloc (&contacts->room, model->block_count, sizeof *seats);
   QnId worst = QN_NONE;
-  for (size_t i = 0; done && i < model->block_count; i++)
+  if (contacts->room.failed)
+    return;
+  for (size_t i = 0; i < model->block_count; i++)
     seats[i].load = part * model->blocks[i].weight;
-  for (size_t i = 0; done && i < contacts->face_count; i++) {
+  for (size_t i = 0; i < contacts->face_count; i++) {
     bearings[i] = bearing_of (model, contacts, i, down);
     seats[bearings[i].upper].stiffness += bearings[i].stiffness;
     if (bearings[i].stiffness > 0)
       seats[bearings[i].upper].width += contacts->faces[i].length;
   }
-  if (done)
-    qsort (bearings, contacts->face_count, sizeof *bearings, compare_bearings);
-  for (size_t i = 0; done && i < contacts->face_count; i++) {
+  qsort (bearings, contacts->face_count, sizeof *bearings, compare_bearings);
+  for (size_t i = 0; i < contacts->face_count; i++) {
     const Bearing *of = &bearings[i];
     const Seat *seat = &seats[of->upper];
     /* the bearings of a block follow one another */
@@ -511,12 +512,9 @@ examine_sinking (Doubts *d, const QnContacts *contacts)
       seats[of->lower].load += seat->load * of->stiffness / seat->stiffness;
   }
   if (worst != QN_NONE)
-    done = qn_findings_add (
-      d->findings, (QnFinding){ QN_PROBLEM_DOUBT_SOFT, worst, QN_NONE,
-                                model->blocks[worst].centroid, deepest, QN_NONE, NULL });
-  free (bearings);
-  free (seats);
-  return done;
+    qn_contacts_report (contacts, (QnFinding){ QN_PROBLEM_DOUBT_SOFT, worst, QN_NONE,
+                                               model->blocks[worst].centroid, deepest,
+                                               QN_NONE, NULL });
 }
 
 /* ---- slivers ---- */
@@ -543,32 +541,32 @@ is_sliver (const QnModel *model, size_t block, double width)
 }
 
 /* With the neighbour that each touches most, of those that are no lintel above or below it if it has one. */
-static bool
-examine_slivers (Doubts *d, const QnContacts *contacts)
+static void
+examine_slivers (Doubts *d)
 {
+  QnContacts *contacts = d->contacts;
   const QnModel *model = d->model;
   const size_t n = model->block_count;
   const double unit = model->characteristic_length * model->characteristic_length;
   if (n < 10)
-    return true;
-  double *sizes = qn_alloc (n, sizeof *sizes);
-  QnId *beside = qn_alloc (n, sizeof *beside);
-  bool done = sizes != NULL && beside != NULL;
-  double width = 0;
+    return;
+  double *sizes = qn_pool_alloc (&contacts->room, n, sizeof *sizes);
+  QnId *beside = qn_pool_alloc (&contacts->room, n, sizeof *beside);
   size_t count = 0;
-  if (done) {
-    for (size_t i = 0; i < n; i++)
-      sizes[i] = width_of (model, i);
-    qsort (sizes, n, sizeof *sizes, qn_compare_doubles);
-    width = sizes[n / 2];
-  }
-  for (size_t i = 0; done && i < n; i++) {
+  if (contacts->room.failed)
+    return;
+  for (size_t i = 0; i < n; i++)
+    sizes[i] = width_of (model, i);
+  qsort (sizes, n, sizeof *sizes, qn_compare_doubles);
+  const double width = sizes[n / 2];
+  for (size_t i = 0; i < n; i++) {
     count += is_sliver (model, i, width);
     sizes[i] = 0; /* from now on the longest face of each */
     beside[i] = QN_NONE;
   }
-  const bool any = count > 0 && 10 * count <= n;
-  for (size_t f = 0; any && f < contacts->face_count; f++) {
+  if (count == 0 || 10 * count > n)
+    return;
+  for (size_t f = 0; f < contacts->face_count; f++) {
     const QnContactFace *face = &contacts->faces[f];
     const QnId ends[2] = { face->a, face->b };
     for (int k = 0; k < 2; k++) {
@@ -579,23 +577,19 @@ examine_slivers (Doubts *d, const QnContacts *contacts)
       }
     }
   }
-  for (size_t i = 0; any && done && i < n; i++)
-    done =
-      !is_sliver (model, i, width)
-      || qn_findings_add (d->findings, (QnFinding){ .problem = QN_PROBLEM_BLOCK_SLIVER,
-                                                    .block_a = (QnId) i,
-                                                    .block_b = beside[i],
-                                                    .at = model->blocks[i].centroid,
-                                                    .subject = QN_NONE });
-  free (sizes);
-  free (beside);
-  return done;
+  for (size_t i = 0; i < n; i++)
+    if (is_sliver (model, i, width))
+      qn_contacts_report (contacts, (QnFinding){ .problem = QN_PROBLEM_BLOCK_SLIVER,
+                                                 .block_a = (QnId) i,
+                                                 .block_b = beside[i],
+                                                 .at = model->blocks[i].centroid,
+                                                 .subject = QN_NONE });
 }
 
-QnStatus
-qn_contacts_report_doubts (const QnModel *model, QnContacts *contacts, QnDiag *diag)
+void
+qn_contacts_report_doubts (const QnModel *model, QnContacts *contacts)
 {
-  Doubts d = { .findings = &contacts->findings, .model = model };
+  Doubts d = { .contacts = contacts, .model = model };
   double extent = examine_blocks (&d);
   examine_members (&d, QN_ENTITY_MODEL, 0, QN_NONE, model);
   examine_laws (&d);
@@ -603,7 +597,6 @@ qn_contacts_report_doubts (const QnModel *model, QnContacts *contacts, QnDiag *d
   examine_loads (&d, extent);
   examine_analysis (&d, extent);
   examine_dead_load (&d);
-  return examine_sinking (&d, contacts) && examine_slivers (&d, contacts) && !d.no_memory
-           ? QN_OK
-           : qn_diag_no_memory (diag);
+  examine_sinking (&d);
+  examine_slivers (&d);
 }

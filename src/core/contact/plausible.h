@@ -20,7 +20,6 @@ typedef struct QnUsualRange {
  * loads without dead loads on joints that need compression; and for the block that sinks furthest into
  * its joints if it sinks by more than 1/1000 of its height under its own weight, or 1/100 under the dead
  * load on it; 1/20 in linear geometry and in time, where soft joints lower no multiplier. */
-QnStatus qn_contacts_report_doubts (const QnModel *model, QnContacts *contacts,
-                                    QnDiag *diag);
+void qn_contacts_report_doubts (const QnModel *model, QnContacts *contacts);
 
 const QnUsualRange *qn_usual_ranges (size_t *count);

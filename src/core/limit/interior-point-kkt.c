@@ -12,26 +12,20 @@
 #define GROUP_ENTRIES (QN_IP_GROUP_ROWS * QN_IP_GROUP_ROWS)
 
 /* The pattern of M in storage order, without duplicates. */
-static bool
+static void
 find_pattern (QnIpKkt *kkt)
 {
   const QnIpProblem *p = kkt->problem;
   QnSparsePattern pattern;
-  bool ok = qn_sparse_pattern_init (&pattern, p->row_count,
-                                    (size_t) p->group_count * GROUP_ENTRIES
-                                      + (size_t) p->row_count);
 
-  for (int32_t r = 0; ok && r < p->row_count; r++)
-    ok = qn_sparse_pattern_add_clique (&pattern, &r, 1);
-  for (int32_t g = 0; ok && g < p->group_count; g++)
-    ok = qn_sparse_pattern_add_clique (&pattern, p->groups[g].rows, QN_IP_GROUP_ROWS);
-  ok = ok && qn_sparse_pattern_compress (&pattern, &kkt->columns, &kkt->rows);
-  qn_sparse_pattern_clear (&pattern);
-  if (ok) {
-    qn_pool_add (&kkt->pool, kkt->columns);
-    qn_pool_add (&kkt->pool, kkt->rows);
-  }
-  return ok && !kkt->pool.failed;
+  qn_sparse_pattern_init (&pattern, p->row_count,
+                          (size_t) p->group_count * GROUP_ENTRIES + (size_t) p->row_count,
+                          &kkt->pool);
+  for (int32_t r = 0; r < p->row_count; r++)
+    qn_sparse_pattern_add_clique (&pattern, &r, 1);
+  for (int32_t g = 0; g < p->group_count; g++)
+    qn_sparse_pattern_add_clique (&pattern, p->groups[g].rows, QN_IP_GROUP_ROWS);
+  qn_sparse_pattern_compress (&pattern, &kkt->columns, &kkt->rows);
 }
 
 static void
@@ -43,7 +37,8 @@ schur_init (QnIpKkt *kkt)
   kkt->slots =
     qn_pool_alloc (pool, (size_t) p->group_count * GROUP_ENTRIES, sizeof *kkt->slots);
   kkt->diagonal = qn_pool_alloc (pool, (size_t) p->row_count, sizeof *kkt->diagonal);
-  if (!find_pattern (kkt))
+  find_pattern (kkt);
+  if (pool->failed)
     return;
   kkt->values =
     qn_pool_alloc (pool, (size_t) kkt->columns[p->row_count], sizeof *kkt->values);

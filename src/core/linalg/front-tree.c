@@ -1,5 +1,6 @@
 #include "core/linalg/front-tree.h"
 
+#include "core/base/integer.h"
 #include "core/base/memory.h"
 
 #include <amd.h>
@@ -83,12 +84,6 @@ fill_graph (Analysis *a)
   a->start[a->count] = fill;
 }
 
-static int
-compare_index (const void *a, const void *b)
-{
-  return *(const int32_t *) a - *(const int32_t *) b;
-}
-
 /* The rows of column j of the factor: the later neighbours of node j, and the rows of the columns
  * that it is the parent of in the elimination tree, which `child` and `sibling` hold. */
 static int32_t
@@ -113,7 +108,7 @@ find_column (const Analysis *a, int32_t j, const int32_t *child, const int32_t *
         out[length++] = i;
       }
     }
-  qsort (out, (size_t) length, sizeof *out, compare_index);
+  qsort (out, (size_t) length, sizeof *out, qn_compare_ids);
   return length;
 }
 
@@ -313,7 +308,7 @@ list_rests (const Analysis *a, QnFrontTree *tree)
         tree->rows[fill++] = a->counts[a->rows[p]] + w;
     front->rest = fill - front->first_row;
     qsort (tree->rows + front->first_row, (size_t) front->rest, sizeof *tree->rows,
-           compare_index);
+           qn_compare_ids);
     front->parent =
       front->rest > 0 ? front_of_position (tree, tree->rows[front->first_row]) : QN_NONE;
   }

@@ -202,10 +202,11 @@ count_dense (const QnInertia *inertia, const double *ax, double largest,
 {
   int n = inertia->n, length = 32 * n, info;
   size_t size = (size_t) n;
-  double *a = qn_alloc (size * size, sizeof *a),
-         *work = qn_alloc (32 * size, sizeof *work);
-  int *pivots = qn_alloc (size, sizeof *pivots);
-  bool ok = a != NULL && work != NULL && pivots != NULL;
+  QnPool room = { 0 };
+  double *a = qn_pool_alloc (&room, size * size, sizeof *a),
+         *work = qn_pool_alloc (&room, 32 * size, sizeof *work);
+  int *pivots = qn_pool_alloc (&room, size, sizeof *pivots);
+  bool ok = !room.failed;
 
   if (ok) {
     for (int32_t j = 0; j < n; j++)
@@ -226,9 +227,7 @@ count_dense (const QnInertia *inertia, const double *ax, double largest,
       }
     }
   }
-  free (a);
-  free (work);
-  free (pivots);
+  qn_pool_clear (&room);
   return ok;
 }
 

@@ -1,32 +1,31 @@
 #include "core/linalg/sparse.h"
 
-#include "core/base/memory.h"
-
 #include <stdlib.h>
 #include <string.h>
 
-bool
-qn_sparse_pattern_init (QnSparsePattern *pattern, int32_t n, size_t expected)
+void
+qn_sparse_pattern_init (QnSparsePattern *pattern, int32_t n, size_t expected,
+                        QnPool *pool)
 {
-  *pattern = (QnSparsePattern){ .n = n, .capacity = expected };
+  *pattern = (QnSparsePattern){ .n = n, .capacity = expected, .pool = pool };
   pattern->entries = qn_alloc (expected, sizeof *pattern->entries);
-  return pattern->entries != NULL;
+  pool->failed |= pattern->entries == NULL;
 }
 
-bool
+void
 qn_sparse_pattern_add_clique (QnSparsePattern *pattern, const int32_t *unknowns,
                               int count)
 {
   size_t need = pattern->count + (size_t) (count * count);
-  if (!qn_array_reserve (&pattern->entries, &pattern->capacity, need,
-                         sizeof *pattern->entries))
-    return false;
+  pattern->pool->failed |= !qn_array_reserve (&pattern->entries, &pattern->capacity, need,
+                                              sizeof *pattern->entries);
+  if (pattern->pool->failed)
+    return;
   uint64_t *entries = pattern->entries;
   for (int j = 0; j < count; j++)
     for (int i = 0; i < count; i++)
       if (unknowns[i] != QN_NONE && unknowns[j] != QN_NONE)
         entries[pattern->count++] = (uint64_t) unknowns[j] << 32 | (uint64_t) unknowns[i];
-  return true;
 }
 
 /* Rows of one column are gathered by a counting sort over rows, then over columns, so that
@@ -45,27 +44,21 @@ counting_sort (const uint64_t *in, uint64_t *out, size_t count, int shift,
     out[starts[(in[k] >> shift) & UINT32_MAX]++] = in[k];
 }
 
-bool
-qn_sparse_pattern_compress (QnSparsePattern *pattern, int32_t **ap, int32_t **ai)
+/* The sorted entries, each once, as columns. */
+static void
+take_columns (const QnSparsePattern *pattern, uint64_t *scratch, int32_t **ap,
+              int32_t **ai)
 {
   size_t n = (size_t) pattern->n, unique = 0;
-  uint64_t *scratch = qn_alloc (pattern->count, sizeof *scratch);
-
-  *ap = qn_alloc (n + 1, sizeof **ap);
-  *ai = NULL;
-  if (scratch == NULL || *ap == NULL || pattern->count > INT32_MAX)
-    goto fail;
 
   counting_sort (pattern->entries, scratch, pattern->count, 0, *ap, pattern->n);
   counting_sort (scratch, pattern->entries, pattern->count, 32, *ap, pattern->n);
   for (size_t k = 0; k < pattern->count; k++)
     if (k == 0 || pattern->entries[k] != pattern->entries[k - 1])
       pattern->entries[unique++] = pattern->entries[k];
-  pattern->count = unique;
-
-  *ai = qn_alloc (unique, sizeof **ai);
+  *ai = qn_pool_alloc (pattern->pool, unique, sizeof **ai);
   if (*ai == NULL)
-    goto fail;
+    return;
   for (size_t i = 0; i <= n; i++)
     (*ap)[i] = 0;
   for (size_t k = 0; k < unique; k++) {
@@ -74,21 +67,19 @@ qn_sparse_pattern_compress (QnSparsePattern *pattern, int32_t **ap, int32_t **ai
   }
   for (size_t i = 0; i < n; i++)
     (*ap)[i + 1] += (*ap)[i];
-  free (scratch);
-  return true;
-
-fail:
-  free (scratch);
-  free (*ap);
-  *ap = NULL;
-  return false;
 }
 
 void
-qn_sparse_pattern_clear (QnSparsePattern *pattern)
+qn_sparse_pattern_compress (QnSparsePattern *pattern, int32_t **ap, int32_t **ai)
 {
+  uint64_t *scratch = qn_alloc (pattern->count, sizeof *scratch);
+
+  *ap = qn_pool_alloc (pattern->pool, (size_t) pattern->n + 1, sizeof **ap);
+  pattern->pool->failed |= scratch == NULL || pattern->count > INT32_MAX;
+  if (!pattern->pool->failed)
+    take_columns (pattern, scratch, ap, ai);
+  free (scratch);
   free (pattern->entries);
-  *pattern = (QnSparsePattern){ 0 };
 }
 
 int32_t

@@ -1,26 +1,26 @@
 /* Sparse matrix patterns in compressed columns. */
 #pragma once
 
-#include "core/base/base.h"
+#include "core/base/memory.h"
 
 /* Collects entries, repeated or not, of an n x n pattern. */
 typedef struct QnSparsePattern {
   int32_t n;
   uint64_t *entries; /* column in the high, row in the low half */
   size_t count, capacity;
+  QnPool *pool; /* of the compressed pattern; lack of memory is told by it alone */
 } QnSparsePattern;
 
-/* An empty pattern with room for `expected` entries; false when memory runs out. */
-bool qn_sparse_pattern_init (QnSparsePattern *pattern, int32_t n, size_t expected);
+/* An empty pattern with room for `expected` entries. */
+void qn_sparse_pattern_init (QnSparsePattern *pattern, int32_t n, size_t expected,
+                             QnPool *pool);
 
 /* Adds all entries between the given unknowns, skipping those that are QN_NONE. */
-bool qn_sparse_pattern_add_clique (QnSparsePattern *pattern, const int32_t *unknowns,
+void qn_sparse_pattern_add_clique (QnSparsePattern *pattern, const int32_t *unknowns,
                                    int count);
 
-/* Column pointers (n + 1) and sorted, unique row indices; the caller frees both. */
-bool qn_sparse_pattern_compress (QnSparsePattern *pattern, int32_t **ap, int32_t **ai);
-
-void qn_sparse_pattern_clear (QnSparsePattern *pattern);
+/* Column pointers (n + 1) and sorted, unique row indices. Clears the pattern. */
+void qn_sparse_pattern_compress (QnSparsePattern *pattern, int32_t **ap, int32_t **ai);
 
 /* Position of entry (row, column) in the arrays of a compressed pattern, or QN_NONE where
  * either is QN_NONE or the entry is not in the pattern. */

@@ -129,21 +129,19 @@ check_all_pairs (const QnVec2 *vertices, size_t count, double tolerance)
 static QnPolygonFlaw
 check_near_pairs (const QnVec2 *vertices, size_t count, double tolerance)
 {
+  QnPool room = { 0 };
   QnBoxTree tree;
-  QnBox *boxes = qn_alloc (count, sizeof *boxes);
-  if (boxes == NULL)
-    return (QnPolygonFlaw){ QN_PROBLEM_NO_MEMORY, QN_NONE, QN_NONE };
-  for (size_t i = 0; i < count; i++) {
+  QnBox *boxes = qn_pool_alloc (&room, count, sizeof *boxes);
+  for (size_t i = 0; boxes != NULL && i < count; i++) {
     QnBox box = qn_box_of_segment (vertices[i], vertices[(i + 1) % count]);
     boxes[i] = qn_box_grow (box, tolerance);
   }
-  if (!qn_box_tree_init (&tree, boxes, count)) {
-    free (boxes);
-    return (QnPolygonFlaw){ QN_PROBLEM_NO_MEMORY, QN_NONE, QN_NONE };
-  }
+  qn_box_tree_init (&tree, boxes, count, &room);
 
   QnPolygonFlaw worst = no_flaw;
-  for (size_t i = 0; i < count; i++) {
+  if (room.failed)
+    worst.problem = QN_PROBLEM_NO_MEMORY;
+  for (size_t i = 0; i < count && !room.failed; i++) {
     QnBoxQuery query = qn_box_tree_query (&tree, boxes[i]);
     QnId j;
     while ((j = qn_box_query_next (&query)) != QN_NONE) {
@@ -154,8 +152,7 @@ check_near_pairs (const QnVec2 *vertices, size_t count, double tolerance)
     if (worst.problem != QN_PROBLEM_NONE)
       break; /* one is enough; pairs of later edges cannot be the first */
   }
-  qn_box_tree_clear (&tree);
-  free (boxes);
+  qn_pool_clear (&room);
   return worst;
 }
 

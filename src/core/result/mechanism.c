@@ -150,42 +150,43 @@ static QnStatus
 find_bodies (QnMechanism *m, const Field *field, const QnContacts *contacts, QnDiag *diag)
 {
   const QnModel *model = field->model;
-  bool *moving = qn_alloc (m->block_count, sizeof *moving);
-  QnId *parents = qn_alloc (m->block_count, sizeof *parents);
-  QnId *numbers = qn_alloc (m->block_count, sizeof *numbers);
-  double *areas = qn_alloc (m->block_count, sizeof *areas);
-  Group *groups = qn_alloc (m->block_count, sizeof *groups);
+  QnPool room = { 0 };
+  bool *moving = qn_pool_alloc (&room, m->block_count, sizeof *moving);
+  QnId *parents = qn_pool_alloc (&room, m->block_count, sizeof *parents);
+  QnId *numbers = qn_pool_alloc (&room, m->block_count, sizeof *numbers);
+  double *areas = qn_pool_alloc (&room, m->block_count, sizeof *areas);
+  Group *groups = qn_pool_alloc (&room, m->block_count, sizeof *groups);
   size_t count = 0;
-  bool ok = moving && parents && numbers && areas && groups;
 
-  if (ok) {
-    qn_sets_init (parents, m->block_count);
-    for (size_t f = 0; f < m->joint_count; f++)
-      if (m->joints[f].kind == QN_JOINT_CLOSED)
-        qn_sets_join (parents, contacts->faces[f].a, contacts->faces[f].b);
-    for (size_t b = 0; b < m->block_count; b++)
-      numbers[b] = QN_NONE;
-    for (size_t b = 0; b < m->block_count; b++) {
-      QnId root = qn_sets_root (parents, (QnId) b);
-      moving[b] = fastest_vertex (field, (QnId) b) > MOTION_SHARE * m->largest;
-      if (!moving[b])
-        continue;
-      if (numbers[root] == QN_NONE) {
-        numbers[root] = (QnId) count;
-        groups[count++] = (Group){ .root = root };
-      }
-      groups[numbers[root]].blocks++;
-    }
-    qsort (groups, count, sizeof *groups, compare_groups);
-    for (size_t g = 0; g < count; g++)
-      numbers[groups[g].root] = (QnId) g;
-    m->bodies = qn_alloc (count, sizeof *m->bodies);
-    m->body_count = count;
-    ok = m->bodies != NULL;
+  m->bodies = qn_alloc (m->block_count, sizeof *m->bodies);
+  if (room.failed || m->bodies == NULL) {
+    qn_pool_clear (&room);
+    return qn_diag_no_memory (diag);
   }
-  for (size_t i = 0; ok && i < count; i++)
-    m->bodies[i].box = QN_BOX_EMPTY;
-  for (size_t b = 0; ok && b < m->block_count; b++) {
+  qn_sets_init (parents, m->block_count);
+  for (size_t f = 0; f < m->joint_count; f++)
+    if (m->joints[f].kind == QN_JOINT_CLOSED)
+      qn_sets_join (parents, contacts->faces[f].a, contacts->faces[f].b);
+  for (size_t b = 0; b < m->block_count; b++)
+    numbers[b] = QN_NONE;
+  for (size_t b = 0; b < m->block_count; b++) {
+    QnId root = qn_sets_root (parents, (QnId) b);
+    moving[b] = fastest_vertex (field, (QnId) b) > MOTION_SHARE * m->largest;
+    if (!moving[b])
+      continue;
+    if (numbers[root] == QN_NONE) {
+      numbers[root] = (QnId) count;
+      groups[count++] = (Group){ .root = root };
+    }
+    groups[numbers[root]].blocks++;
+  }
+  qsort (groups, count, sizeof *groups, compare_groups);
+  for (size_t g = 0; g < count; g++) {
+    numbers[groups[g].root] = (QnId) g;
+    m->bodies[g].box = QN_BOX_EMPTY;
+  }
+  m->body_count = count;
+  for (size_t b = 0; b < m->block_count; b++) {
     const QnBlock *block = &model->blocks[b];
     const double *v = field->velocities + b * QN_DOF_COUNT;
     QnId id = moving[b] ? numbers[qn_sets_root (parents, (QnId) b)] : QN_NONE;
@@ -203,7 +204,7 @@ find_bodies (QnMechanism *m, const Field *field, const QnContacts *contacts, QnD
     body->largest = fmax (body->largest, fastest_vertex (field, (QnId) b) / m->largest);
     qn_box_add_box (&body->box, qn_model_block_box (model, (QnId) b));
   }
-  for (size_t i = 0; ok && i < count; i++) {
+  for (size_t i = 0; i < count; i++) {
     QnMechanismBody *body = &m->bodies[i];
     double radius = 0.5 * qn_box_diagonal (body->box);
     body->centroid = qn_vec2_scale (1.0 / areas[i], body->centroid);
@@ -216,12 +217,8 @@ find_bodies (QnMechanism *m, const Field *field, const QnContacts *contacts, QnD
                                                      qn_vec2_perp (body->velocity))
                                : body->centroid;
   }
-  free (moving);
-  free (parents);
-  free (numbers);
-  free (areas);
-  free (groups);
-  return ok ? QN_OK : qn_diag_no_memory (diag);
+  qn_pool_clear (&room);
+  return QN_OK;
 }
 
 static QnStatus

@@ -1,5 +1,6 @@
 #include "doc/document/selection.h"
 
+#include "core/base/integer.h"
 #include "render/scene/reading.h"
 
 #include <math.h>
@@ -58,17 +59,10 @@ qn_selection_new (void)
   return g_object_new (QN_TYPE_SELECTION, NULL);
 }
 
-static int
-compare_ids (gconstpointer a, gconstpointer b)
-{
-  QnId x = *(const QnId *) a, y = *(const QnId *) b;
-  return (x > y) - (x < y);
-}
-
 gboolean
 qn_selection_has (QnSelection *self, QnPartKind kind, QnId id)
 {
-  return g_array_binary_search (self->parts[kind], &id, compare_ids, NULL);
+  return g_array_binary_search (self->parts[kind], &id, qn_compare_ids, NULL);
 }
 
 const QnId *
@@ -97,7 +91,7 @@ qn_selection_clear (QnSelection *self)
 static void
 sort_ids (GArray *ids)
 {
-  g_array_sort (ids, compare_ids);
+  g_array_sort (ids, qn_compare_ids);
   guint kept = 0;
   for (guint i = 0; i < ids->len; i++) {
     QnId id = g_array_index (ids, QnId, i);
@@ -155,7 +149,7 @@ ids_toggled (GArray *ids, QnId id)
 {
   GArray *copy = g_array_copy (ids);
   guint at = 0;
-  if (g_array_binary_search (copy, &id, compare_ids, &at))
+  if (g_array_binary_search (copy, &id, qn_compare_ids, &at))
     g_array_remove_index (copy, at);
   else
     g_array_append_val (copy, id);

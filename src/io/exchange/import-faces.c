@@ -115,21 +115,21 @@ take_faces (QnImportWork *work, QnRole role, const QnRings *faces,
 {
   g_autofree QnBox *boxes = g_new (QnBox, lines->count);
   QnBoxTree tree;
+  QnPool room = { 0 };
   for (gsize i = 0; i < lines->count; i++)
     boxes[i] = qn_box_of_segment (lines->items[i].a, lines->items[i].b);
-  if (!qn_box_tree_init (&tree, boxes, lines->count)) {
-    work->no_memory = TRUE;
-    return;
-  }
-  for (gsize i = 0; i < faces->count; i++) {
+  qn_box_tree_init (&tree, boxes, lines->count, &room);
+  work->no_memory |= room.failed;
+  for (gsize i = 0; i < faces->count && !room.failed; i++) {
     const QnRing *face = &faces->items[i];
     QnVec2 inner = qn_polygon_inner_point (face->points, face->count);
     if (!lies_in_outline (work, inner, outlines)
         && touches_lines (work, &tree, lines, face))
       qn_import_add_outline (work, face, &(QnOutline){ .role = role });
   }
-  tell_of_idle_lines (work, &tree, lines);
-  qn_box_tree_clear (&tree);
+  if (!room.failed)
+    tell_of_idle_lines (work, &tree, lines);
+  qn_pool_clear (&room);
 }
 
 QnStatus

@@ -14,8 +14,10 @@ static void
 check_against_all_pairs (const QnBox *boxes, size_t count)
 {
   QnBoxTree tree;
+  QnPool pool = { 0 };
   g_autofree QnId *found = g_new (QnId, count + 1);
-  g_assert_true (qn_box_tree_init (&tree, boxes, count));
+  qn_box_tree_init (&tree, boxes, count, &pool);
+  g_assert_false (pool.failed);
   for (size_t q = 0; q < count; q++) {
     size_t found_count = 0;
     QnBoxQuery query = qn_box_tree_query (&tree, boxes[q]);
@@ -33,7 +35,7 @@ check_against_all_pairs (const QnBox *boxes, size_t count)
     }
     g_assert_cmpuint (found_count, ==, expected);
   }
-  qn_box_tree_clear (&tree);
+  qn_pool_clear (&pool);
 }
 
 /* The pairs of a walk of the tree against itself, with the same predicate. */
@@ -41,9 +43,11 @@ static void
 check_pairs (const QnBox *boxes, size_t count, double margin)
 {
   QnBoxTree tree;
+  QnPool pool = { 0 };
   QnBoxPairs pairs = { 0 };
   g_autofree gboolean *met = g_new0 (gboolean, count * count);
-  g_assert_true (qn_box_tree_init (&tree, boxes, count));
+  qn_box_tree_init (&tree, boxes, count, &pool);
+  g_assert_false (pool.failed);
   g_assert_true (qn_box_tree_pairs (&tree, margin, SIZE_MAX, &pairs));
   for (size_t i = 0; i < pairs.count; i++) {
     size_t a = (size_t) pairs.items[i][0], b = (size_t) pairs.items[i][1];
@@ -57,7 +61,7 @@ check_pairs (const QnBox *boxes, size_t count, double margin)
       g_assert_true (met[a * count + b] == (a != b && qn_box_meets (box, boxes[b])));
   }
   qn_box_pairs_clear (&pairs);
-  qn_box_tree_clear (&tree);
+  qn_pool_clear (&pool);
 }
 
 /* Sizes over six decades, crowded in places. */
@@ -94,13 +98,15 @@ static void
 test_empty (void)
 {
   QnBoxTree tree;
-  g_assert_true (qn_box_tree_init (&tree, NULL, 0));
+  QnPool pool = { 0 };
+  qn_box_tree_init (&tree, NULL, 0, &pool);
+  g_assert_false (pool.failed);
   QnBoxQuery query = qn_box_tree_query (&tree, (QnBox){ { 0, 0 }, { 1, 1 } });
   g_assert_cmpint (qn_box_query_next (&query), ==, QN_NONE);
   QnBoxPairs pairs = { 0 };
   g_assert_true (qn_box_tree_pairs (&tree, 1, SIZE_MAX, &pairs));
   g_assert_cmpuint (pairs.count, ==, 0);
-  qn_box_tree_clear (&tree);
+  qn_pool_clear (&pool);
 }
 
 static void

@@ -5,11 +5,11 @@
 #include <glib.h>
 
 static void
-init_search (QnModel *model, QnContactSearch *search)
+init_search (QnModel *model, QnContactSearch *search, QnPool *room)
 {
   g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
-  g_assert_cmpint (
-    qn_contact_search_init (search, model, qn_contact_lengths (model), NULL), ==, QN_OK);
+  qn_contact_search_init (search, model, qn_contact_lengths (model), room);
+  g_assert_false (room->failed);
 }
 
 /* The tolerance follows the blocks, not the extent of the model, whatever the scale. */
@@ -20,16 +20,17 @@ test_tolerance_is_relative (void)
   for (size_t i = 0; i < G_N_ELEMENTS (scales); i++) {
     g_auto (QnModel) model;
     QnContactSearch search;
+    QnPool room = { 0 };
     test_model_init_stack (&model, 4, 1, 0.25);
     test_model_add_rectangle (&model, "cliff", 5, -100, 100, 100);
     test_model_scale (&model, scales[i]);
     model.contact.tolerance = 2e-5;
-    init_search (&model, &search);
+    init_search (&model, &search, &room);
     g_assert_cmpfloat_with_epsilon (search.lengths.tolerance, 2e-5 * 0.5 * scales[i],
                                     1e-12 * scales[i]);
     g_assert_cmpfloat_with_epsilon (search.lengths.gap_limit, 0.02 * 0.5 * scales[i],
                                     1e-12 * scales[i]);
-    qn_contact_search_clear (&search);
+    qn_pool_clear (&room);
   }
 }
 
@@ -39,13 +40,14 @@ test_tolerance_has_a_floor (void)
 {
   g_auto (QnModel) model;
   QnContactSearch search;
+  QnPool room = { 0 };
   test_model_init_stack (&model, 4, 1, 0.25);
   test_model_translate (&model, 1e6, 0);
   model.contact.tolerance = 0;
-  init_search (&model, &search);
+  init_search (&model, &search, &room);
   g_assert_cmpfloat (search.lengths.tolerance, >, 1e-10);
   g_assert_cmpfloat (search.lengths.tolerance, <, 1e-8);
-  qn_contact_search_clear (&search);
+  qn_pool_clear (&room);
 }
 
 static void
@@ -53,16 +55,17 @@ test_convexity (void)
 {
   g_auto (QnModel) model;
   QnContactSearch search;
+  QnPool room = { 0 };
   const QnVec2 l[] = { { 0, 0 }, { 3, 0 }, { 3, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } };
   const QnVec2 straight[] = { { 10, 0 }, { 11, 1e-8 }, { 12, 0 }, { 12, 1 }, { 10, 1 } };
   test_model_init (&model);
   qn_model_add_block (&model, "l", l, 6)->thickness = 1;
   qn_model_add_block (&model, "straight", straight, 5)->thickness = 1;
-  init_search (&model, &search);
+  init_search (&model, &search, &room);
   g_assert_false (search.convex[0]);
   g_assert_true (search.convex[1]); /* the dent is within the tolerance */
   g_assert_cmpuint (search.sides.count, ==, 10);
-  qn_contact_search_clear (&search);
+  qn_pool_clear (&room);
 }
 
 QN_TESTS

@@ -6,19 +6,20 @@
 
 static void
 init_sides (QnModel *model, QnSides *sides, const QnVec2 *vertices, size_t count,
-            double tolerance)
+            double tolerance, QnPool *room)
 {
   test_model_init (model);
   QnBlock *block = qn_model_add_block (model, "b", vertices, count);
   block->thickness = 1;
   g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
-  g_assert_true (qn_sides_init (sides, model, tolerance));
+  qn_sides_init (sides, model, tolerance, room);
+  g_assert_false (room->failed);
 }
 
 static void
-clear (QnModel *model, QnSides *sides)
+clear (QnModel *model, QnPool *room)
 {
-  qn_sides_clear (sides);
+  qn_pool_clear (room);
   qn_model_clear (model);
 }
 
@@ -27,15 +28,16 @@ test_rectangle (void)
 {
   QnModel model;
   QnSides sides;
+  QnPool room = { 0 };
   const QnVec2 v[] = { { 0, 0 }, { 4, 0 }, { 4, 3 }, { 0, 3 } };
-  init_sides (&model, &sides, v, 4, 1e-6);
+  init_sides (&model, &sides, v, 4, 1e-6, &room);
   g_assert_cmpuint (sides.count, ==, 4);
   for (int i = 0; i < 4; i++) {
     g_assert_cmpint (sides.items[i].vertex, ==, i);
     g_assert_cmpfloat (sides.items[i].length, ==, i % 2 == 0 ? 4 : 3);
   }
   g_assert_cmpfloat (sides.items[1].direction.y, ==, 1);
-  clear (&model, &sides);
+  clear (&model, &room);
 }
 
 /* Straight-angle vertices everywhere, the first vertex among them. */
@@ -50,11 +52,12 @@ test_collinear_run (void)
       turned[i] = qn_vec2_rotate (v[i], cos (turn * G_PI / 6), sin (turn * G_PI / 6));
     QnModel model;
     QnSides sides;
-    init_sides (&model, &sides, turned, 9, 1e-6);
+    QnPool room = { 0 };
+    init_sides (&model, &sides, turned, 9, 1e-6, &room);
     g_assert_cmpuint (sides.count, ==, 4);
     g_assert_cmpint (sides.items[3].vertex, ==, 7);
     g_assert_cmpfloat_with_epsilon (sides.items[3].length, 4, 1e-14);
-    clear (&model, &sides);
+    clear (&model, &room);
   }
 }
 
@@ -70,13 +73,13 @@ test_arc_stays_round (void)
 
   QnModel model;
   QnSides sides;
-  init_sides (&model, &sides, v, COUNT, 1e-6); /* one facet is 9.5e-6 deep */
+  QnPool room = { 0 };
+  init_sides (&model, &sides, v, COUNT, 1e-6, &room); /* one facet is 9.5e-6 deep */
   g_assert_cmpuint (sides.count, ==, COUNT);
-  qn_sides_clear (&sides);
 
   /* With a coarser tolerance runs grow, but every vertex stays within it. */
   const double tolerance = 1e-3;
-  g_assert_true (qn_sides_init (&sides, &model, tolerance));
+  qn_sides_init (&sides, &model, tolerance, &room);
   g_assert_cmpuint (sides.count, <, COUNT / 5);
   for (size_t s = 0; s < sides.count; s++) {
     const QnSide *side = &sides.items[s];
@@ -86,7 +89,7 @@ test_arc_stays_round (void)
       g_assert_cmpfloat (fabs (off), <=, 2 * tolerance);
     }
   }
-  clear (&model, &sides);
+  clear (&model, &room);
 }
 
 /* A hundred thousand vertices on one line are merged in linear time. */
@@ -101,9 +104,10 @@ test_long_run (void)
   v[COUNT + 1] = qn_vec2 (0, 50);
   QnModel model;
   QnSides sides;
-  init_sides (&model, &sides, v, COUNT + 2, 1e-6);
+  QnPool room = { 0 };
+  init_sides (&model, &sides, v, COUNT + 2, 1e-6, &room);
   g_assert_cmpuint (sides.count, ==, 4);
-  clear (&model, &sides);
+  clear (&model, &room);
 }
 
 /* Steps shallower than the tolerance do not bend a side; deeper ones do. */
@@ -115,9 +119,10 @@ test_shallow_corner (void)
     const QnVec2 v[] = { { 0, 0 }, { 1, -depths[i] }, { 2, 0 }, { 2, 1 }, { 0, 1 } };
     QnModel model;
     QnSides sides;
-    init_sides (&model, &sides, v, 5, 1e-6);
+    QnPool room = { 0 };
+    init_sides (&model, &sides, v, 5, 1e-6, &room);
     g_assert_cmpuint (sides.count, ==, i == 0 ? 4 : 5);
-    clear (&model, &sides);
+    clear (&model, &room);
   }
 }
 

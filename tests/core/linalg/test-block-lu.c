@@ -13,6 +13,7 @@ enum { SIDE = 12, LARGE_SIDE = 64 };
 typedef struct {
   int32_t n;
   int32_t (*unknown)[3];
+  QnPool pool; /* of the pattern */
   int32_t *ap, *ai;
   double *ax, *x, *b;
 } Grid;
@@ -26,7 +27,7 @@ couple (Grid *grid, QnSparsePattern *pattern, int one, int other)
     unknowns[d] = grid->unknown[one][d];
     unknowns[3 + d] = grid->unknown[other][d];
   }
-  g_assert_true (qn_sparse_pattern_add_clique (pattern, unknowns, 6));
+  qn_sparse_pattern_add_clique (pattern, unknowns, 6);
 }
 
 static void
@@ -36,20 +37,21 @@ grid_init (Grid *grid, int side, GRand *random)
   int bodies = side * side;
 
   grid->n = 0;
+  grid->pool = (QnPool){ 0 };
   grid->unknown = g_malloc_n ((gsize) bodies, sizeof *grid->unknown);
   for (int body = 0; body < bodies; body++)
     for (int d = 0; d < 3; d++)
       grid->unknown[body][d] =
         body > 0 && g_rand_int_range (random, 0, 8) == 0 ? QN_NONE : grid->n++;
-  g_assert_true (qn_sparse_pattern_init (&pattern, grid->n, 100));
+  qn_sparse_pattern_init (&pattern, grid->n, 100, &grid->pool);
   for (int body = 0; body < bodies; body++) {
     if (body % side > 0)
       couple (grid, &pattern, body, body - 1);
     if (body >= side)
       couple (grid, &pattern, body, body - side);
   }
-  g_assert_true (qn_sparse_pattern_compress (&pattern, &grid->ap, &grid->ai));
-  qn_sparse_pattern_clear (&pattern);
+  qn_sparse_pattern_compress (&pattern, &grid->ap, &grid->ai);
+  g_assert_false (grid->pool.failed);
   grid->ax = g_new (double, grid->ap[grid->n]);
   grid->x = g_new (double, grid->n);
   grid->b = g_new (double, grid->n);
@@ -77,8 +79,7 @@ grid_clear (Grid *grid)
   g_free (grid->ax);
   g_free (grid->x);
   g_free (grid->b);
-  free (grid->ap);
-  free (grid->ai);
+  qn_pool_clear (&grid->pool);
 }
 
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Grid, grid_clear)

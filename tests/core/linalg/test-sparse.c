@@ -2,7 +2,6 @@
 #include "support/room.h"
 
 #include <glib.h>
-#include <stdlib.h>
 
 /* Cliques {0 1}, {1 2}, {1 2} again, with fixed unknowns in between. */
 static void
@@ -12,12 +11,14 @@ test_cliques (void)
   const int32_t expected_ap[] = { 0, 2, 5, 7 }, expected_ai[] = { 0, 1, 0, 1, 2, 1, 2 };
   int32_t *ap, *ai;
   QnSparsePattern pattern;
+  QnPool pool = { 0 };
 
-  g_assert_true (qn_sparse_pattern_init (&pattern, 3, 1));
-  g_assert_true (qn_sparse_pattern_add_clique (&pattern, first, 3));
-  g_assert_true (qn_sparse_pattern_add_clique (&pattern, second, 2));
-  g_assert_true (qn_sparse_pattern_add_clique (&pattern, second, 2));
-  g_assert_true (qn_sparse_pattern_compress (&pattern, &ap, &ai));
+  qn_sparse_pattern_init (&pattern, 3, 1, &pool);
+  qn_sparse_pattern_add_clique (&pattern, first, 3);
+  qn_sparse_pattern_add_clique (&pattern, second, 2);
+  qn_sparse_pattern_add_clique (&pattern, second, 2);
+  qn_sparse_pattern_compress (&pattern, &ap, &ai);
+  g_assert_false (pool.failed);
   for (int i = 0; i < 4; i++)
     g_assert_cmpint (ap[i], ==, expected_ap[i]);
   for (int i = 0; i < 7; i++)
@@ -26,9 +27,7 @@ test_cliques (void)
   g_assert_cmpint (qn_sparse_find (ap, ai, 2, 1), ==, 4);
   g_assert_cmpint (qn_sparse_find (ap, ai, 2, 0), ==, QN_NONE);
   g_assert_cmpint (qn_sparse_find (ap, ai, QN_NONE, 0), ==, QN_NONE);
-  qn_sparse_pattern_clear (&pattern);
-  free (ap);
-  free (ai);
+  qn_pool_clear (&pool);
 }
 
 /* Random cliques against a dense table. */
@@ -39,20 +38,22 @@ test_random_pattern (void)
   bool dense[N][N] = { { false } };
   int32_t *ap, *ai, entries = 0;
   QnSparsePattern pattern;
+  QnPool pool = { 0 };
   GRand *random = g_rand_new_with_seed (7);
 
-  g_assert_true (qn_sparse_pattern_init (&pattern, N, 0));
+  qn_sparse_pattern_init (&pattern, N, 0, &pool);
   for (int k = 0; k < 60; k++) {
     int32_t unknowns[6];
     for (int i = 0; i < 6; i++)
       unknowns[i] = g_rand_int_range (random, -1, N);
-    g_assert_true (qn_sparse_pattern_add_clique (&pattern, unknowns, 6));
+    qn_sparse_pattern_add_clique (&pattern, unknowns, 6);
     for (int i = 0; i < 6; i++)
       for (int j = 0; j < 6; j++)
         if (unknowns[i] >= 0 && unknowns[j] >= 0)
           dense[unknowns[i]][unknowns[j]] = true;
   }
-  g_assert_true (qn_sparse_pattern_compress (&pattern, &ap, &ai));
+  qn_sparse_pattern_compress (&pattern, &ap, &ai);
+  g_assert_false (pool.failed);
   for (int j = 0; j < N; j++)
     for (int i = 0; i < N; i++) {
       int32_t at = qn_sparse_find (ap, ai, i, j);
@@ -61,10 +62,8 @@ test_random_pattern (void)
         g_assert_cmpint (at, ==, entries++);
     }
   g_assert_cmpint (ap[N], ==, entries);
-  qn_sparse_pattern_clear (&pattern);
   g_rand_free (random);
-  free (ap);
-  free (ai);
+  qn_pool_clear (&pool);
 }
 
 QN_TESTS
