@@ -27,8 +27,8 @@ typedef int32_t QnId;
 /* m/s2: what "g" means as a unit, whatever the gravity of a project. */
 #define QN_STANDARD_GRAVITY 9.80665
 
-/* Before a loop of a fixed, small number of turns: written out, so that what it works on stays in
- * registers. */
+/* Unrolls the next loop, of a fixed, small number of iterations, so
+ * that its data stay in registers. */
 #if defined __clang__
 #define QN_UNROLL _Pragma ("unroll")
 #elif defined __GNUC__

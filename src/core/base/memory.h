@@ -11,12 +11,12 @@
  * gives a block that may be freed. */
 void *qn_alloc (size_t count, size_t size);
 
-/* The same with arbitrary contents, for what is written before it is read: large memory is not
- * touched twice. */
+/* The same, not zeroed: for memory that is
+ * written before it is read. */
 void *qn_alloc_unset (size_t count, size_t size);
 
-/* The same, not zeroed either, at the beginning of a cache line: for numbers that are worked on in
- * vectors, none of which then lies in two lines. */
+/* The same, not zeroed, aligned to a cache line: no
+ * SIMD vector lies in two lines. */
 void *qn_alloc_lines (size_t count, size_t size);
 
 /* Copy of a string, or NULL; NULL stays NULL. */
@@ -37,15 +37,15 @@ bool qn_array_reserve (void *array, size_t *capacity, size_t need, size_t size);
     || qn_array_reserve (&(items), &(capacity), (count) + 1, sizeof *(items)))           \
    && ((items)[(count)++] = __VA_ARGS__, true))
 
-/* What one owner has taken, to be freed together. That some was not to be had is remembered, so that it is
- * asked once, before any of it is used. A zeroed pool is empty; a copy is the same pool. */
+/* Allocations of one owner, freed together. A failed one sets `failed`: check it once, before their first
+ * use. A zeroed pool is empty; a copy is the same pool. */
 typedef struct QnPool {
   void **blocks;
   size_t count, capacity;
   bool failed;
 } QnPool;
 
-/* Takes a block over (NULL: none was to be had), and returns it. */
+/* Adds an allocated block (NULL: the allocation failed), and returns it. */
 void *qn_pool_add (QnPool *pool, void *block);
 
 /* qn_alloc() and qn_alloc_lines() from a pool. */

@@ -36,15 +36,15 @@ qn_compare_doubles (const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
-/* What double precision serves of given numbers: products of as many as meet in a stiffness, a moment
- * or an energy have finite squares, and where one is divided by, the quotient is finite. The lightest
- * and the heaviest things of physics, in SI units, are closer together. */
+/* Range of input numbers other than 0: stiffnesses, moments and
+ * energies, which are products of several of
+ * them, then have finite squares and quotients in double precision. */
 #define QN_LARGEST_NUMBER 1e30
 #define QN_LEAST_NUMBER   1e-30
 
 typedef enum { QN_RANGE_FINITE, QN_RANGE_NOT_NEGATIVE, QN_RANGE_POSITIVE } QnRange;
 
-/* What is wrong with a number that must keep a range and have at most this size. */
+/* Problem of a number outside its range or larger than `largest`; QN_PROBLEM_NONE: none. */
 static inline QnProblem
 qn_number_problem (double value, QnRange range, double largest)
 {

@@ -33,7 +33,7 @@ double qn_polygon_depth (const QnVec2 *vertices, size_t count, QnVec2 point);
 /* A point well inside a simple counter-clockwise polygon (O(n)). */
 QnVec2 qn_polygon_inner_point (const QnVec2 *vertices, size_t count);
 
-/* What is wrong with a polygon. */
+/* Defect of a polygon. */
 typedef struct QnPolygonFlaw {
   QnProblem problem; /* NONE, TOO_FEW_VERTICES, NOT_FINITE, TOO_LARGE, DUPLICATE_VERTEX,
                         ZERO_AREA, SELF_CROSSING or NO_MEMORY */
@@ -43,5 +43,5 @@ typedef struct QnPolygonFlaw {
 
 /* Checks that a polygon of either orientation is simple and has an area. Distances below
  * rounding (QN_TOLERANCE_POLYGON of its size) count as none, so a polygon that touches itself is
- * refused like one that crosses itself. O(n log n) but for adversaries. */
+ * refused like one that crosses itself. O(n log n), except for constructed cases. */
 QnPolygonFlaw qn_polygon_check (const QnVec2 *vertices, size_t count);

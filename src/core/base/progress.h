@@ -9,10 +9,10 @@ typedef struct QnProgress {
   int32_t iterations;
   int32_t factorizations;
   double time,
-    end; /* of an analysis in time: reached, and latest end, s; end = 0: of another */
+    end; /* of an analysis in time: time reached, latest end, s; of others: end = 0 */
   double
-    displacement; /* then that of qn_model_followed() since the dead load, m or rad */
-  bool rigid;     /* of limit analysis: the bound of a path, too */
+    displacement; /* in time: of qn_model_followed(), since the dead load, m or rad */
+  bool rigid;     /* limit analysis, also for the bound of a path */
 } QnProgress;
 
 /* Called at least once per iteration, from the computing thread; false cancels and keeps converged steps. */

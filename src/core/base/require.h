@@ -1,25 +1,25 @@
-/* Rules that an input must keep, one after the other: a chain joined by && ends at the first one that is
- * broken, which the diagnosis then holds. */
+/* Rules of input. A chain of them joined by && ends at the first rule that does not hold; `diag` then has its
+ * problem. */
 #pragma once
 
 #include "core/base/numbers.h"
 #include "core/base/status.h"
 
-/* Whose numbers they are; diag may be NULL. */
+/* The entity that is checked; diag may be NULL. */
 typedef struct QnSubject {
   QnEntity entity;
   QnId index;
   QnDiag *diag;
 } QnSubject;
 
-/* Returns whether the rule holds; where not, its problem is diagnosed, of a field and its value. */
+/* Returns `holds`; if false, sets of.diag to the problem of this field with this value. */
 bool qn_require (QnSubject of, bool holds, QnProblem problem, const char *field,
                  double value);
 
 /* A name, which must not be the name of another one: `namesake` is the first that has it, or QN_NONE. */
 bool qn_require_name (QnSubject of, const char *name, QnId namesake, QnId own);
 
-/* Numbers: one, of usual or given largest size; both of a vector; an index below `count`. */
+/* A number, at most QN_LARGEST_NUMBER or `largest`; the components of a vector; an index below `count`. */
 bool qn_require_number (QnSubject of, const char *field, double value, QnRange range);
 bool qn_require_size (QnSubject of, const char *field, double value, QnRange range,
                       double largest);

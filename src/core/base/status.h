@@ -20,7 +20,7 @@ typedef enum {
   QN_ERROR_INTERNAL   /* a library refused what it should accept */
 } QnStatus;
 
-/* What kind of thing a diagnostic or finding is about. */
+/* Kind of entity of a diagnostic or finding. */
 typedef enum {
   QN_ENTITY_MODEL,
   QN_ENTITY_LAW,
@@ -61,8 +61,8 @@ typedef struct QnDiag {
   double value; /* the offending number, in its own unit; 0 where there is none */
 } QnDiag;
 
-/* Whether a problem lies in the state that an analysis has reached, and not in the input: then there is
- * no answer, and nothing to correct at a place of a file. */
+/* Whether a problem is one of the state that an analysis has reached, not of the input: the analysis has no
+ * answer, and the problem no place in a file. */
 bool qn_problem_is_of_state (QnProblem problem);
 
 /* Fills *diag (nullable) with a problem of an entity and returns `status`. */

@@ -1,5 +1,5 @@
 /* Tolerances of geometry, laws and solutions, each with its reason. Relative unless a unit is given.
- * What steers one method alone stands at the beginning of its file. */
+ * Parameters of a single method are at the beginning of its file. */
 #pragma once
 
 #include <float.h>
@@ -26,10 +26,10 @@
  * rounding of double precision, six below the default residual tolerance. */
 #define QN_TOLERANCE_SERIES 1e-12
 
-/* A moment exceeds the plastic one when it does so by this part of it: rounding of a few products. */
+/* A moment exceeds the plastic moment if it is larger by more than this part: rounding of a few products. */
 #define QN_TOLERANCE_YIELD 1e-12
 
-/* What the settings of an analysis may ask for. Below, rounding decides; above, a structure that
+/* Range of the settings of an analysis. Below, rounding decides; above, a structure that
  * falls counts as one that rests. */
 #define QN_LEAST_MULTIPLIER_TOLERANCE   1e-12
 #define QN_LARGEST_MULTIPLIER_TOLERANCE 0.1
@@ -40,7 +40,7 @@
  * of a building shorten stiffer joints by less than rounding. */
 #define QN_LARGEST_STIFFNESS 1e20
 
-/* Largest multiple of their weight that blocks are loaded with. */
+/* Largest load of the kind weight, in weights. */
 #define QN_LARGEST_DIRECTION 1e6
 
 /* Weights of explicitly placed pairs add up to 1 within what nine decimal digits leave. */
@@ -60,7 +60,7 @@
 /* A prescribed displacement, work or length is met to this part of its advance. */
 #define QN_TOLERANCE_TARGET 1e-10
 
-/* Rounding of a measure of displacements, relative to the terms that it is the sum of. */
+/* Rounding of a measure of displacements, relative to the terms of its sum. */
 #define QN_TOLERANCE_MEASURE (8 * DBL_EPSILON)
 
 /* A matrix whose pivots differ by more than this is singular to working precision. */

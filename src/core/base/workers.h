@@ -1,4 +1,4 @@
-/* Threads that a caller lends for work whose parts do not touch each other. The core starts none. */
+/* Threads of the caller for independent parts of a computation. The core starts no threads. */
 #pragma once
 
 #include <stddef.h>

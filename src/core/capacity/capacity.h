@@ -1,12 +1,12 @@
-/* Capacity curves: a path in large displacements as that of a single mass, and what earthquake
- * codes make of it.
+/* Capacity curves: a path in large displacements as the curve of a single mass, and the checks of
+ * earthquake codes with it.
  *
  * The live load is weight times a horizontal direction, so that multiplier and acceleration go
  * together. delta_i is the horizontal motion of block i in the mechanism: from the peak of the path
  * to where the multiplier has fallen to four fifths of it, or to the end of the path; since the
  * dead load where the path ends at its peak. Blocks take part that move by a tenth of the one
- * that moves most, or by a thousandth with the load: those near the foot of what overturns. What stands only
- * springs back. With P_i the weights of those that do, V the horizontal live
+ * that moves most, or by a thousandth with the load: those near the foot of the overturning part. The
+ * others only move back elastically. With P_i the weights of those that take part, V the horizontal live
  * load on them at multiplier 1, d_k the displacement of the control block since the dead load:
  *
  *   M* = (sum P_i delta_i)^2 / (g sum P_i delta_i^2)        e* = g M* / sum P_i
@@ -15,7 +15,7 @@
  *
  * the same transformation in Circolare 7/2019, C8.7.1.2, and in annex B of EN 1998-1, where
  * Gamma = delta_k sum P_i delta_i / sum P_i delta_i^2 and M* = m* Gamma.
- * docs/method/capacity.md explains all of it, with an example by hand.
+ * Explanation and an example by hand: docs/method/capacity.md.
  */
 #pragma once
 
@@ -29,7 +29,8 @@ typedef struct QnCapacityPoint {
   double acceleration; /* a*, m/s2 */
 } QnCapacityPoint;
 
-/* Virtual work that resists, N m per m of the control block, and that of the live load at multiplier 1. */
+/* Virtual work per displacement of the control block, N m per m: of dead loads and ties, which resist, and
+ * of the live load at multiplier 1. */
 typedef enum { QN_WORK_DEAD, QN_WORK_TIES, QN_WORK_LIVE, QN_WORK_COUNT } QnWork;
 
 typedef struct QnCapacity {
@@ -55,9 +56,8 @@ typedef struct QnCapacity {
                     nowhere */
   double
     found; /* multiplier of the collapse that the mechanism comes from; NAN: not known */
-  struct QnCapacity
-    *softer; /* owned: the same with half the stiffness of all joints, for what
-                                periods rest on; NULL: not known */
+  struct QnCapacity *
+    softer; /* owned: with half the stiffness of all joints, to test periods; NULL: not known */
   double
     elastic_period, /* of small vibrations about the dead load, s, of the mode with the
                              most mass along x, */
@@ -87,8 +87,8 @@ qn_mass_sums_add (QnMassSums *sums, double weight, double delta)
   sums->second += weight * delta * delta;
 }
 
-/* M*, e* and the ratio of displacements, of a control block that moves by `control` meanwhile. False
- * where nothing moves along the load. */
+/* Sets M*, e* and the ratio of displacements; `control`: motion of the control block in the same mechanism.
+ * False where nothing moves along the load. */
 bool qn_capacity_set_masses (QnCapacity *capacity, QnMassSums sums, double control,
                              double gravity);
 
@@ -111,7 +111,7 @@ double qn_capacity_acceleration (const QnCapacity *capacity, double displacement
 typedef struct QnCapacityState {
   double capacity;     /* m */
   double acceleration; /* a* there, m/s2 */
-  double period;       /* that the demand is taken at, s, */
+  double period;       /* of the demand, s, */
   double softer;       /* and with half the stiffness; NaN: not known */
   double demand;       /* m */
   bool refused; /* half the stiffness changes the period by more than a fifth of it */

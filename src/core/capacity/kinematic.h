@@ -10,9 +10,9 @@
  *   e*, M*, d* of P and delta_x as in capacity.h                          [C8.7.1.4, C8.7.1.5]
  *   a*(d) = alpha(d) g / e*                                               [C8.7.1.3]
  *
- * The curve alpha(d) is that of the chain as it moves on. C8.7.1.2.1.6 counts what is known to act until
- * collapse: ties are in it where the strain is known at which they break. Until then they pull along
- * the line between their moved ends, with the force of core/model/tie.h; then they are gone.
+ * The curve alpha(d) is that of the chain as it moves on. C8.7.1.2.1.6 counts actions known to last until
+ * collapse: so the curve has ties only if their breaking strain is given. Up to that strain they pull along
+ * the line between their moved ends, with the force of core/model/tie.h.
  * docs/method/capacity.md has examples by hand. */
 #pragma once
 

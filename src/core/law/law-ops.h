@@ -1,5 +1,5 @@
-/* What a constitutive law is made of; private to laws and springs. One file and one row of
- * each of the two tables in law-ops.c per law. */
+/* Functions of a constitutive law; private to laws and springs. One file and one row of each of the two
+ * tables in law-ops.c per law. */
 #pragma once
 
 #include "core/base/require.h"
@@ -15,17 +15,17 @@ typedef struct QnLawOps {
   const QnLawParameter *parameters;
   size_t parameter_count;
 
-  /* Rules between parameters; nullable. Numbers have been checked one by one before. */
+  /* Checks rules between parameters, after each number by itself; nullable. */
   bool (*check) (const QnLaw *law, QnSubject of);
 
-  /* Fills what of the spring is the law's own; nullable. kind, kn and ks are set already. */
+  /* Sets the fields of the spring that this law needs; nullable. kind, kn and ks are set before. */
   void (*resolve) (const QnLaw *law, QnLawScale scale, QnSpring *spring);
 
+  /* Force, N, and tangent, N/m, at the elongation q, m, from the committed memory. */
   void (*evaluate) (const QnSpring *spring, const QnSpringMemory *committed,
                     const double q[2], QnSpringResponse *response);
 
-  /* The strengths of a joint, at most QN_STRENGTH_ROWS; returns their number. NULL for laws
-   * whose strength no such row describes: they have no limit analysis. */
+  /* The strengths of a joint, at most QN_STRENGTH_ROWS; returns their number. NULL: no limit analysis. */
   int (*strength) (const QnSpring *spring, QnStrengthRow rows[]);
 
   /* Whether the law is elastic and perfectly plastic with these strengths and their flow, one

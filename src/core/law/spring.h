@@ -27,12 +27,12 @@ typedef struct QnSpring {
   double energy[2];    /* J, to break the bond by opening and by slip; 0: brittle */
   double compression;  /* N, largest compression of a joint that is crushed; else 0 */
   double dilatancy;    /* psi */
-  double dilation_end; /* m, slip beyond which nothing dilates; INFINITY: none */
+  double dilation_end; /* m, slip beyond which dilation ends; INFINITY: never */
   bool associative;    /* dilation adds up, whichever way the joint slides */
 
-  double yield;     /* N, where the elastic range first ends */
+  double yield;     /* N, end of the first elastic range */
   double hardening; /* part of kn that remains beyond */
-  double strength;  /* N, the most that is carried; of concrete in compression */
+  double strength;  /* N, largest force; of concrete in compression */
   double ultimate;  /* m, elongation (of concrete shortening) at which softening begins */
   double fracture;  /* m, plastic elongation of the opening crack or breaking bar */
   double crushing;  /* m, plastic shortening of concrete while it is crushed */
@@ -50,13 +50,13 @@ typedef struct QnSpringMemory {
   double extreme; /* other state of a law, described in its file */
 } QnSpringMemory;
 
-/* What a spring, or a pair of springs, is doing. The tangent of a spring depends on its law and
- * its phase alone, unless its response says that it varies. */
+/* Branch of the law on which a spring, or a pair of springs, is. The tangent of a spring depends on its
+ * law and its phase alone, unless its response says that it varies. */
 typedef enum {
   QN_PHASE_STICK,         /* elastic */
   QN_PHASE_SLIP_POSITIVE, /* slips, shear force >= 0 */
   QN_PHASE_SLIP_NEGATIVE,
-  QN_PHASE_OPEN,           /* carries nothing, or what is left of its bond */
+  QN_PHASE_OPEN,           /* open: no force, or that of a damaged bond */
   QN_PHASE_YIELD_POSITIVE, /* plastic in tension */
   QN_PHASE_YIELD_NEGATIVE, /* plastic in compression */
   QN_PHASE_YIELD_FULLY,    /* plastic without hardening any more, either way */
@@ -85,8 +85,8 @@ typedef struct QnSpringResponse {
  *   normal n + shear |t| <= limit        (shear is 0 or 1)
  *   opening += z opening,  slip += z shear sign (t),  z >= 0
  *
- * Flow is associative where opening = normal. What consumes these rows: limit analysis, the
- * interior-point increment, the states of pairs. */
+ * Flow is associative where opening = normal. Used by limit analysis, the interior-point increment
+ * and the states of pairs. */
 typedef struct QnStrengthRow {
   double normal, shear;
   double limit; /* N */
@@ -96,7 +96,7 @@ typedef struct QnStrengthRow {
 /* Most strengths of one spring. */
 enum { QN_STRENGTH_ROWS = 3 };
 
-/* The spring that a law makes of a pair.
+/* A spring of a contact pair with this law.
  *
  * area:   tributary length of the pair times thickness, or a bar's section, m2 (surface and
  *         material basis)
@@ -198,8 +198,8 @@ qn_spring_now (const QnSpring *spring, const QnSpringMemory *memory)
  * break it. */
 #define QN_BOND_ROUNDING 1e-6
 
-/* Makes it the contact of two bodies that were never joined: stiffness and friction, no tension, cohesion or
- * dilatancy. Laws that are no joints' become no-tension of the same stiffness. */
+/* Removes tension, cohesion and dilatancy; stiffness and friction stay. Springs of members become no-tension
+ * springs of the same stiffness. */
 void qn_spring_lose_bond (QnSpring *spring);
 
 /* Force and consistent tangent at elongation q, m, from the committed memory. */
@@ -220,14 +220,14 @@ bool qn_law_has_strength (QnLawKind kind);
 /* Whether the law is elastic and perfectly plastic within its strengths. */
 bool qn_law_is_plastic (QnLawKind kind);
 
-/* Whether the spring is so: plastic law without loss of strength by crushing. */
+/* Whether a spring has such a law, and crushing does not reduce its strength. */
 static inline bool
 qn_spring_is_plastic (const QnSpring *spring)
 {
   return qn_law_is_plastic (spring->kind) && spring->crushing == 0;
 }
 
-/* Whether a kind of law limits compression otherwise than by its stiffness. */
+/* Whether a kind of law limits the compressive force. */
 bool qn_law_yields (QnLawKind kind);
 
 /* Whether springs of a kind of law may soften. */
@@ -238,9 +238,9 @@ bool qn_law_softens (QnLawKind kind);
  * back. */
 double qn_spring_softening (const QnSpring *spring);
 
-/* Whether two springs differ only by their length: equal forces then belong to proportional elongations, and
- * one spring of their total length replaces both. */
+/* Whether two springs differ only by their length: then equal forces have proportional elongations, and one
+ * spring of their total length replaces both. */
 bool qn_spring_similar (const QnSpring *a, const QnSpring *b);
 
-/* This spring. Its softening is that of one spring: a crack opens in one place. */
+/* The spring that replaces both. It softens as one of them does: a crack opens in one place. */
 QnSpring qn_spring_join (const QnSpring *a, const QnSpring *b);

@@ -1,16 +1,16 @@
 /* LU factorisation of sparse matrices with a symmetric pattern, in dense fronts.
  *
- * Multifrontal (Duff & Reid 1983): unknowns that meet much the same others are eliminated
- * together as a dense matrix, and what they leave to the rest of the structure is kept, front
- * by front. Dense matrices suit the processor; and a front is to be eliminated again only where
- * one of its own entries is new or a front below it was, so that regions of a structure where
- * nothing changes are condensed once.
+ * Multifrontal (Duff & Reid 1983): unknowns with mostly the same
+ * neighbours are eliminated together as
+ * a dense matrix (a front), and the Schur complement of each front
+ * is kept. A front is eliminated again
+ * only if one of its entries, or a front below it, has changed.
  *
  * Subtrees of a large tree are eliminated and solved with in parallel where threads are lent. Which
  * subtrees depends on the matrix alone, and so do all results, to the bit.
  *
  * Rows are exchanged among the pivots of a front only, so that a factorisation can lose digits
- * or break down where one with free pivoting would not: the caller is to judge its solutions.
+ * or break down where one with free pivoting would not: the caller must test its solutions.
  */
 #pragma once
 
@@ -32,8 +32,8 @@ void qn_block_lu_free (QnBlockLu *lu);
  * number (there is nothing to solve with then). Allocates nothing. */
 double qn_block_lu_factor (QnBlockLu *lu, const double *ax);
 
-/* The same, but eliminates anew only what new values reach; the factors are the same to the bit.
- * *work: the part of a whole factorisation that was done, 0 where no value was new. */
+/* The same, but eliminates only fronts with new values and those above them; the factors are the same
+ * to the bit. *work: share of a whole factorisation; 0: no value was new. */
 double qn_block_lu_refactor (QnBlockLu *lu, const double *ax, double *work);
 
 /* Overwrites b (length n) with the solution. */

@@ -1,6 +1,6 @@
 /* Partial elimination of a dense matrix: the inner work of a multifrontal factorisation.
  *
- * A front is a dense matrix of pivots that are eliminated and a rest that waits:
+ * A front is a dense matrix of pivots, which are eliminated, and a rest, eliminated in later fronts:
  *
  *   | D  U |   pivots            D = P' L_1 U_1   rows exchanged among the pivots only
  *   | L  S |   rest              L = L U_1^-1,  U = L_1^-1 P U,  S = S - L U
@@ -17,9 +17,9 @@
 #define QN_FRONT_ROWS 8
 
 /* Stands for a pivot that vanishes: far below any stiffness, far above what its reciprocal could make
- * overflow (several that multiply each other may, which elimination and the solutions show). What the
- * front leaves to others is exact if nothing stands beside it; then solutions are as large as its
- * reciprocal, in the direction that the matrix maps to nothing. */
+ * overflow (products of several may: then elimination and solutions are not finite). The Schur complement
+ * of the front is exact if the row and column of the pivot vanish; then solutions are as large as its
+ * reciprocal, along the null vector of the matrix. */
 #define QN_FRONT_VANISHED 1e-60
 
 /* Height of the columns of a matrix of `rows` rows. */
@@ -44,8 +44,8 @@ typedef struct QnPivotRange {
   double smallest, largest;
 } QnPivotRange;
 
-/* Part of what a child leaves, and where it goes in one of the matrices of its parent: number
- * (r, c) is added at row places[r] of column column_places[c]. runs[r]: so many rows from there
+/* Part of the Schur complement of a child, and its place in a matrix of the parent: entry (r, c) is added
+ * at row places[r] of column column_places[c]. runs[r]: so many rows from there
  * on stand side by side. */
 typedef struct QnFrontPart {
   const double *source;

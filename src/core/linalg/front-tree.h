@@ -1,5 +1,5 @@
-/* The plan of a multifrontal factorisation: which unknowns are eliminated together, in which
- * order, and what each elimination leaves to which later one.
+/* The plan of a multifrontal factorisation: which unknowns are eliminated together, in which order,
+ * and to which later front each adds its rest.
  *
  * Unknowns are eliminated in dense fronts. Of each front a rest stays behind, over the unknowns
  * that its pivots are connected with; it is added to the front's parent, where the first of

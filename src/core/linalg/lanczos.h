@@ -8,8 +8,8 @@
  * restart: Wu & Simon, SIAM J. Matrix Anal. Appl. 22 (2000) 602-616). Eigenvalues that come
  * several times are found by starting again from another vector until that brings nothing new.
  *
- * What is far from the shift is known less exactly, to rounding of the largest theta: an
- * eigenvalue to about 1e-15 |lambda - sigma| / (the least of that), relative.
+ * Eigenvalues far from the shift are less accurate, by rounding of the largest theta: to about
+ * 1e-15 |lambda - sigma| / (the least of that), relative.
  *
  * Equal input gives equal output, in as many threads as there are.
  */

@@ -38,8 +38,8 @@ typedef enum {
 /* Factorises the matrix with the values ax. */
 QnSolveStatus qn_linsys_factor (QnLinsys *system, const double *ax);
 
-/* The same, and overwrites b (length n) with its solution. Factorisations are judged by a solution
- * in any case: here by this one. b is undefined unless QN_SOLVE_CONVERGED is returned. */
+/* The same, and overwrites b (length n) with its solution, whose backward error tests the
+ * factorisation. b is undefined unless QN_SOLVE_CONVERGED is returned. */
 QnSolveStatus qn_linsys_factor_and_solve (QnLinsys *system, const double *ax,
                                           QnLinsysReuse reuse, double *b);
 

@@ -1,4 +1,4 @@
-/* The words of files that are compiled once for each width of vectors: see vectors.h. */
+/* Macros of files that are compiled once for each width of vectors: see vectors.h. */
 #pragma once
 
 #include "core/base/base.h"
@@ -22,8 +22,7 @@ typedef int64_t Mask __attribute__ ((vector_size (8 * LANES), aligned (8), may_a
 #define SHUFFLE(a, b, ...) __builtin_shuffle (a, b, (Mask){ __VA_ARGS__ })
 #endif
 
-/* Where the numbers of a vector come from, of two: the even and the odd places of both, or every
- * second two of them. */
+/* Indices of SHUFFLE: the even or the odd elements of two vectors, or every second pair of elements. */
 #if LANES == 2
 #define EVEN 0, 2
 #define ODD  1, 3
@@ -34,7 +33,7 @@ typedef int64_t Mask __attribute__ ((vector_size (8 * LANES), aligned (8), may_a
 #define TWO_ODD  2, 3, 6, 7
 #endif
 
-/* Made part of its caller, where the numbers of vectors and columns are known. */
+/* Always inlined: there the counts of vectors and columns are constants. */
 #define PART static inline __attribute__ ((always_inline))
 
 /* The name of this width's loops. */

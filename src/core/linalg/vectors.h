@@ -22,6 +22,6 @@
   }
 #endif
 
-/* Which of them are the fastest that this processor has and that work on at most `width` numbers
- * at a time. */
+/* Index into QN_ALL_WIDTHS of the widest loops that this processor supports, with at most `width` numbers
+ * in a vector. */
 int qn_vectors (int width);

@@ -2,8 +2,8 @@
  *
  *   K phi = omega^2 M phi
  *
- * K is the stiffness of the state: of a joint that is closed the elastic one, whether it slides
- * under the load or not, of one that is open none; or the tangent, with joints that slide. M is
+ * K is the stiffness of the state: closed joints are elastic, whether they slide under the load or
+ * not, and open joints have none; or the tangent, with sliding joints (QN_MODAL_SLIDING). M is
  * the mass: of rigid blocks weight over gravity, with the polar moment of inertia about the
  * centroid for the rotation, diagonal at the centroids; of beams consistent with their shape
  * functions. The lowest frequencies come from Lanczos iteration (lanczos.h) with a small negative
@@ -24,7 +24,7 @@ typedef struct QnModes {
                      y, (phi' M r)^2 / phi' M phi with r the unit translation: those of all modes sum up
                      to the mass that moves */
   size_t open,
-    slides; /* pairs that are left out, and that count as elastic although they slide */
+    slides; /* open pairs, without stiffness; sliding pairs with elastic stiffness */
 } QnModes;
 
 /* State about which the structure vibrates. */
@@ -58,7 +58,7 @@ QnModesDamping qn_modes_damping (const QnModes *modes, double ratio);
  * where there is none. */
 size_t qn_modes_main (const QnModes *modes);
 
-/* Makes one of the modes, counted from 0, the mechanism of a result of their state. */
+/* Stores a mode (from 0) as the mechanism of `result`, which holds the state of the modes. */
 QnStatus qn_modes_show (const QnModes *modes, size_t mode, const QnModel *model,
                         QnResult *result, QnDiag *diag);
 

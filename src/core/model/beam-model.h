@@ -1,5 +1,4 @@
-/* The rules of nodes, sections, beams and ties, and what is derived of them; part of
- * qn_model_prepare(). */
+/* Rules and derived values of nodes, sections, beams and ties; part of qn_model_prepare(). */
 #pragma once
 
 #include "core/model/model.h"
@@ -10,6 +9,6 @@ QnStatus qn_model_check_beams (const QnModel *model, QnDiag *diag);
 /* Finds out which nodes have a rotation of their own. Beams must be checked. */
 void qn_model_mark_turning_nodes (QnModel *model);
 
-/* Places nodes and computes sections. Blocks must be derived and beams be checked; refuses what
- * shows only then: beams without length, moments that nothing takes. */
+/* Places nodes and computes sections. Blocks must be derived and beams be checked. Refuses beams without
+ * length, and moments on nodes without a rotation. */
 QnStatus qn_model_derive_beams (QnModel *model, QnDiag *diag);

@@ -79,7 +79,7 @@ typedef struct QnBeam {
   QnId first_element; /* derived: into QnModel.elements */
 } QnBeam;
 
-/* A part of a beam that has its own end forces; derived. */
+/* A part of a beam with end forces of its own; derived. */
 typedef struct QnBeamElement {
   QnId beam;
   QnId nodes[2];
@@ -109,7 +109,7 @@ QnBeamPoint qn_beam_forces_at (const QnBeamForces *forces, double length, double
 extern const char *const qn_beam_kind_names[QN_BEAM_KIND_COUNT];
 extern const char *const qn_block_side_names[QN_BLOCK_SIDE_COUNT];
 
-/* What follows from what is given: G, k A, Mp (INFINITY: never yields), weight per length. */
+/* Derived: G, Pa; Mp, N m (INFINITY: never yields); weight per length. */
 double qn_section_shear_modulus (const QnSection *section);
 double qn_section_plastic_moment (const QnSection *section);
 double qn_section_weight (const QnSection *section); /* N/m */

@@ -5,16 +5,16 @@
 
 #include "core/model/model.h"
 
-/* How many stages an entry has; 1 of an ordinary one. */
+/* Number of stages of an entry; 1: an ordinary stage. */
 size_t qn_stage_span (const QnModel *model, size_t first);
 
-/* The amplitudes of a protocol, as few as say it, and how many cycles each has. `amplitudes` has room for
- * qn_stage_span(). Returns their number: 0 of an ordinary stage. */
+/* The shortest list of amplitudes of a protocol, and the number of cycles of each. `amplitudes` has room for
+ * qn_stage_span(). Returns the number of amplitudes; 0: an ordinary stage. */
 size_t qn_stage_amplitudes (const QnModel *model, size_t first, double *amplitudes,
                             size_t *cycles);
 
-/* Makes of an entry a protocol, its other settings and its name as those of its first stage; with count 0 an
- * ordinary stage. Amplitudes are not 0, m or rad where the first stage is controlled by a displacement and
- * multipliers where not. false: no memory. */
+/* Replaces an entry by a protocol with the settings and the name of its first stage; with count 0 by an
+ * ordinary stage. Amplitudes are not 0; m or rad under displacement control, else multipliers. False when
+ * memory runs out. */
 bool qn_model_set_cycles (QnModel *model, size_t first, const double *amplitudes,
                           size_t count, size_t cycles);

@@ -3,8 +3,8 @@
 
 #include "core/model/model.h"
 
-/* Edges of blocks that are about to be turned round (clockwise ones) get the numbers that they have
- * then. Loads must be checked, polygons not yet be reversed. */
+/* Renumbers loaded edges of clockwise blocks for the reversed polygon. Loads must be checked, polygons not
+ * yet be reversed. */
 void qn_model_renumber_loaded_edges (QnModel *model);
 
 /* Fills QnModel.edge_forces. Blocks must be derived. Refuses TOO_LARGE and TOO_MANY_EDGE_FORCES. */

@@ -54,8 +54,8 @@ typedef struct QnGroundMotion {
   char *unit; /* owned: unit of its accelerations where the file does not say it; NULL */
   const char *record_unit; /* of the file's numbers once they were read; not owned */
   double time_step;        /* of its samples, s, where the file does not say it; 0 */
-  double peak; /* m/s2 to which the record is scaled before `scale`; 0: as it is */
-  bool rests;  /* a record may end before the duration: the ground rests from then on */
+  double peak;             /* m/s2, of the record before `scale`; 0: that of the file */
+  bool rests; /* a record may end before the duration: the ground rests from then on */
   int32_t note;
 } QnGroundMotion;
 
@@ -74,11 +74,11 @@ typedef struct QnTrack {
   int32_t note;
 } QnTrack;
 
-/* What dashpots of joints go with: a stiffness, or the inertia of the blocks. */
+/* Dashpots of joints are proportional to a stiffness, or follow from the inertia of the blocks. */
 typedef enum {
-  QN_DAMPING_CURRENT, /* of what carries: an open or sliding joint is not damped by it */
-  QN_DAMPING_INITIAL, /* of the joints as if they all were closed */
-  QN_DAMPING_IMPACT, /* of what carries, as much as an impact loses; joint_damping is of beams */
+  QN_DAMPING_CURRENT, /* the current stiffness: none in an open or sliding joint */
+  QN_DAMPING_INITIAL, /* that of closed joints */
+  QN_DAMPING_IMPACT, /* from the loss of an impact, in closed joints; joint_damping is of beams */
   QN_DAMPING_STIFFNESS_COUNT
 } QnDampingStiffness;
 
@@ -90,7 +90,7 @@ typedef struct QnDynamicSettings {
   double joint_damping; /* s, >= 0: times the stiffness */
   QnDampingStiffness of;
   double
-    tolerance; /* most that one step may be wrong by, over the characteristic length */
+    tolerance; /* largest local error of a step, relative to the characteristic length */
   double output_interval; /* s; 0: a five-hundredth of the duration */
   bool adaptive;          /* false: every step is as long as time_step */
   bool

@@ -13,8 +13,8 @@ QnStatus qn_model_check_block (const QnModel *model, QnId block, QnDiag *diag);
 QnStatus qn_model_check_settings (const QnModel *model, QnDiag *diag);
 
 /* Parts of it: loads and settlements; analysis settings and stages; ground motions, initial motions,
- * tracks and the settings of the integration, where the procedure is dynamic. Records are checked once
- * they have been read: qn_model_check_signal(). */
+ * tracks and the settings of the integration, where the procedure is dynamic. qn_model_check_signal()
+ * checks records, after they have been read. */
 bool qn_model_check_loads (const QnModel *model, QnDiag *diag);
 bool qn_model_check_analysis (const QnModel *model, QnDiag *diag);
 bool qn_model_check_dynamic (const QnModel *model, QnDiag *diag);

@@ -48,18 +48,18 @@
 #define QN_MAX_SURFACE_POINTS 24
 #define QN_MAX_CONVOY         20
 
-/* Of fill, Pa/m, where nothing else is said. */
+/* Default for fill, Pa/m. */
 #define QN_USUAL_SOIL_STIFFNESS 1e7
 
 /* Most stages of one analysis. */
 #define QN_MAX_STAGES 1000
 
-/* Largest contact tolerance, relative to the characteristic block length: beyond it blocks
- * that are clearly apart would be joined. */
+/* Largest contact tolerance, relative to the characteristic block length: a larger one would join
+ * blocks that are clearly apart. */
 #define QN_MAX_CONTACT_TOLERANCE 0.05
 
-/* Entities of a project have a `note`: a number under which the layers above keep other members of
- * the file, 0: none. The core copies it with the entity and does not use it. */
+/* Entities of a project have a `note`: a number by which the layers above find other members of the
+ * file, 0: none. The core copies it with the entity and does not use it. */
 
 /* A rigid block: a simple polygon with three degrees of freedom at its centroid. */
 typedef struct QnBlock {
@@ -122,7 +122,7 @@ typedef struct QnPairRule {
   double
     positions[QN_MAX_EXPLICIT_PAIRS];    /* EXPLICIT: parts of the face's length from its
                                               start, ascending, 0 to 1 */
-  double weights[QN_MAX_EXPLICIT_PAIRS]; /* of it, what each pair stands for; sum 1 */
+  double weights[QN_MAX_EXPLICIT_PAIRS]; /* part of the length of each pair; sum 1 */
 } QnPairRule;
 
 /* Most corners of a bar between its ends, and most bars of a mesh. */
@@ -164,10 +164,10 @@ typedef enum {
   QN_LOAD_SETTLEMENT, /* of one fixed degree of freedom of one block */
   QN_LOAD_LINE,       /* on one beam: force per undeformed length */
   QN_LOAD_EDGE,       /* on a chain of edges of one block: force per length */
-  QN_LOAD_SURCHARGE,  /* downwards on what is seen from above: pressure, weight of fill */
-  QN_LOAD_BACKFILL,   /* earth pressure on what is seen from one side */
+  QN_LOAD_SURCHARGE,  /* downwards on edges seen from above: pressure, weight of fill */
+  QN_LOAD_BACKFILL,   /* earth pressure on edges seen from one side */
   QN_LOAD_FILL,       /* weight and pressure of soil below a surface */
-  QN_LOAD_VEHICLE,    /* what arrives of a vehicle through the fill below it */
+  QN_LOAD_VEHICLE,    /* a vehicle, spread through the fill below it */
   QN_LOAD_NODE,       /* force and moment on one node */
   QN_LOAD_KIND_COUNT
 } QnLoadKind;
@@ -241,11 +241,11 @@ typedef struct QnLoad {
 typedef struct QnLoadCase {
   char *name;                  /* owned, unique among cases */
   double factor;               /* >= 0 */
-  char action[QN_ACTION_SIZE]; /* what a code combines it as; "": the same in all
+  char action[QN_ACTION_SIZE]; /* kind of action in a code; "": the same in all
                                   combinations. The layers above know the names */
 } QnLoadCase;
 
-/* By which code load cases are combined, and what strengths are divided by. */
+/* Code for combinations of load cases, and partial factors of strengths. */
 typedef struct QnCombinationRules {
   char code[QN_ACTION_SIZE]; /* "": none */
   double friction, strength; /* > 0: of coefficients of friction, of bonds and crushing */
@@ -277,7 +277,7 @@ typedef enum {
 
 typedef enum { QN_GEOMETRY_LINEAR, QN_GEOMETRY_NONLINEAR, QN_GEOMETRY_COUNT } QnGeometry;
 
-/* What to do at a limit point of the path: jump to the equilibrium beyond it or stop there. */
+/* At a limit point of the path: jump to the equilibrium beyond it, or stop there. */
 typedef enum {
   QN_SNAP_THROUGH_JUMP,
   QN_SNAP_THROUGH_STOP,
@@ -320,8 +320,8 @@ typedef struct QnAnalysisSettings {
   QnDof control_dof;
   double control_target; /* m or rad */
   bool
-    follow; /* contacts follow the blocks along a path (core/path/path-follow.c); nonlinear
-                  geometry */
+    follow; /* contacts follow the blocks along a path, in nonlinear geometry; this is done by
+                  core/path/path.c */
   QnDynamicSettings dynamic; /* for QN_PROCEDURE_DYNAMIC */
   /* Of the run, not of the project: */
   bool all_forces;          /* see QN_RESULT_FORCE_BUDGET */
@@ -454,8 +454,8 @@ QnStage *qn_model_add_stage (QnModel *model, const char *name);
 QnGroundMotion *qn_model_add_ground_motion (QnModel *model, const char *record);
 bool qn_ground_motion_add_point (QnGroundMotion *motion, double time,
                                  double acceleration);
-/* When an analysis in time ends: as its settings say, or with the last ground motion, s; 0 where that
- * is not known, for the points of a record have not been read. */
+/* End of an analysis in time, s: the duration of its settings, or the end of the last ground motion; 0: not
+ * known, because a record has not been read. */
 double qn_model_duration (const QnModel *model);
 
 /* Checks the points of one ground motion: two or more, finite, times ascending from 0 or later. */
@@ -483,7 +483,7 @@ int32_t qn_model_add_load_case (QnModel *model, const char *name);
 /* The same without adding: QN_NONE where there is none. */
 int32_t qn_model_find_load_case (const QnModel *model, const char *name);
 
-/* x of what lies so far behind the front of vehicle n of a VEHICLE's convoy, counted from 0, m. */
+/* x, m, of a place `behind` the front of vehicle n (from 0) of the convoy of a VEHICLE. */
 double qn_load_behind_front (const QnModel *model, const QnLoad *load, int32_t n,
                              double behind);
 /* The height of a FILL's surface at x; NAN where it has none. */
@@ -500,8 +500,8 @@ bool qn_wall_add_course (QnWall *wall, const double *lengths, size_t count);
 
 /* Turns the walls that are not yet expanded into blocks named `<wall>.<course>.<position>`,
  * both counted from 1, openings not counted. Afterwards loads and overrides can refer to them
- * by index. qn_model_prepare() does it too; to call it first is for those who must look up
- * such names. More than QN_MAX_BLOCKS are refused before anything is allocated. */
+ * by index. qn_model_prepare() does it too; call it first to look up such names.
+ * More than QN_MAX_BLOCKS are refused before anything is allocated. */
 QnStatus qn_model_expand_walls (QnModel *model, QnDiag *diag);
 
 /* Cuts the beams that are not yet expanded into elements, at nodes named `<beam>.<n>`, n from
@@ -644,11 +644,11 @@ QnLoad qn_model_acting_load (const QnModel *model, size_t index);
 /* The load that an acting one comes from, counted through the dead and then the live loads. */
 size_t qn_model_acting_source (const QnModel *model, size_t index);
 
-/* Those of one load, count of them from there on in QnModel.edge_forces. */
+/* The edge forces of one load: *count of them from the returned one on. */
 const QnEdgeForce *qn_model_edge_forces_of (const QnModel *model, size_t source,
                                             size_t *count);
 
-/* The dead loads, or those of all sets, and how many they are (nullable). */
+/* The dead loads, or those of all sets; *count (nullable): their number. */
 static inline QnLoad *
 qn_model_loads (const QnModel *model, bool live, size_t *count)
 {
@@ -688,7 +688,7 @@ bool qn_model_sets_have_force (const QnModel *model, uint32_t sets);
 /* Whether some law has a bond that may break. */
 bool qn_model_has_bonds (const QnModel *model);
 
-/* Whether joints slide with less dilatancy than friction: then associativity carries more than they do. */
+/* Whether joints slide with less dilatancy than friction. */
 bool qn_model_is_non_associative (const QnModel *model);
 
 /* Loads of all sets, each times its own factor; factors: QN_MAX_LOAD_SETS. */
@@ -714,7 +714,7 @@ qn_model_side_law (const QnModel *model, QnId block, QnId other)
   return own != QN_NONE ? own : model->contact.law;
 }
 
-/* Everything of a block but name, shape, origin and note. */
+/* Copies all of a block but name, shape, origin and note. */
 static inline void
 qn_block_inherit (QnBlock *block, const QnBlock *from)
 {

@@ -17,8 +17,8 @@ typedef struct QnSeenEdges {
   size_t count;
 } QnSeenEdges;
 
-/* What is seen of the blocks by parallel rays from a side: their envelope, n edges in O(n log n) by
- * merging the envelopes of halves. Edges along the rays are not seen. Where blocks overlap, the one
+/* The edges that parallel rays from a side meet first: the envelope of n edges, in O(n log n) by merging
+ * the envelopes of halves. Edges along the rays are not seen. Where blocks overlap, the one
  * that lies in front in the middle of the common stretch hides the other. False when memory runs out. */
 bool qn_model_find_seen_edges (const QnModel *model, QnBlockSide from, QnSeenEdges *seen);
 

@@ -1,7 +1,7 @@
 /* Soil that is pushed: where a block moves into the fill beside it, its pressure grows from that at rest to
  * a part of the passive pressure, and no further; where the block moves away it falls to the active one.
  *
- * The active pressure is a dead load (core/model/edge-load.c). What is above it is a tie per free block, on the
+ * The active pressure is a dead load (core/model/edge-load.c). Pressure above it is a tie per free block, on the
  * side of the fill's thrust: it pulls the block away from the fill, with a force between 0 and
  *
  *   F = (max (m Kp, Ka) - Ka) S,     Ka = (1 - sin phi) / (1 + sin phi), Kp = 1 / Ka (Rankine 1857),
@@ -22,7 +22,7 @@ void qn_model_drop_soil (QnModel *model);
  * nothing; QN_ERROR_NO_MEMORY. */
 QnStatus qn_model_add_soil (QnModel *model, size_t source, QnDiag *diag);
 
-/* Ka, and what is mobilised beyond it, of a fill's vertical stress; that at rest above Ka. */
+/* Over the vertical stress of a fill: Ka; largest pressure less Ka; pressure at rest less Ka. */
 double qn_fill_active (const QnLoad *fill);
 double qn_fill_mobilised (const QnLoad *fill);
 double qn_fill_at_rest (const QnLoad *fill);

@@ -4,12 +4,12 @@
  *
  *   N = E A / L (e - slack - plastic),   0 <= N <= min (A yield, anchor)
  *
- * where e is how much farther its ends are apart than as drawn and L the length as drawn. Beyond
- * the strength the steel yields or the anchor gives, without losing force: `plastic` grows, and
- * stays. Pushed together it hangs slack.
+ * where e is the increase of the distance of its ends and L the length as drawn. At the strength the
+ * steel yields or the anchor gives, at constant force: `plastic` grows, and stays. A shortened tie is
+ * slack.
  *
- * With a prestress P it is tensioned while the dead load acts: it has the force P there, however
- * much the structure gives, or more where the dead load stretches it,
+ * A tie with a prestress P is tensioned under the dead load: its force there is P, whatever the
+ * deformation, or more where the dead load stretches it,
  *
  *   N = max (P, P + E A / L e)
  *
@@ -40,9 +40,9 @@ typedef struct QnTiePlate {
   double compression; /* strength of the masonry across the wall, Pa */
 } QnTiePlate;
 
-/* A strip of fibres that is glued to blocks: what lies beside a joint lets go of the wall at a force that
- * stays the same while it does, as long as there is glued length behind. Per length that lets go, the strip
- * gives N^2/(2 E A) of energy and width times fracture energy is taken:
+/* A strip of fibres that is glued to blocks. Beside a joint it debonds at a constant force as long as there
+ * is glued length behind. Per debonded length the strip releases N^2/(2 E A), and width times fracture
+ * energy is dissipated:
  *
  *   debonding   width sqrt (2 E t fracture_energy),  t = area / width
  *
@@ -88,16 +88,16 @@ extern const char *const qn_tie_state_names[QN_TIE_STATE_COUNT];
 double qn_tie_length (const QnTie *tie);    /* L, m */
 double qn_tie_stiffness (const QnTie *tie); /* E A / L, N/m */
 
-/* What the wall holds of a plate and of a strip, N; INFINITY where it is not known. And the least of all and
- * of what is given for the anchor. */
+/* Strength of the wall at a plate and along a strip, N; INFINITY: not known. Least of these and of
+ * `anchor`. */
 double qn_tie_plate_punching (const QnTiePlate *plate);
 double qn_tie_plate_bearing (const QnTiePlate *plate);
 double qn_tie_debonding (const QnTie *tie);
 double qn_tie_anchor (const QnTie *tie);
 
-/* The largest force, N, INFINITY where nothing limits it; and which of both limits it is. */
+/* Largest force, N; INFINITY: no limit. And which limit it is: the steel or the anchor. */
 double qn_tie_strength (const QnTie *tie);
 QnTieState qn_tie_weakest (const QnTie *tie);
 
-/* What a tie with this force is; a limit is reached within `little`, N. */
+/* State of a tie with this force, N; a limit is reached within `little`, N. */
 QnTieState qn_tie_state (const QnTie *tie, double force, double little);

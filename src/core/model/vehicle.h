@@ -41,7 +41,7 @@ typedef enum {
   QN_DISPERSAL_COUNT
 } QnDispersal;
 
-/* Lengths along and across at the surface, and what they grow by per metre of depth. */
+/* Lengths along and across at the surface, m, and their growth per metre of depth. */
 typedef struct QnSpread {
   double along, along_slope, across, across_slope;
 } QnSpread;

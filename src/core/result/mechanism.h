@@ -38,7 +38,7 @@ typedef struct QnMechanismBody {
   QnVec2 centroid; /* of its blocks, by area, m */
   QnVec2 velocity; /* of that point */
   double rotation; /* rad, counter-clockwise positive */
-  bool turns;      /* rotation matters beside translation */
+  bool turns;      /* rotation is not negligible beside translation */
   QnVec2 centre;   /* fixed point of the motion, m; where it turns */
   double largest;  /* fastest point, relative to that of the whole mechanism */
   QnBox box;       /* around its blocks, m */
@@ -53,7 +53,7 @@ typedef enum {
   QN_MECHANISM_KIND_STEPPED, /* a body turns off a staircase: beds and head joints open */
   QN_MECHANISM_KIND_ARCH,    /* a chain of bodies folds at alternating hinges */
   QN_MECHANISM_KIND_FALLING, /* bodies lose contact: they fall, or are lifted */
-  QN_MECHANISM_KIND_SWAYING, /* blocks go aside, no joint moves: what gives are beams, or joints all over */
+  QN_MECHANISM_KIND_SWAYING, /* blocks move sideways, no joint opens or slides: beams, or all joints, deform */
   QN_MECHANISM_KIND_MIXED, /* hinges and sliding joints together, none prevailing */
   QN_MECHANISM_KIND_COUNT
 } QnMechanismKind;
@@ -82,9 +82,9 @@ QnStatus qn_mechanism_init (QnMechanism *mechanism, const QnModel *model,
                             const QnContacts *contacts, const double *base,
                             const double *velocities, QnDiag *diag);
 
-/* Displacements at which the mechanism of a result begins, in large displacements; NULL: it is drawn and told
- * from where the blocks were built: modes of vibration and of buckling, what limit analysis finds, what beams
- * take part in. */
+/* Displacements at which the mechanism of a result begins, in
+ * large displacements; NULL: those of the
+ * undeformed structure: modes of vibration and of buckling, limit analysis, mechanisms with beams. */
 const double *qn_mechanism_base (const QnModel *model, const QnResult *result);
 
 /* Analyses the mechanism of a result that has one, with the dilatancy of the analysis. */
@@ -94,12 +94,12 @@ QnStatus qn_mechanism_of_result (QnMechanism *mechanism, const QnModel *model,
 
 void qn_mechanism_clear (QnMechanism *mechanism);
 
-/* The name for joints and bodies already found; _init() keeps it in `kind`. */
+/* Kind of the mechanism from its joints and bodies, as _init() sets it. */
 QnMechanismKind qn_mechanism_classify (const QnMechanism *mechanism, const QnModel *model,
                                        const QnContacts *contacts);
 
-/* Where the relative motion of a face is taken: its outermost contact pairs, which stand for the
- * corners; the ends of the face where it has one pair only. */
+/* Points at which the relative motion of a face is computed: its outermost contact pairs; the ends of
+ * the face if it has a single pair. */
 void qn_joint_corners (const QnContacts *contacts, QnId face, QnVec2 *start, QnVec2 *end);
 
 /* Cosine of two fields of the same model, in the metric of the masses (weights, or areas where

@@ -19,14 +19,14 @@ typedef enum {
 
 /* Why a path of displacement, work or arc-length control ended where it did. */
 typedef enum {
-  QN_STOP_UNKNOWN,        /* another procedure: the outcome says all */
+  QN_STOP_UNKNOWN,        /* another procedure: see the outcome */
   QN_STOP_DISPLACEMENT,   /* the controlled displacement came to its target */
   QN_STOP_MULTIPLIER,     /* max_multiplier was reached */
-  QN_STOP_ZERO,           /* the multiplier fell back to zero: stands no more by itself */
-  QN_STOP_PLATEAU,        /* the multiplier held still while the motion went on and on */
+  QN_STOP_ZERO,           /* the multiplier fell back to zero */
+  QN_STOP_PLATEAU,        /* the multiplier was constant while the motion grew */
   QN_STOP_FALL,           /* parts fall although the measure is held */
   QN_STOP_LIMIT_POINT,    /* peak or jump, and the settings ask to stop there */
-  QN_STOP_STEP_TOO_SMALL, /* nothing was found near by with the smallest step */
+  QN_STOP_STEP_TOO_SMALL, /* no equilibrium within the smallest step */
   QN_STOP_STEPS,          /* more steps than a path may have */
   QN_STOP_FACTORIZATIONS, /* of any procedure: max_factorizations */
   QN_STOP_TIME,           /* of any procedure: max_seconds */
@@ -39,10 +39,10 @@ typedef enum { QN_EVENT_NONE, QN_EVENT_SNAP, QN_EVENT_COLLAPSE, QN_EVENT_COUNT }
 
 /* Events on a path under a growing load. */
 typedef enum {
-  QN_EVENT_KIND_LOCAL, /* a jump of less than 5 % of the displacement: a joint or two settle */
-  QN_EVENT_KIND_SNAP, /* a larger one */
-  QN_EVENT_KIND_BUCKLING, /* the branch that the path came on loses its stability, and it goes on along
-                             another one: no jump, no energy */
+  QN_EVENT_KIND_LOCAL, /* a jump of less than 5 % of the displacement */
+  QN_EVENT_KIND_SNAP,  /* a larger one */
+  QN_EVENT_KIND_BUCKLING, /* the branch loses its stability, and the path continues on another one: no
+                             jump, no energy */
   QN_EVENT_KIND_COLLAPSE, /* the path does not climb above this multiplier again */
   QN_EVENT_KIND_COUNT
 } QnEventKind;
@@ -127,7 +127,7 @@ typedef struct QnHistory {
   int32_t steps, rejected; /* taken, and rejected for shorter ones */
 } QnHistory;
 
-/* A contact that blocks found on their way, and when it first carried a force. Forces are on the block
+/* A contact found during the motion, and when it first carried a force. Forces are on the block
  * whose side it is, as of pairs: along the normal of the side out of that block, and along the side. */
 typedef struct QnFound {
   QnFoundContact contact;
@@ -310,7 +310,7 @@ typedef struct QnResult {
   size_t found_count, found_capacity;
   QnFoundForce *found_forces; /* by step, then by contact */
   size_t found_force_count, found_force_capacity;
-  QnLeftFace *left; /* as they were left */
+  QnLeftFace *left; /* in the order of their release */
   size_t left_count, left_capacity;
 
   QnStatistics statistics;
@@ -368,7 +368,7 @@ double qn_result_motion (const QnResult *result, size_t from, size_t to);
 /* Result-file spelling: "kept", "lost". */
 extern const char *const qn_stability_names[QN_STABILITY_COUNT];
 
-/* Result-file spelling: "local", "snap", "collapse". */
+/* Result-file spelling: "local", "snap", "buckling", "collapse". */
 extern const char *const qn_event_kind_names[QN_EVENT_KIND_COUNT];
 
 /* Drops all events, and first_limit_multiplier. */
@@ -380,16 +380,16 @@ bool qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces);
 /* The same of ties; NULL: not known. */
 bool qn_result_add_ties (QnResult *result, const QnTieResult *ties);
 
-/* Keeps which blocks have reactions, and appends those of the last step added: reactions:
- * block_count x 3, of which the rows of the supports are kept. False when memory runs out. */
+/* Sets the blocks with reactions; appends the reactions of the last step added: block_count x 3, of which
+ * the rows of the supports are kept. False when memory runs out. */
 bool qn_result_set_supports (QnResult *result, const QnModel *model);
 bool qn_result_add_reactions (QnResult *result, const double *reactions);
 
 /* Appends the velocities of the last step added, a row for every body. */
 bool qn_result_add_velocities (QnResult *result, const double *velocities);
 
-/* Keeps the forces that stand in `pairs` for the last step added, within the budget unless
- * `all`. False when memory runs out. */
+/* Copies the forces in `pairs` to the last step added, within the budget unless `all`.
+ * False when memory runs out. */
 bool qn_result_add_forces (QnResult *result, bool all);
 
 /* Append found contacts, their forces, released joints. False when memory runs out. */
@@ -462,8 +462,8 @@ qn_result_step_displacements (const QnResult *result, size_t step)
   return result->displacements + step * qn_result_body_count (result) * QN_DOF_COUNT;
 }
 
-/* Section forces of one step by element; NULL where they are not known. */
-/* Ties at a step; NULL where they are not known. */
+/* Ties at a step, and section forces of beams by element;
+ * NULL where they are not known. */
 static inline const QnTieResult *
 qn_result_step_ties (const QnResult *result, size_t step)
 {

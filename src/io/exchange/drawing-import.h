@@ -1,7 +1,7 @@
 /* From a drawing to a project: unit, layers, healing, supports.
  *
- * Layers have roles. By whole words of their name, in four languages, unless the settings say
- * otherwise (case does not matter; a layer of the settings that is not there is an error):
+ * Each layer has a role, by whole words of its name in four languages, unless the settings say
+ * otherwise (case does not matter; an unknown layer in the settings is an error):
  *   SUPPORT, BASE, GROUND, FOUNDATION, FIXED …   fixed blocks
  *   OPENING, VOID, HOLE, WINDOW, DOOR            cut out of the blocks
  *   DIM, TEXT, AXIS, HATCH, DEFPOINTS, CONTACTS, DEFORMED, GRID    left out
@@ -9,12 +9,12 @@
  * Of several such words the last one counts, and WALL, STONE, FLOOR … mean blocks: GROUND FLOOR,
  * DIMENSION STONE, WINDOW ARCH. The report lists all layers, and warns where words contradict.
  *
- * Healing, in this order, each step told in the report: outlines that end on or overrun their
- * first vertex are closed; repeated and collinear vertices go; outlines without area or that
- * cross themselves are left out; so are repeated outlines; what is left open is line work and is
- * made into the faces it encloses; vertices within the tolerance are welded, neighbours fitted
- * to each other; joints of mortar, drawn as gaps between blocks, are told of and closed, filled or
- * left as the settings say; openings are cut out.
+ * Repairs, in this order, each listed in the report: outlines that end on or overrun their first
+ * vertex are closed; repeated and collinear vertices are removed; outlines that are repeated, cross
+ * themselves or have no area are left out; open paths are line work, whose enclosed faces become
+ * outlines; vertices within the tolerance are welded, neighbours fitted to each other; joints of
+ * mortar, drawn as gaps between blocks, are reported and closed, filled or left as the settings say;
+ * openings are cut out.
  *
  * Without a layer of supports the blocks of the lowest row are fixed; of a flat arch, whose voussoirs
  * all begin at one height, only those at its ends.
@@ -61,7 +61,7 @@ typedef struct QnImportLayer {
   guint count, hidden; /* shapes; of them on hidden layers */
   QnRole role;
   gboolean asked;    /* by the settings; else proposed by its name */
-  gboolean doubtful; /* the name says other things too */
+  gboolean doubtful; /* the name has words of other roles too */
 } QnImportLayer;
 
 /* Report of the import; every line is translated. */

@@ -1,7 +1,7 @@
-/* Drawings: what files of other programs come down to before they become blocks.
+/* Drawings: the common form of files of other programs, before they become blocks.
  *
- * Every importer flattens what it reads into paths, open or closed, in the file's own unit, with
- * their layer and the line of the file they come from. drawing-import.h makes a project of them.
+ * Every importer flattens its file into paths, open or closed, in the unit of the file, with their
+ * layer and line. drawing-import.h makes a project of them.
  */
 #pragma once
 
@@ -9,9 +9,9 @@
 
 #include <glib.h>
 
-/* Chords of curves deviate from them by about this part of the radius. That is less than the tolerance
- * within which blocks that touch along a curve are fitted to each other (0.2 % of a block), up to a
- * hundred blocks of radius. */
+/* Chords of curves deviate from them by about this part of the radius.
+ * Up to a radius of a hundred blocks that
+ * is less than the tolerance of fitting neighbours to each other (0.2 % of a block). */
 #define QN_DRAWING_SAGITTA 2e-5
 
 /* Largest coordinate, in any unit: beyond it a double does not resolve a millimetre. */
@@ -36,7 +36,7 @@ typedef struct QnDrawingNote {
   char *text; /* "%u polylines closed" is made of these */
   guint count;
   guint line;     /* of the first; 0 where there is none */
-  gboolean minor; /* nobody takes it for a part of the structure: texts, dimensions */
+  gboolean minor; /* no part of the structure: texts, dimensions */
 } QnDrawingNote;
 
 typedef struct QnDrawing {
@@ -67,8 +67,8 @@ gboolean qn_drawing_join_parts (QnDrawing *drawing, guint first, guint end,
  * arithmetic of curves and transformations can bring about, and notes them. */
 void qn_drawing_drop_unbounded (QnDrawing *drawing);
 
-/* Counts something; `text` is translated and says what, in the plural: "texts left out". Returns the
- * drawing's note. */
+/* Counts one occurrence of `text`, translated, in the plural:
+ * "texts left out". Returns its note. */
 QnDrawingNote *qn_drawing_note (QnDrawing *drawing, const char *text, guint line);
 
 /* Flattened curves, appended to a path whose last point, if it has one, is the start. Angles in
@@ -81,7 +81,7 @@ void qn_drawing_path_add_bulge (QnDrawingPath *path, QnVec2 end, double bulge);
 void qn_drawing_path_add_ellipse (QnDrawingPath *path, QnVec2 centre, QnVec2 major,
                                   QnVec2 minor, double from, double to);
 
-/* Into how many chords a Bézier curve of this degree is cut. */
+/* Number of chords of a Bézier curve of this degree. */
 int qn_drawing_chords (const QnVec2 *control, guint degree);
 
 /* A rational B-spline (de Boor). False where knots and points do not match. weights may be NULL. */
@@ -92,17 +92,17 @@ gboolean qn_drawing_path_add_spline (QnDrawingPath *path, guint degree,
 
 /* Reads the text of a DXF file: lines, polylines with bulges, arcs, circles, ellipses, splines,
  * solids and inserts nested to any sensible depth, those of layer 0 in a block on the layer of
- * its insert; faces in space and boundaries of hatches where there is nothing else. What lies in an
- * upright plane is seen from the front. Layers that are off or frozen are marked as hidden, invisible
- * parts left out. The text is in UTF-8 or in the code page that the file states. `drawing` is overwritten without being cleared and holds nothing on failure;
- * errors are one line with file and line, domain QN_IO_ERROR. */
+ * its insert; faces in space and boundaries of hatches where there is nothing else. Entities in an
+ * upright plane are seen from the front. Layers that are off or frozen are marked as hidden, invisible
+ * parts left out. The text is in UTF-8 or in the code page that the file states. `drawing` is overwritten
+ * without being cleared, empty on failure; errors are one line with file and line, domain QN_IO_ERROR. */
 gboolean qn_dxf_import (const char *text, gsize length, const char *name,
                         QnDrawing *drawing, GError **error);
 
 /* Reads path, polygon, polyline, rect, circle, ellipse and line elements where the standard (SVG 2)
  * places them: transforms, lengths with units, view ports, used elements and symbols; the label or id
- * of the innermost group is the layer. What attributes, style or style sheets do not show, or paint with
- * nothing, is marked as hidden. A hole in a shape is cut out where it reaches the edge, else told. The y
+ * of the innermost group is the layer. Shapes that attributes, style or style sheets hide, or do not
+ * paint, are marked as hidden. A hole in a shape is cut out where it reaches the edge, else told. The y
  * axis is turned upwards. The unit follows from a width with a unit and the view box. The file may be
  * compressed by gzip. Same contract as qn_dxf_import(). */
 gboolean qn_svg_import (const char *text, gsize length, const char *name,
@@ -111,8 +111,8 @@ gboolean qn_svg_import (const char *text, gsize length, const char *name,
 /* Reads blocks that are prisms with a common direction along y, z or x, tried in this order, from what the
  * classes of COMPAS write as JSON: assemblies of all versions, networks, models with elements; and from
  * Wavefront's OBJ, where an object is a block. The faces of the front become one outline, z (or y)
- * upwards, in metres; `is_support` makes a support. A view in which blocks lie behind each other is none.
- * The view is told, and what spoils the first one. Same contract as qn_dxf_import(). */
+ * upwards, in metres; `is_support` makes a support. A view in which blocks lie behind each other is
+ * rejected. Notes name the view, and why the first one was rejected. Same contract as qn_dxf_import(). */
 gboolean qn_compas_import (const char *text, gsize length, const char *name,
                            QnDrawing *drawing, GError **error);
 
@@ -123,7 +123,7 @@ gboolean qn_compas_import (const char *text, gsize length, const char *name,
  *   rho = 2400
  *   material = 0
  *
- * in metres. Finite elements (FE) and what else stands there is counted and left out. Same
+ * in metres. Finite elements (FE) and all other text are counted and left out. Same
  * contract as qn_dxf_import(). */
 gboolean qn_hybridfem_import (const char *text, gsize length, const char *name,
                               QnDrawing *drawing, GError **error);

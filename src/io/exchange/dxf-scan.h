@@ -2,8 +2,8 @@
  *
  * A DXF file is a list of pairs: a line with a number that says what the next line is. Every pair is
  * checked, so that a bad file is refused with its line; entities that are no outlines are counted
- * and left out. What an entity says of its shape is kept as it is, in its own coordinates:
- * dxf-import.c puts it in its place.
+ * and left out. The shape of an entity is kept in its own coordinates: dxf-import.c puts it in its
+ * place.
  */
 #pragma once
 

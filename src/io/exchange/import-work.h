@@ -1,7 +1,6 @@
-/* Private to making a project of a drawing (drawing-import.h): what its steps share, and the steps,
- * in the order in which drawing-import.c takes them. Each changes the work and adds to the report
- * what it did. Where memory runs out they set `no_memory` or return QN_ERROR_NO_MEMORY; the work
- * can be cleared then as ever.
+/* Private to making a project of a drawing (drawing-import.h): shared data, and the steps in the order of
+ * drawing-import.c. Each changes the work and adds lines to the report. Where memory runs out they
+ * set `no_memory` or return QN_ERROR_NO_MEMORY; the work must be cleared then, too.
  */
 #pragma once
 
@@ -30,8 +29,7 @@ typedef struct QnImportWork {
   GArray *outlines;                /* QnOutline */
   QnSegments soups[QN_ROLE_COUNT]; /* open lines, m, by what their faces become */
   gboolean has_mortar;             /* gaps became blocks */
-  gboolean
-    no_memory; /* some of what was drawn is lost: refused at the next opportunity */
+  gboolean no_memory; /* outlines are lost: the next step that can fail does */
 } QnImportWork;
 
 /* ---- import-work.c: shared by several steps ---- */
@@ -97,7 +95,7 @@ void qn_import_drop_repeated (QnImportWork *work);
  * too. */
 QnStatus qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag);
 
-/* import-heal.c. Welds vertices, fits neighbours to each other and leaves out what collapsed. */
+/* import-heal.c. Welds vertices, fits neighbours to each other and leaves out outlines without area. */
 QnStatus qn_import_heal (QnImportWork *work, QnDiag *diag);
 
 /* Finds joints of mortar, reports them, and closes or fills them by the settings. */

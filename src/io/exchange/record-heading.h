@@ -1,6 +1,6 @@
-/* What the heading of a record of ground motion says: quantity, unit, time step, how many samples.
- * Private to reading records (record-read.c). All of it is read whoever wrote the file: PEER, ESM,
- * COSMOS, CSMIP, K-NET, AFAD, or a person in a table's first line or a comment. */
+/* The heading of a record of ground motion: quantity, unit, time step, number of samples. Private to
+ * reading records (record-read.c). One reader for all: PEER, ESM, COSMOS, CSMIP, K-NET, AFAD, the first
+ * line of a table, comments. */
 #pragma once
 
 #include "core/base/base.h"
@@ -47,7 +47,7 @@ QnRecordQuantity qn_record_quantity_of_name (const char *name);
 /* Whether a column of this name belongs to a spectrum: "Period (s)", "Sa [g]", "frequency". */
 gboolean qn_record_is_of_spectrum (const char *name);
 
-/* Whether the line says how many samples follow it, as those of COSMOS and CSMIP do. */
+/* Whether the line states the number of samples that follow it, as in COSMOS and CSMIP. */
 gboolean qn_record_is_descriptor (const char *line);
 
 /* Reads the lines before `end`. */

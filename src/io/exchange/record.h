@@ -11,12 +11,12 @@
  *
  * The kind is told from the contents, encoded in UTF-8, UTF-16 or Windows-1252. Units are m/s2, cm/s2
  * (also gal), mm/s2, um/s2, nm/s2, ft/s2, in/s2 and g = 9.80665 m/s2 (also mg, %g, g/10), however
- * spelt. Where a file does not state its unit or its time step, they must be given. It is an error to
- * give another one than the file states, and for its heading to state two, or
- * another number of samples than there are; where it has the unit from
- * its largest acceleration alone, that must be the one of the data. Records of velocity and of
- * displacement, and spectra, are refused. Raw data of K-NET have an offset, which goes where the
- * largest acceleration that their heading states is one without it.
+ * spelt. If a file does not state its unit or its time step, they must be given. Errors: a given unit
+ * or time step that differs from the file's; a heading with two of them, or with another number of
+ * samples; a largest acceleration in the heading, which alone states
+ * the unit, that the data do not have.
+ * Records of velocity and of displacement, and spectra, are refused. The offset of raw data of K-NET
+ * is removed if the largest acceleration in their heading is one without it.
  */
 #pragma once
 
@@ -29,10 +29,10 @@ typedef struct QnRecord {
   double offset;    /* m/s2, taken off raw data */
 } QnRecord;
 
-/* Reads a record, or if `spectrum` accelerations by periods, s. unit (nullable) and time_step (0: not given)
- * are those that the file does not say.
- * `record` is overwritten without being cleared and holds nothing on failure. Errors: QN_IO_ERROR,
- * with the line where there is one. */
+/* Reads a record, or if `spectrum` accelerations by periods, s. `unit` (nullable) and `time_step` (s; 0: not
+ * given): of files that do not state them. `record` is overwritten
+ * without being cleared and holds nothing on
+ * failure. Errors: QN_IO_ERROR, with the line where there is one. */
 gboolean qn_record_read (const char *path, const char *unit, double time_step,
                          gboolean spectrum, QnRecord *record, GError **error);
 
@@ -43,7 +43,7 @@ gboolean qn_record_parse (const char *text, gsize length, const char *name,
 
 void qn_record_clear (QnRecord *record);
 
-/* What a record amounts to, without correction of the base line. */
+/* Duration and peaks of a record, without correction of the base line. */
 typedef struct QnRecordFacts {
   double duration;     /* s */
   double peak;         /* m/s2 */
@@ -55,7 +55,7 @@ typedef struct QnRecordFacts {
 
 QnRecordFacts qn_record_facts (const QnRecord *record);
 
-/* What the user must look at: a peak above 3 g, many samples far apart, an offset. NULL where there is nothing. */
+/* Warnings: a peak above 3 g, many samples far apart, an offset; NULL: none. Free with g_free(). */
 char *qn_record_dup_doubt (const QnRecord *record);
 
 /* Writes time and acceleration as CSV that says its unit. */

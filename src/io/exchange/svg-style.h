@@ -1,5 +1,5 @@
-/* Attributes and style of elements of SVG, as far as they decide where a shape is and whether it is
- * seen. Private to reading SVG (svg-import.c). */
+/* Attributes and style of elements of SVG that decide on the place and the visibility of a shape. Private to
+ * reading SVG (svg-import.c). */
 #pragma once
 
 #include <glib.h>

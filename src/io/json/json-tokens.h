@@ -1,7 +1,7 @@
-/* The tokens of a JSON text (RFC 8259), strictly, in one array: what all reading of JSON is made of.
+/* The tokens of a JSON text (RFC 8259), strictly, in one array, for all readers of JSON.
  *
- * Nothing of the text is copied, so that large files can be read straight into arrays. Token 0 is the
- * value of the text; what a container holds follows it, each item's `next` being the one behind it:
+ * The text is not copied: large files are read straight into arrays. Token 0 is the value of the text;
+ * the items of a container follow it, and `next` of each is the item behind it:
  *
  *   for (gsize i = at + 1; i < json.tokens[at].next; i = json.tokens[i].next)
  *     … element i of an array, or key i of an object, whose value is token i + 1 …
@@ -10,8 +10,7 @@
 
 #include <glib.h>
 
-/* Deepest nesting of arrays and objects: ten times what our formats use, small enough for code
- * that follows the nesting by recursion. */
+/* Deepest nesting of arrays and objects: ten times that of our formats, small enough for recursion. */
 #define QN_JSON_MAX_DEPTH 100
 
 typedef enum {
@@ -48,18 +47,18 @@ void qn_json_clear (QnJson *json);
 /* Token of a member's value; 0 where there is none. */
 gsize qn_json_member (const QnJson *json, gsize at, const char *key);
 
-/* How many elements or members a container has. */
+/* Number of elements or members of a container. */
 gsize qn_json_count (const QnJson *json, gsize at);
 
-/* Value of a NUMBER: infinite where the text says more than a double holds. */
+/* Value of a NUMBER; infinite beyond the range of a double. */
 double qn_json_number (const QnJson *json, gsize at);
 
-/* Text of a STRING or KEY with escapes resolved; free with g_free(). And whether it reads `text`. */
+/* Text of a STRING or KEY with escapes resolved, free with g_free(); whether it equals `text`. */
 char *qn_json_dup_string (const QnJson *json, gsize at);
 gboolean qn_json_string_is (const QnJson *json, gsize at, const char *text);
 
-/* The same of any text: bytes of the string that begins with the quote at `quoted`, with its quotes, or
- * 0 where it is none; and what such a string reads. */
+/* Of any text: length in bytes, with its quotes, of the string that begins at `quoted`; 0: no string.
+ * And its value; free with g_free(). */
 gsize qn_json_string_length (const char *quoted);
 char *qn_json_unescape (const char *quoted);
 

@@ -61,8 +61,8 @@ char *qn_reader_dup_line (const QnReader *reader, const char *path, const char *
 char *qn_reader_dup_line_at (const QnReader *reader, const char *path,
                              const QnJsonPlace *place, const char *message);
 
-/* Records the error of a place; returns FALSE. The first form takes ownership of nothing, the
- * second formats. */
+/* Records the error of a place;
+ * returns FALSE. */
 gboolean qn_json_value_fail (const QnJsonValue *place, const char *message);
 gboolean qn_json_value_failf (const QnJsonValue *place, const char *format, ...)
   G_GNUC_PRINTF (2, 3);
@@ -71,15 +71,15 @@ gboolean qn_json_value_no_memory (const QnJsonValue *place);
 /* Adds a warning of a place to those of the reader. */
 void qn_json_value_warn (const QnJsonValue *place, const char *message);
 
-/* Tells of a value that changes nothing: a warning, or, where an override put it there, an error
- * (QN_IO_ERROR_OVERRIDE, FALSE): who has just typed a key must not get the answer of a project without
- * it. The second form is for a member whose key is none of `keys`, and names the nearest of them. */
+/* Reports a value without effect: a warning; an error (QN_IO_ERROR_OVERRIDE, FALSE) if an override set it,
+ * because its effect was asked for. The second form is for a member whose key is none of `keys`, and names
+ * the nearest of them. */
 gboolean qn_json_value_idle (const QnJsonValue *place, const char *message);
 gboolean qn_json_value_unknown (const QnJsonValue *member, const char *const *keys,
                                 gsize count);
 
-/* The same for every member of an object that is not among `keys`; what is warned of is kept in the
- * reader's `unknown`. */
+/* The same for every member of an object that is not among `keys`;
+ * the reader keeps them in `unknown`. */
 gboolean qn_json_value_check_keys (const QnJsonValue *object, const char *const *keys,
                                    gsize count);
 
@@ -116,10 +116,10 @@ gboolean qn_member_choice (const QnJsonValue *object, const char *key, QnNeed ne
  * range of a double are infinite. */
 cJSON *qn_json_parse (const char *text, gsize length, const char *name, GError **error);
 
-/* The one of `words` that the fewest slips of typing make of `word`: a letter too many, missing, wrong,
- * or two exchanged, each of them one (optimal string alignment, F. J. Damerau, Communications of the
- * ACM 7 (1964) 171-176; bytes, not characters). NULL where two slips or more would be more than a
- * third of the longer of the two. */
+/* The one of `words` nearest to `word` by the number of typing errors:
+ * a letter added, missing, wrong, or two
+ * exchanged (optimal string alignment, F. J. Damerau, Communications of the ACM 7 (1964) 171-176; bytes,
+ * not characters). NULL if it has two errors or more, and more than a third of the longer word. */
 const char *qn_nearest_word (const char *word, const char *const *words, gsize count);
 
 /* Replaces or adds one value of `root`, whose members and elements keep their order. The part

@@ -1,8 +1,7 @@
-/* Which number of a project's file an edit changes.
+/* Path of the number in a project's file that an edit changes.
  *
- * A form shows numbers of the model; a study varies numbers of the file. Where the one stands in the
- * other is known to the writer and the readers of projects alone: so it is found by writing the
- * project twice, before the edit and after it, and looking for what differs. */
+ * A form shows numbers of the model; a study varies numbers of the file. Only reading and writing relate
+ * them: so the project is written before and after the edit, and the texts are compared. */
 #pragma once
 
 #include <glib.h>

@@ -1,6 +1,6 @@
 /* Private to reading and writing project files: members inside entities (laws, blocks, loads,
- * stages, …), contact, loads and analysis that no layer uses. They are kept by what they stand in;
- * an entity carries the number of its members as its note, so that they go where it goes.
+ * stages, …), contact, loads and analysis that no layer uses. They belong to their owner; the
+ * note of an entity is the number of its members, so that they follow the entity.
  */
 #pragma once
 
@@ -10,7 +10,7 @@
 /* Where the project's extras keep them; no member of a document may be called that. */
 #define QN_INNER_MEMBER "\x01inner"
 
-/* Takes over what the reader found unknown: an object of objects by their paths, or NULL. */
+/* Takes over the unknown members of the reader: an object of objects by their paths, or NULL. */
 void qn_project_keep_inner (QnProject *project, cJSON *unknown);
 
 /* Of a project, by owner; NULL where there are none. Free with g_hash_table_unref(). */

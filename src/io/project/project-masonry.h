@@ -30,11 +30,11 @@ void qn_masonry_append_json (GString *json, const QnMasonry *masonry,
 gboolean qn_project_get_masonry (const QnProject *project, QnMasonries *list,
                                  GError **error);
 
-/* Makes plain blocks of what an object expanded to: the parameters are no longer written. */
+/* Makes the blocks of an object plain blocks: its parameters are no longer written. */
 void qn_project_detach_masonry (QnProject *project, QnId index);
 
 /* Leaves out the objects that no block comes from any more; the others get new numbers. */
 void qn_project_drop_detached (QnProject *project);
 
-/* Whether the file must still say something of object `index`: blocks of it remain. */
+/* Whether blocks of object `index` remain, so that the file must have it. */
 gboolean qn_project_has_masonry (const QnProject *project, QnId index);

@@ -1,5 +1,5 @@
-/* Members of an object of a project or result file as a table: which keys are known, how each is read
- * into a struct and written from it. Tables are read and written in their order, and end with { 0 }.
+/* Members of an object of a project or result file as a table: the keys, and how each is read into a
+ * struct and written from it. Tables are read and written in their order, and end with { 0 }.
  */
 #pragma once
 
@@ -29,8 +29,8 @@ typedef enum {
 } QnMemberKind;
 
 typedef enum {
-  QN_USE_OPTIONAL, /* written where it is not as usual */
-  QN_USE_WRITTEN,  /* always written, need not be there when read */
+  QN_USE_OPTIONAL, /* written if it is not the default */
+  QN_USE_WRITTEN,  /* always written, optional when read */
   QN_USE_REQUIRED,
   QN_USE_READ /* optional; written by code */
 } QnMemberUse;
@@ -96,8 +96,8 @@ gboolean qn_members_check (const QnJsonValue *object, const QnMember *first,
 gboolean qn_members_take (const QnJsonValue *object, const QnMember *members,
                           const QnModel *model, gpointer target);
 
-/* Writes the members behind those that the object has, those left out that are as in `usual`, which
- * may be NULL where all are required. */
+/* Appends the members to an object, without those that equal
+ * `usual` (NULL where all are required). */
 void qn_members_write (GString *json, const QnMember *members, const QnModel *model,
                        gconstpointer source, gconstpointer usual);
 
@@ -105,8 +105,8 @@ void qn_members_write (GString *json, const QnMember *members, const QnModel *mo
 void qn_members_put (GString *json, const char *key, const QnMember *members,
                      const QnModel *model, gconstpointer source, gconstpointer usual);
 
-/* Finds the entity that a value, a string, names; the same of a member, where an optional one that is
- * not there leaves *id as it is. */
+/* Index of the entity whose name a value is; the same of a member: a missing optional one leaves *id
+ * unchanged. */
 gboolean qn_read_name_of (const QnJsonValue *place, const QnModel *model, QnNamed named,
                           QnId *id);
 gboolean qn_read_name (const QnJsonValue *object, const char *key, QnNeed need,
@@ -121,7 +121,7 @@ void qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector);
 void qn_json_put_points (GString *json, const char *key, const QnVec2 *points,
                          gsize count);
 
-/* A number, left out where it is the usual one. */
+/* A number, left out if it equals `usual`. */
 void qn_json_put_unusual (GString *json, const char *key, double number, double usual);
 
 /* [a, b, …], as a value or as a member. */

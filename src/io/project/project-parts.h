@@ -1,15 +1,15 @@
 /* Private to reading and writing project files: a list of entities, or two functions, per
- * part of the document. One adds what it finds below `root`, the document, to the model and returns FALSE
- * with the reader's error set; the other appends the part in the canonical layout, with the members that no
- * layer knows (project-inner.h; `inner` may be NULL).
+ * part of the document. One reads the part from `root`, the document, into the model and returns FALSE with
+ * the reader's error set; the other appends the part in the canonical layout, with unknown members
+ * (project-inner.h; `inner` may be NULL).
  */
 #pragma once
 
 #include "core/model/model.h"
 #include "io/json/json-value.h"
 
-/* A list of entities: where the file has it ("analysis.stages") and the model, how an element is read and
- * added, and how the members of one are written. */
+/* A list of entities: its path in the file ("analysis.stages") and place in the model, a function that reads
+ * and adds an element, and one that writes its members. */
 typedef struct QnList {
   const char *path;
   gboolean (*read) (const QnJsonValue *place, QnModel *model);
@@ -34,7 +34,7 @@ extern const QnList qn_law_list, qn_block_list, qn_wall_list, qn_section_list,
 gboolean qn_read_list (const QnJsonValue *owner, const QnList *list, QnNeed need,
                        QnModel *model);
 
-/* Appends a list, one entity in a line, with the members that no layer knows; nothing for an empty one. */
+/* Appends a list, one entity a line, with unknown members; nothing for an empty list. */
 void qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
                           const QnList *list);
 

@@ -1,6 +1,6 @@
 /* Project files (*.quoin): a model with the other members of its file.
  *
- * The format is described key by key in data/project-format.md. What is required: `format`,
+ * The format is described key by key in data/project-format.md. Required: `format`,
  * `version`; `laws` and `contact.law`; `blocks` or `walls`; of a law `name`, `kind`, `kn`, `ks`
  * and, for coulomb, `friction`; of a block `vertices`, `thickness` and `unit_weight` or
  * `density`; of a wall `unit`, `courses`, `thickness` and `unit_weight` or `density`; of a load
@@ -45,16 +45,16 @@ gboolean qn_project_parse (const char *text, gsize length, const char *name,
 /* An empty project with the format's defaults, not prepared. */
 void qn_project_init (QnProject *project);
 
-/* What every new project begins with, prepared and without blocks: one law of this name, of
- * dry-jointed stone, for all contacts; the weights of the blocks as dead load, the same sideways as live load; load
- * control in large displacements. */
+/* A new project, prepared and without blocks: one law of this name, of dry-jointed stone, for all contacts;
+ * the weights of the blocks as dead load, and sideways as live load;
+ * load control in large displacements. */
 gboolean qn_project_begin (QnProject *project, const char *law, GError **error);
 
 void qn_project_clear (QnProject *project);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnProject, qn_project_clear)
 
-/* Writes the project in the canonical layout: what reads back is the same model. Overrides are
- * part of the model by then and so of the written file. */
+/* Writes the project in the canonical layout, which reads back as the same model. Overrides are part of
+ * the model, and so of the written file. */
 gboolean qn_project_save (const QnProject *project, const char *path, GError **error);
 
 /* The same as a string; free with g_free(). */
@@ -92,22 +92,22 @@ gboolean qn_project_prepare (QnProject *project, GError **error);
  * for a block of a wall, "loads.live[0]". `index` may be QN_NONE. Free with g_free(). */
 char *qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index);
 
-/* Turns what the core refused into an error with file, line, column, key path and the names of
- * the blocks concerned. */
+/* Makes of a diagnostic of the core an error with file, line, column, key path and the names of the blocks
+ * concerned. */
 void qn_project_set_error (const QnProject *project, const QnDiag *diag, GError **error);
 
-/* The same for what a layer above refuses: the value at a key path ("analysis.geometry"), there or
- * not. `message` is translated. */
+/* The same for a refusal of a layer above: the value at a key path ("analysis.geometry"), which may be
+ * missing. `message` is translated. */
 void qn_project_set_key_error (const QnProject *project, const char *path,
                                const char *message, GError **error);
 
-/* The number of a finding with what it is: a width in `unit`, which is its value times `factor`, or
- * how many times what is right, and the remedy; NULL where there is none. */
+/* The number of a finding as text: a width in `unit` (value times `factor`), or a multiple of the right value
+ * with the remedy; NULL: no number. Free with g_free(). */
 char *qn_project_dup_finding_value (const QnFinding *finding, const char *unit,
                                     double factor);
 
-/* What a finding about a range says: the number, the range and what is probably meant. Free with
- * g_free(). */
+/* Text of a finding about a range: the number, the range and the
+ * probable error. Free with g_free(). */
 char *qn_range_dup_text (const QnFinding *finding);
 
 /* The findings of contact detection, each as one line in the same form as an error message: an array

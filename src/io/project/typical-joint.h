@@ -19,7 +19,7 @@ typedef struct QnTypicalJoint {
   double cohesion;    /* Pa */
   double fracture;    /* J/m2, energy of slip; exponential softening; 0: brittle */
   double kn, ks;      /* Pa/m, of the joint: each of its two springs has twice as much */
-  double unit_weight; /* N/m3, of what it joins */
+  double unit_weight; /* N/m3, of the blocks */
   const char *source; /* to be translated where it is shown; files have it as it is */
 } QnTypicalJoint;
 

@@ -1,8 +1,8 @@
-/* What a result file contains twice, and what follows from the rest of it: words, names, counts,
- * the facts of the mechanism, ends of the interval.
+/* Redundant members of a result file: words, names, counts, the facts of the mechanism, ends of the
+ * interval.
  *
- * A result that was read is written again, and both texts are compared member by member. What the program
- * would write otherwise contradicts the rest of the file.
+ * A result that was read is written again, and both texts are compared member by member. A member that
+ * the program would write differently contradicts the rest of the file.
  */
 #pragma once
 

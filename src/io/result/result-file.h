@@ -9,7 +9,7 @@
 #include "io/project/project.h"
 #include "io/result/result-file.h"
 
-/* What the file contains about a contact pair besides its forces. */
+/* Geometry of a contact pair in the file. */
 typedef struct QnResultContact {
   QnId face;             /* number of the detected face */
   QnId block_a, block_b; /* into block_names */
@@ -31,11 +31,11 @@ typedef struct QnResultFile {
   QnResult result;
 } QnResultFile;
 
-/* What a result file contains about every contact pair. */
+/* Contents of a result file about contact pairs. */
 typedef enum {
   QN_DETAIL_FORCES, /* its force */
   QN_DETAIL_PAIRS,  /* the hinge and its two springs as well */
-  QN_DETAIL_STEPS,  /* forces, and those of every step however many they are */
+  QN_DETAIL_STEPS,  /* forces of every step, whatever the size */
   QN_DETAIL_COUNT
 } QnResultDetail;
 
@@ -65,8 +65,8 @@ gboolean qn_result_file_match (const QnResultFile *file, const char *name,
                                const QnProject *project, const QnContacts *contacts,
                                gboolean *same_bytes, GError **error);
 
-/* Refuses a file that was computed from another project than this; finds what else is not true. The project was
- * loaded with the file's overrides, `name` is the result file's. */
+/* Refuses a file that was computed from another project; else finds its faults. The project must be loaded with
+ * the overrides of the file; `name` is that of the result file. */
 gboolean qn_result_file_find_faults (const QnResultFile *file, const char *name,
                                      const QnProject *project, const QnContacts *contacts,
                                      QnResultFaults *faults, GError **error);

@@ -11,10 +11,10 @@
 void qn_result_history_write (QnFileWriter *writer, const QnModel *model,
                               const QnResult *result);
 
-/* Adds what contacts that follow the blocks have become, members `found` and `left` of an object. */
+/* Adds contacts found and joints released, members `found` and `left` of an object. */
 void qn_result_found_write (QnFileWriter *writer, const QnResult *result);
 
-/* Reads the member, at this token (0: none), or what stands outside it of an analysis without time, into a
- * result with steps and blocks. */
+/* Reads these members, at their tokens (0: none), into a result with steps and blocks; `found` and `left` are
+ * outside the history where the analysis is not one in time. */
 gboolean qn_result_history_read (QnJson *json, gsize history, gsize found, gsize left,
                                  QnResult *result);

@@ -1,7 +1,7 @@
 /* Private to result files: how values of tokens are read, and the tables of members by which objects
  * are read and written (io/project/project-members.h).
  *
- * What reads takes the token of the value and returns FALSE with the error of `json` set. */
+ * Readers take the token of the value and return FALSE with the error of `json` set. */
 #pragma once
 
 #include "core/result/result.h"
@@ -39,7 +39,7 @@ typedef struct QnEventMembers {
   gsize blocks;
 } QnEventMembers;
 
-/* Places of a fault: as many as kinds of what it may be at, all but one QN_NONE. */
+/* Places of a fault, one for each kind of entity; all but one are QN_NONE. */
 #define QN_FAULT_PLACES 6
 extern const QnEntity qn_fault_entities[QN_FAULT_PLACES];
 
@@ -49,7 +49,7 @@ typedef struct QnRefusedMembers {
   QnId places[QN_FAULT_PLACES];
 } QnRefusedMembers;
 
-/* Of a result: the document's head, limit analysis, and what stands alone. */
+/* Of a result: the head of the document, limit analysis, single members. */
 extern const QnMember qn_outcome_members[], qn_limit_members[], qn_bound_members[],
   qn_broken_members[], qn_beyond_members[], qn_unproved_members[];
 
@@ -61,8 +61,8 @@ extern const QnMember qn_solution_members[], qn_vibration_members[],
   qn_step_lists[];
 
 /* Reads an object by tables, up to a NULL, of together at most 64 members: those given twice and
- * required ones that are missing are errors, unknown ones are skipped. What is not there is left as
- * it is. */
+ * required ones that are missing are errors, unknown ones are skipped. Missing optional members leave
+ * their field unchanged. */
 gboolean qn_result_members_read (QnJson *json, gsize at, const QnMember *const *tables,
                                  gpointer target);
 

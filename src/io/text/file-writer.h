@@ -1,5 +1,5 @@
-/* Writing a file so that a crash, a full disk or a cancelled run never leaves half of it; how, and
- * what "-", devices and pipes are, says disk/whole-file.h.
+/* Writing a file whole or not at all, whatever fails; "-",
+ * devices and pipes: see disk/whole-file.h.
  *
  *   QnFileWriter *writer = qn_file_writer_open (path, &error);
  *   if (writer == NULL)
@@ -7,8 +7,8 @@
  *   qn_file_writer_puts (writer, "…");
  *   return qn_file_writer_commit (writer, &error);
  *
- * Trouble while writing is remembered and reported by the commit, so that the code that makes
- * the bytes needs no checks.
+ * The first error is kept and reported by the commit:
+ * callers need no checks before.
  */
 #pragma once
 
@@ -36,7 +36,7 @@ void qn_file_writer_printf (QnFileWriter *writer, const char *format, ...)
   G_GNUC_PRINTF (2, 3);
 
 /* The shortest decimal text that reads back as the same double; see number-text.h. Or rounded by a printf
- * format. What is not finite is refused: the file is not written, with EDOM. */
+ * format. A number that is not finite is an error, EDOM: the file is not written. */
 void qn_file_writer_number (QnFileWriter *writer, double number);
 void qn_file_writer_rounded (QnFileWriter *writer, double number, const char *format);
 
@@ -57,10 +57,10 @@ void qn_file_writer_json (QnFileWriter *writer, const char *format, ...)
 void qn_file_writer_csv (QnFileWriter *writer, const char *format, ...)
   G_GNUC_PRINTF (2, 3);
 
-/* What has been written and not yet been handed on, to append to. */
+/* The buffer of text not yet written to the file, to append to. */
 GString *qn_file_writer_buffer (QnFileWriter *writer);
 
-/* Whether something has already gone wrong: a long writing loop may stop early. */
+/* Whether an error has occurred: a long writing loop may stop early. */
 gboolean qn_file_writer_failed (const QnFileWriter *writer);
 
 /* Completes the file and frees the writer. On failure the target is as it was before. */

@@ -12,12 +12,12 @@ char *qn_mechanism_dup_title (const QnMechanism *mechanism);
 /* One sentence: name, numbers of hinges, sliding and opening joints. The caller frees. */
 char *qn_mechanism_dup_sentence (const QnMechanism *mechanism);
 
-/* Whole sentences: what the mechanism is called, what the largest bodies do and about which
- * points, how many joints hinge, slide and open. Free with g_free(). */
+/* Whole sentences: name of the mechanism, motion of the largest bodies with their centres, number of
+ * joints that hinge, slide and open. Free with g_free(). */
 char *qn_mechanism_dup_text (const QnModel *model, const QnMechanism *mechanism);
 
-/* The same of a result, with the plastic hinges of its beams; where only these move the structure,
- * them alone. NULL where it has no mechanism, or no memory is left. */
+/* The same of a result, with the plastic hinges of its beams; without the joints if only the hinges move
+ * the structure. NULL where it has no mechanism, or no memory is left. */
 char *qn_collapse_dup_text (const QnModel *model, const QnContacts *contacts,
                             const QnResult *result);
 

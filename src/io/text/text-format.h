@@ -1,13 +1,13 @@
-/* printf() for what people read. Numbers that are none, and line breaks in names, do not reach them. */
+/* printf() for messages, safe against NaN, infinities and line breaks in names. */
 #pragma once
 
 #include <glib.h>
 #include <stdarg.h>
 
 /* As g_strdup_printf(), but a number that is not finite is shown as "–", and a line break within an
- * argument as \u000a: names and titles come from files of anybody, and a break in one would make a
- * line that looks like the program's. Conversions are %s, %c, and those of int, long, size_t and
- * double, without positions. *finite, which may be NULL, becomes FALSE where a number was none. */
+ * argument as \u000a: a line break in a name from a file would make a line that looks like a message of
+ * the program. Conversions are %s, %c, and those of int, long, size_t and
+ * double, without positions. *finite (nullable) becomes FALSE if a number was not finite. */
 char *qn_text_printf (const char *format, ...) G_GNUC_PRINTF (1, 2);
 char *qn_text_vprintf (gboolean *finite, const char *format, va_list arguments)
   G_GNUC_PRINTF (2, 0);
@@ -19,9 +19,8 @@ void qn_text_append (GString *text, const char *format, ...) G_GNUC_PRINTF (2, 3
  * widths in m. The caller frees it. */
 char *qn_widths_dup_text (double narrowest, double mean, double widest);
 
-/* Whether a terminal takes a character for itself: it is no command (line break and tab may be), does
- * not end the line (U+2028, U+2029), and does not turn the direction of what follows (U+202A to U+202E,
- * U+2066 to U+2069). */
+/* Whether a character is safe on a terminal: no control character but line break and tab, no line end
+ * (U+2028, U+2029), no change of the text direction (U+202A to U+202E, U+2066 to U+2069). */
 static inline gboolean
 qn_is_plain_character (gunichar c)
 {

@@ -9,7 +9,7 @@
 /* "slack", "elastic", "yields", "anchor gives". */
 const char *qn_tie_state_text (QnTieState state);
 
-/* The step at which a tie has its largest force, the first of equal ones; -1 where no step tells it. */
+/* The step with the largest force of a tie, the first of equal ones; -1: forces not known. */
 gssize qn_tie_worst_step (const QnResult *result, gsize tie);
 
 /* Force of a tie over its strength; 0 if the strength is unlimited. */

@@ -3,7 +3,7 @@
 
 #include "render/drawing/scene.h"
 
-/* What a drawing cost. */
+/* Commands of a drawing. */
 typedef struct QnDrawCounts {
   size_t drawn;   /* commands */
   size_t skipped; /* outside the viewport or too small to be seen */

@@ -3,8 +3,8 @@
 
 #include "render/backend/gl-batch.h"
 
-/* What is the same for all vertices of a shape. Its points are places in the model, or, where
- * `in_points`, offsets in pt from `at`. */
+/* Data common to all vertices of a shape. Its points are places in the model, or, if `in_points`, offsets
+ * in pt from `at`. */
 typedef struct QnGlBrush {
   QnGlBatch *batch;
   GArray *scratch;        /* of uint32_t */

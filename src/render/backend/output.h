@@ -1,4 +1,4 @@
-/* Where a picture goes: size, resolution, ground, format and what the file says of itself.
+/* Output of a picture: size, resolution, ground, format and metadata.
  *
  * Every export of this layer goes through qn_page_export(): the page is drawn into memory,
  * encoded into memory and only then written, to a temporary file that takes the final name at
@@ -26,8 +26,8 @@ typedef struct QnOutput {
   QnBackend backend; /* GL applies to PNG figures; vector formats are always Cairo */
 } QnOutput;
 
-/* What PNG text chunks, SVG metadata and PDF information dictionaries carry. All strings are
- * borrowed and may be NULL. */
+/* Contents of PNG text chunks, SVG metadata and PDF information dictionaries. All strings are borrowed
+ * and may be NULL. */
 typedef struct QnMetadata {
   const char *title;
   const char *model;        /* file name of the model */
@@ -41,7 +41,7 @@ typedef struct QnPage {
   double width, height; /* px */
   double unit;          /* px per typographic point, as styles use it */
   bool antialias, transparent;
-  struct QnGlPainter *painter; /* of whoever made the page; NULL: Cairo draws */
+  struct QnGlPainter *painter; /* borrowed; NULL: Cairo draws */
 } QnPage;
 
 /* 1600 x 1200 px on white, Cairo, antialiased. */
@@ -56,8 +56,8 @@ bool qn_output_parse_size (QnOutput *output, const char *text, GError **error);
 /* The format by the ending of the path; "-" (standard output) is PNG. */
 bool qn_format_of_path (const char *path, QnFormat *format, GError **error);
 
-/* Checks the size and translates it into px. Refuses what is not positive or has more than
- * 32,000 px on a side or 2^28 px in all. */
+/* Checks the size and converts it into px. Refuses sizes that are not positive, and more than 32,000 px
+ * on a side or 2^28 px in all. */
 bool qn_output_page (const QnOutput *output, QnPage *page, GError **error);
 
 /* Draws one page; false with an error to give up. */

@@ -13,8 +13,8 @@
 #include <glib.h>
 #include <stdbool.h>
 
-/* How far beyond each side of the rectangle the plane is shown, in its width or height: towards the
- * horizon it would go on without end. */
+/* Margin of the plane shown beyond each side of the rectangle, in its width or height: towards the horizon
+ * the plane has no end. */
 #define QN_RECTIFY_MARGIN 1.0
 
 /* Pixels of the picture that is made, at most. */

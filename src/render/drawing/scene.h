@@ -1,4 +1,4 @@
-/* The scene: everything that is to be seen, as one sorted array of drawing commands.
+/* The scene: the whole picture as one sorted array of drawing commands.
  *
  * Builders (scene/scene-build.h) decide what is drawn; the back ends (draw-cairo.h, draw-gl.h)
  * and the picker (pick.h) only walk this array and agree therefore by construction.
@@ -54,7 +54,7 @@ typedef enum {
   QN_MARKER_COUNT
 } QnMarker;
 
-/* What a command stands for when it is picked. */
+/* Kind of the entity of a command, for picking. */
 typedef enum {
   QN_PICK_NOTHING,
   QN_PICK_BLOCK,
@@ -77,7 +77,7 @@ typedef struct QnCommand {
   float angle; /* rad, counter-clockwise: direction of a marker or of a line of text */
   float align_x,
     align_y;    /* text: 0 = the point is left/bottom, 0.5 middle, 1 right/top */
-  float extent; /* m: size of what this annotates; left out below `least` px. 0: always */
+  float extent; /* m: size of the annotated object; drawn from `least` pt on. 0: always */
   float least;  /* pt */
   float most;   /* pt: left out where `extent` is as large or larger. 0: never */
   uint32_t first, count; /* into QnScene.points */
@@ -140,7 +140,7 @@ QnCommand *qn_scene_text (QnScene *scene, QnLayer layer, QnVec2 at, double size,
 void qn_scene_arrow (QnScene *scene, QnLayer layer, QnVec2 from, QnVec2 to, double width,
                      QnColor color, QnPickKind pick, QnId id, double extent);
 
-/* What a command stands for when it is picked. */
+/* Sets the entity of a command, for picking. */
 static inline void
 qn_command_set_pick (QnCommand *command, QnPickKind pick, QnId id)
 {
@@ -148,7 +148,7 @@ qn_command_set_pick (QnCommand *command, QnPickKind pick, QnId id)
   command->id = id;
 }
 
-/* Size of what a command annotates, m: where that is less than `least` pt, it is left out. */
+/* Size of the annotated object, m: the command is left out if that is less than `least` pt. */
 static inline void
 qn_command_set_extent (QnCommand *command, double extent, double least)
 {
@@ -192,7 +192,7 @@ qn_scene_points (const QnScene *scene, const QnCommand *command)
 QnColor qn_color_bar_color (const QnColorBar *bar, double value, int monochrome);
 
 /* Whether a command is worth drawing: inside the viewport and not below its least size. Both
- * back ends and the picker ask this one question. */
+ * back ends and the picker use it. */
 bool qn_command_is_visible (const QnCommand *command, const QnCamera *camera,
                             QnBox visible);
 

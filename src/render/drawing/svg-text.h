@@ -1,6 +1,6 @@
 /* Text of an SVG that stays text: to be searched, edited and read aloud. Cairo draws letters there as
- * outlines; so a text leaves a rectangle of a colour of its own among what is drawn before and after
- * it, which is replaced by the text once the SVG is written.
+ * outlines; so a text is drawn as a rectangle with a colour of its own, which is replaced by the text
+ * once the SVG is written.
  */
 #pragma once
 
@@ -22,5 +22,5 @@ bool qn_svg_text_draw (cairo_t *cr, PangoLayout *layout, const QnTextStyle *styl
 /* Puts the texts where their rectangles are. */
 void qn_svg_text_insert (GString *svg, const GPtrArray *texts);
 
-/* Text as XML: what no XML document may hold, not even as a reference, becomes U+FFFD. */
+/* Text as XML: characters that XML forbids become U+FFFD. Free with g_free(). */
 char *qn_xml_dup_text (const char *text);

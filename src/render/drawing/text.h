@@ -6,8 +6,8 @@
 #include <cairo.h>
 #include <stdbool.h>
 
-/* Where a text goes whose box this would be, in px of the page: moves it, or says false to leave the
- * text out. */
+/* Moves the box of a text, px of the page, to a free
+ * place; false: leave the text out. */
 typedef bool (*QnTextPlace) (void *data, cairo_rectangle_t *box);
 
 typedef struct QnTextStyle {
@@ -19,13 +19,13 @@ typedef struct QnTextStyle {
   void *place_data;
 } QnTextStyle;
 
-/* A number as text, with the decimal sign of the language that words are in, so that a picture is
- * of one piece whatever the locale's numbers look like, and powers as "2·10⁻⁷"; `format` is one
- * printf() conversion of a double. Newly allocated. */
+/* A number as text, with the decimal sign of the language of the
+ * words, whatever the locale of numbers, and
+ * powers as "2·10⁻⁷"; `format` is one printf() conversion of a double. Newly allocated. */
 char *qn_label_number (const char *format, double value);
 
-/* A number, with what stands behind it, whose exponent is written as a power: "2e-07 m" as "2·10⁻⁷ m".
- * Takes the text. */
+/* A number and the text behind it, with the exponent as a power: "2e-07 m" as "2·10⁻⁷ m". Takes over the
+ * text. */
 char *qn_label_power (char *number);
 
 /* Size of the text in px. */

@@ -1,4 +1,4 @@
-/* Triangles that cover a simple polygon, for back ends that know nothing else. */
+/* Triangles that cover a simple polygon, for back ends that draw only triangles. */
 #pragma once
 
 #include "core/base/vec2.h"

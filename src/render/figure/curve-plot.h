@@ -12,16 +12,16 @@ typedef struct QnCurve {
   double *x;         /* displacement in SI (m or rad), `count` values; owned */
   double *y;         /* multiplier; owned */
   bool in_time;      /* of an analysis in time: x is the time, s, y the displacement */
-  bool settles;      /* x is a settlement, y what the supports that settle take, N */
-  char *set;         /* whose multiplier y is; NULL: that of the live loads. Owned */
-  char *loads, *loaded; /* what these are at multiplier 1, and the bodies they act on, as
+  bool settles;      /* x is a settlement, y the reaction of the settling supports, N */
+  char *set;         /* load set of the multiplier y; NULL: live loads. Owned */
+  char *loads, *loaded; /* the loads at multiplier 1, and the bodies they act on, as
                            text that is equal for equal loads; owned */
-  size_t bodies;        /* how many the structure has */
+  size_t bodies;        /* of the structure */
   bool
-    since_dead; /* displacements leave out what the dead load has moved, which is not 0 */
+    since_dead; /* displacements count from the dead load, whose displacements are not 0 */
   const char
-    *component;  /* "ux", "uy" or "rz": what moves; NULL: the plot's label says it */
-  bool rotation; /* what moves turns: rad instead of m */
+    *component;  /* "ux", "uy" or "rz": component of x; NULL: see the label of the plot */
+  bool rotation; /* x in rad instead of m */
   size_t count;
   double size; /* of the structure in linear geometry, m: no motion is as large; 0: any */
   ptrdiff_t limit_point;    /* index of the point marked as first limit, or -1 */
@@ -54,10 +54,10 @@ bool qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult 
  * same bodies, whatever the names of their sets. */
 bool qn_curve_shares_axes (const QnCurve *a, const QnCurve *b);
 
-/* Where a curve has nothing more to tell: from near its peak on the multiplier stays as it is to
- * the end, while the displacement grows to many times what it was. Gives a displacement a little
- * beyond the peak. Likewise where a motion in linear geometry exceeds the structure: a part of its size. False
- * where the whole curve matters, as where it descends from its peak. */
+/* End of the informative part of a curve: a displacement a little beyond the peak, if from there on the
+ * multiplier is constant while the displacement grows many times; a part of the size of the structure, if
+ * a motion in linear geometry exceeds it. False: show the whole curve, for example one that descends from
+ * its peak. */
 bool qn_curve_get_end (const QnCurve *curve, double *end);
 
 /* Ends the curve where it first leaves -until .. until; marks beyond are left out. */

@@ -1,5 +1,5 @@
-/* What stands around the structure in a figure: legend, colour bar and scale bar, laid out as
- * a row below it or a column beside it. Private to figures and sheets. */
+/* Legend, colour bar and scale bar of a figure, laid out as a row below the structure or a column
+ * beside it. Private to figures and sheets. */
 #pragma once
 
 #include "render/backend/output.h"
@@ -28,8 +28,8 @@ void qn_furniture_init (QnFurniture *furniture, const QnScene *scene, cairo_t *c
 void qn_furniture_clear (QnFurniture *furniture);
 
 /* For a plot between the heights *top and *bottom, px, from x on: draws its title (nullable) at the
- * top and makes furniture with the legend at the bottom, which the caller draws and clears. What is
- * left between *top and *bottom is the plot's. */
+ * top and makes furniture with the legend at the bottom, which the caller draws and clears. The plot
+ * gets the heights left between *top and *bottom. */
 void qn_furniture_init_plot (QnFurniture *furniture, const QnScene *legend, cairo_t *cr,
                              double unit, const char *title, bool monochrome, double x,
                              double width, double *top, double *bottom);

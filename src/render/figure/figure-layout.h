@@ -1,5 +1,5 @@
-/* Where the parts of a figure stand: titles, structure, furniture. Laid out once and drawn many
- * times, so that the frames of an animation do not jump. */
+/* Layout of a figure: titles, structure, furniture. Made once and drawn many times, so that the frames of
+ * an animation do not jump. */
 #pragma once
 
 #include "render/figure/figure-furniture.h"

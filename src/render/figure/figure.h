@@ -11,7 +11,7 @@ typedef struct QnFigure {
   QnViewOptions options;
   const char *title; /* above the picture; NULL: the model's title */
   const char
-    *caption; /* second line; NULL: what the view, step and result say; "": none */
+    *caption; /* second line; NULL: from the view, the step and the result; "": none */
 } QnFigure;
 
 void qn_figure_init (QnFigure *figure, const QnModel *model, const QnContacts *contacts,
@@ -29,10 +29,10 @@ GBytes *qn_figure_encode (const QnFigure *figure, QnFormat format, const QnOutpu
 /* Its title, or that of its model; NULL where there is none. */
 const char *qn_figure_title (const QnFigure *figure);
 
-/* The metadata, with the title and the multiplier of the figure where they say nothing. */
+/* The metadata, with the title and the multiplier of the figure where they have none. */
 QnMetadata qn_figure_metadata (const QnFigure *figure, const QnMetadata *metadata);
 
-/* Multiplier of what the figure shows; not-a-number where no result is shown. */
+/* Multiplier of the shown result; not-a-number: no result. */
 double qn_figure_multiplier (const QnFigure *figure);
 
 /* The second line of a figure as it would stand there by itself, or shorter for sheets; newly
@@ -45,7 +45,7 @@ typedef struct QnFrame {
   double scale;               /* px per m wanted; 0: as large as fits */
 } QnFrame;
 
-/* What a margin leaves of a page: so many points, at most a tenth of its smaller side. */
+/* The page less a margin of so many points, at most a tenth of its smaller side. */
 QnFrame qn_page_frame (const QnPage *page, double margin);
 
 /* Draws scene and furniture. `camera`, nullable, receives the camera used. */

@@ -1,5 +1,5 @@
 /* A document of pages: headings, paragraphs, tables, figures and curves, one below the other, as a
- * PDF whose text can be selected. What does not fit any more begins the next page. Equal input gives
+ * PDF whose text can be selected. Contents that do not fit begin the next page. Equal input gives
  * equal bytes. */
 #pragma once
 
@@ -16,7 +16,7 @@ typedef struct QnPages QnPages;
 /* An empty document; `footer` (copied) stands beneath every page with its number. */
 QnPages *qn_pages_new (QnPaper paper, const char *footer, const QnMetadata *metadata);
 
-/* What comes next begins a new page, unless nothing stands on this one. */
+/* Begins a new page, unless this one is empty. */
 void qn_pages_break (QnPages *pages);
 
 /* A title is larger than a heading; a heading stays with what follows it. */
@@ -31,7 +31,7 @@ void qn_pages_paragraph (QnPages *pages, const char *text);
 void qn_pages_table (QnPages *pages, const char *const *cells, size_t rows,
                      size_t columns);
 
-/* Words at the foot of the page; what comes next begins another. */
+/* Text at the foot of the page; then a new page begins. */
 void qn_pages_foot (QnPages *pages, const char *text);
 
 /* Figures and plots are numbered in the order they are drawn in, before their titles: the number that the

@@ -59,9 +59,9 @@ typedef struct QnBlockReading {
   double largest;         /* m, of its vertices */
 } QnBlockReading;
 
-/* What a contact that was found on the way does at a step to its two blocks: the one whose side it is,
- * and the one whose corner. Places and forces are told for each block as it was before it moved, as
- * those of joints are. */
+/* A contact found during the motion, at a step, with its two
+ * blocks: that of the side, and that of the
+ * corner. Places and forces are those on the undeformed blocks, as of joints. */
 typedef struct QnTouch {
   QnId found; /* index into the result's contacts found on the way */
   QnId block[2];
@@ -98,16 +98,16 @@ QnPairResult *qn_step_pairs (const QnContacts *contacts, const QnResult *result,
  * where none has. */
 bool *qn_step_left (const QnContacts *contacts, const QnResult *result, size_t step);
 
-/* How a joint has cracked. The width is what pictures, reports, tables and studies all mean: by how much the joint
- * is longer than it was built, less what the tension that is left in it (F, of the elastic stiffness k) strains,
+/* Crack of a joint. The width, the same in pictures, reports, tables and studies, is the elongation q of the
+ * joint less the elastic one of its remaining tension F (stiffness k),
  *
  *   w = q - max (F, 0) / k
  *
- * of joints by contact and by material alike: a dry joint that opens (F = 0) is as wide as it is open; of a bond
- * or of concrete that softens, w is what has opened in the crack (Hillerborg's crack opening), and nothing while
- * the joint is whole. Laws that yield in tension as in compression (bilinear, elastic-plastic, steel) do not
- * crack. Slip is not counted. Taken at the ends of the joint, with the force of the pair next to them, and at its
- * pairs; bars are none of them. */
+ * for joints by contact and by material alike: in a dry joint (F = 0) the opening; in a softening bond or
+ * concrete the crack opening (Hillerborg), 0 while the joint is whole.
+ * Joints of bilinear, elastic-plastic and
+ * steel laws do not crack. Slip is not counted. w is computed at the ends of the joint, with the force of the
+ * pair next to them, and at its pairs, without those of bars. */
 typedef struct QnCrack {
   const QnContactFace *face; /* NULL: there is no crack */
   double width, mean;        /* m: largest, and mean over the length of the joint */

@@ -5,9 +5,9 @@
 #include "render/scene/motion.h"
 #include "render/scene/view-options.h"
 
-/* Everything that a view shows of a model. `contacts` and `result` may be NULL where the view
- * does without; `result` must belong to the model. Returns NULL with a one-line error when
- * the view needs what is not there (a mechanism, a step). */
+/* The scene of a view. `contacts` and `result` may be NULL if the view does not need them; `result` must
+ * belong to the model. NULL with a one-line error if the view needs something that is missing (a
+ * mechanism, a step). */
 QnScene *qn_scene_build (const QnModel *model, const QnContacts *contacts,
                          const QnResult *result, const QnViewOptions *options,
                          GError **error);

@@ -1,4 +1,4 @@
-/* What a picture shows: the view of the command line and its switches, as plain data. */
+/* Contents of a picture: the view of the command line and its switches, as plain data. */
 #pragma once
 
 #include "core/base/box.h"
@@ -75,7 +75,7 @@ typedef struct QnUnderlay {
   QnVec2 points[4]; /* on the photo */
   double height;    /* of the rectangle, m */
   bool cropped;     /* to the rectangle */
-  QnBox seen;       /* what `image` shows of the rectangle's plane */
+  QnBox seen;       /* part of the rectangle's plane in `image` */
 } QnUnderlay;
 
 /* Corners of the image in the model, from the lower left one counter-clockwise. False without image. */

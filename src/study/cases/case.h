@@ -4,8 +4,8 @@
 #include "core/result/result.h"
 #include "study/plan/study.h"
 
-/* What became of a case. An analysis that found no equilibrium, or did not converge, is done as
- * well: its outcome says so. */
+/* Result of a case. An analysis without equilibrium, or that did not converge, has not failed: see
+ * its outcome. */
 typedef struct QnCaseResult {
   gboolean failed;
   char *outcome; /* as result files spell it; NULL where there is none. Owned */
@@ -16,7 +16,7 @@ typedef struct QnCaseResult {
   char *shape;                           /* of the mechanism (shape.h), nullable. Owned */
 } QnCaseResult;
 
-/* A case in full, for those who draw it. */
+/* A case in full, for pictures. */
 typedef struct QnCaseModel {
   QnProject project;
   QnContacts contacts;

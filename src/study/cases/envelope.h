@@ -68,8 +68,8 @@ gboolean qn_envelope_init (QnEnvelope *envelope, const QnModel *model,
                            const QnEnvelopeSettings *settings, GError **error);
 void qn_envelope_clear (QnEnvelope *envelope);
 
-/* Computes it; of lines being computed others may read what is done. QN_ERROR_CANCELLED where `progress`
- * says so; QN_ERROR_INVALID with the reason in `diag` otherwise. */
+/* Computes the envelope; other threads may read the first `done` positions meanwhile. QN_ERROR_CANCELLED by
+ * `progress`; QN_ERROR_INVALID with the reason in `diag`. */
 QnStatus qn_envelope_run (QnEnvelope *envelope, QnProgressFunc progress, void *data,
                           QnDiag *diag);
 
@@ -77,7 +77,7 @@ QnStatus qn_envelope_run (QnEnvelope *envelope, QnProgressFunc progress, void *d
 QnStatus qn_envelope_move (const QnEnvelope *envelope, QnEnvelopePlace at, QnModel *moved,
                            QnDiag *diag);
 
-/* Whether the analysis came to no answer there. */
+/* Whether the analysis found no answer there. */
 gboolean qn_envelope_is_open (const QnEnvelope *envelope, QnEnvelopePlace at);
 
 /* The multiplier found there; NaN: none. */
@@ -88,8 +88,8 @@ gboolean qn_envelope_find_least (const QnEnvelope *envelope, QnEnvelopePlace *le
 
 /* "CS 454 bogie 1.3 m, to the left" */
 char *qn_envelope_dup_line_name (const QnEnvelope *envelope, gsize line);
-/* The adequacy factor there as a sentence; and with lines below it: what its axles carry, and where `whole`
- * what is to be known of all positions, bounds and those without an answer. */
+/* The adequacy factor there as a sentence; the same with the total axle load and, if `whole`, notes on all
+ * positions: bounds, positions without an answer. Free with g_free(). */
 char *qn_envelope_dup_factor (const QnEnvelope *envelope, QnEnvelopePlace at);
 char *qn_envelope_dup_text (const QnEnvelope *envelope, QnEnvelopePlace at,
                             gboolean whole);

@@ -5,14 +5,14 @@
  *   shard-3-of-10.db                   the same of one slice, until it is gathered
  *   results/                           full results of single cases, on request
  *
- * Whoever computes holds a lock beside the database, which the system gives back when the
- * process ends in whatever way: a database has one writer at a time.
+ * The process that computes holds a lock beside the database; the system releases it when the
+ * process ends in any way: a database has one writer at a time.
  */
 #pragma once
 
 #include "study/plan/study.h"
 
-/* A slice of the cases: those whose place, divided by `count`, leaves `index`; 0 of 1 is all. */
+/* A slice of the cases: those whose place modulo `count` is `index`; 0 of 1 is all. */
 typedef struct QnShard {
   guint index, count;
 } QnShard;

@@ -8,14 +8,14 @@ typedef struct QnStudyProgress {
   gsize present;  /* of these, rows that are there */
   gsize failed;   /* of those computed now */
   double seconds; /* since the run began */
-  double to_go;   /* s, from the pace of this run; NaN: nothing is known yet */
+  double to_go;   /* s, estimated from this run; NaN: not known yet */
 } QnStudyProgress;
 
 /* Returns FALSE to end the run; computed cases are kept. */
 typedef gboolean (*QnStudyProgressFunc) (const QnStudyProgress *progress, gpointer data);
 
 typedef struct QnStudyRunSettings {
-  const char *program; /* that understands `study worker FOLDER`: quoin-cli */
+  const char *program; /* quoin-cli: it is started as `study worker FOLDER` */
   guint jobs;          /* worker processes, >= 1 */
   QnShard shard;
   gboolean keep;                /* full results of every case */

@@ -1,4 +1,4 @@
-/* The shape of a mechanism, in a form that cases with other blocks can be compared by.
+/* The shape of a mechanism, in a form that is comparable between cases with different blocks.
  *
  * The field of velocities is taken at the points of a grid over the box around the structure, at
  * each from the block that is nearest, and its components are rounded to 63 levels of the

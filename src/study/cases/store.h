@@ -3,7 +3,7 @@
  * Rows are written in transactions; until qn_store_commit() a crash leaves the database as it was
  * at the last one. Table `cases`: "case" (from 1), status (done, failed), a column for every
  * parameter and every output of the study, outcome, reason, seconds, version, model_sha256.
- * Table `study`: what the rows belong to.
+ * Table `study`: the study that the rows belong to.
  *
  * Functions that return gboolean set an error, QN_IO_ERROR, where they return FALSE.
  */
@@ -46,7 +46,7 @@ gboolean qn_store_read (QnStore *store, QnStoreRowFunc row, gpointer data,
 /* Rows that are there, and how many of them failed. */
 gboolean qn_store_count (QnStore *store, gsize *rows, gsize *failed, GError **error);
 
-/* A word that the folder keeps beside its rows; NULL where none is kept. Free with g_free(). */
+/* A note in the database, by key; *value NULL: none. Free with g_free(). */
 gboolean qn_store_get_note (QnStore *store, const char *key, char **value,
                             GError **error);
 gboolean qn_store_set_note (QnStore *store, const char *key, const char *value,

@@ -1,4 +1,4 @@
-/* A study that is computed in the background: a thread that runs it, looked at now and then. */
+/* A study computed in a background thread, which the caller polls. */
 #pragma once
 
 #include "study/cases/run.h"
@@ -16,7 +16,7 @@ typedef enum {
 QnStudyJob *qn_study_job_start (const char *study_path, const char *folder,
                                 const char *program, guint jobs, GError **error);
 
-/* How far it is. FAILED: *error (nullable) says why. */
+/* State and progress. FAILED: *error (nullable) has the reason. */
 QnStudyJobState qn_study_job_look (QnStudyJob *job, QnStudyProgress *progress,
                                    GError **error);
 

@@ -1,9 +1,8 @@
 /* Cases of a study on a cluster, by Slurm: an array of tasks, each of which computes one slice into
  * a database of its own in the folder, which all nodes share.
  *
- * What has been submitted is kept in the folder's database: submitted once more, slices that lack
- * cases and are neither waiting nor running, because their tasks failed or were lost, are
- * submitted again, and no others.
+ * The database of the folder keeps the submitted tasks: a second submission covers only slices that
+ * lack cases and are neither waiting nor running, because their tasks failed or were lost.
  */
 #pragma once
 
@@ -26,7 +25,7 @@ typedef struct QnSubmission {
   gsize missing; /* cases without a row */
 } QnSubmission;
 
-/* Gathers what there is, then submits what is missing. Errors, QN_IO_ERROR: Slurm refuses or is not
+/* Gathers finished slices, then submits missing ones. Errors, QN_IO_ERROR: Slurm refuses or is not
  * there; another number of slices while tasks of the old ones wait or run. */
 gboolean qn_study_submit (const QnStudy *study, const char *folder,
                           const QnSlurmSettings *settings, QnSubmission *submission,

@@ -1,7 +1,7 @@
 /* Points of the unit cube whose coordinates are correlated by rank.
  *
- * Correlations are Spearman's, of ranks. Behind both ways stands a normal variable for each
- * coordinate; two of them with correlation r have the rank correlation 6/pi asin (r/2).
+ * Correlations are Spearman's, of ranks. Both functions use a normal variable for each coordinate;
+ * two of them with correlation r have the rank correlation 6/pi asin (r/2).
  */
 #pragma once
 
@@ -16,8 +16,7 @@ gboolean qn_correlation_is_possible (const double *correlation, gsize width);
 void qn_correlation_copula (const double *correlation, gsize width, double *points,
                             gsize count);
 
-/* Exchanges the values within each coordinate and nothing else, so that layers stay occupied as
- * they were. Iman and Conover, Communications in Statistics B11 (1982) 311-334. `count` must be
- * larger than 2 x width. */
+/* Exchanges values within each coordinate only, so that layers stay occupied. Iman and Conover,
+ * Communications in Statistics B11 (1982) 311-334. `count` must be larger than 2 x width. */
 void qn_correlation_reorder (const double *correlation, gsize width, double *points,
                              gsize count, gsl_rng *random);

@@ -1,7 +1,7 @@
-/* What is known of an uncertain number: a probability distribution or a list of values.
+/* Uncertain numbers: a probability distribution or a list of values.
  *
- * Numbers come out by the inverse of the cumulative distribution, so that every plan (random,
- * stratified or quasi-random) needs nothing but points of the unit interval.
+ * Values follow from the inverse of the cumulative distribution, so that every plan (random,
+ * stratified or quasi-random) needs only points of the unit interval.
  */
 #pragma once
 

@@ -1,8 +1,7 @@
 /* A study file that is being written: its parameters, plan, run and outputs, with undo.
  *
- * The state is the text of the file, so that what this does not know (correlations, weights, a
- * title) stays as it is; an edit is a step that can be undone. A draft need not be sound:
- * qn_study_read() says whether it is.
+ * The state is the text of the file, so that other members (correlations, weights, a title) stay
+ * unchanged; an edit is a step that can be undone. A draft need not be sound: qn_study_read() tests it.
  */
 #pragma once
 
@@ -42,8 +41,8 @@ void qn_draft_free (QnDraft *draft);
 /* Writes the file where it has changed. Errors: QN_IO_ERROR. */
 gboolean qn_draft_save (QnDraft *draft, GError **error);
 
-/* The same at another place; `model` is the path of the project from there, or an absolute one. What was done
- * before can no longer be undone. */
+/* The same at another place; `model` is the path of the project from there, or an absolute one. Drops the
+ * undo history. */
 gboolean qn_draft_save_as (QnDraft *draft, const char *path, const char *model,
                            GError **error);
 

@@ -1,4 +1,4 @@
-/* Studies: a project, what is uncertain in it, and which cases are to be computed.
+/* Studies: a project, its uncertain parameters, and the plan of cases.
  *
  * The format of the file (*.quoin-study) is described key by key in data/study-format.md. A study
  * that has been read is sound: the project reads, every path leads to a number of it, and the
@@ -35,7 +35,7 @@ typedef enum {
   QN_PLAN_COUNT
 } QnPlanKind;
 
-/* What is kept of a case. */
+/* Outputs of a case. */
 typedef enum {
   QN_STUDY_COLLAPSE_MULTIPLIER,
   QN_STUDY_ASSOCIATIVE_MULTIPLIER,
@@ -52,7 +52,7 @@ typedef enum {
   QN_STUDY_WIDEST_CRACK, /* m, opening of any joint at the last step */
   QN_STUDY_CRACK_MISFIT, /* m, root mean square of computed less measured widths, where the
                             path has reached its target */
-  QN_STUDY_COLLAPSED,    /* what follows is of a dynamic run: 1 or 0 */
+  QN_STUDY_COLLAPSED,    /* this and the next five: of a dynamic run; 1 or 0 */
   QN_STUDY_TIME_OF_COLLAPSE,  /* s */
   QN_STUDY_PEAK_DISPLACEMENT, /* m, of any block at any time, from the dead load on */
   QN_STUDY_FRICTION_ENERGY,   /* J, lost by slip */
@@ -69,15 +69,15 @@ typedef enum {
 
 typedef struct QnParameter {
   char *name;   /* owned */
-  char **paths; /* owned: what is set in the project, all to the same value; none of
-                   that of the combinations */
+  char **paths; /* owned: of the numbers in the project, all set to the same value; none
+                   for combinations */
   QnDistribution distribution;
   guint levels;   /* of a continuous distribution in plans by levels; 0: not given */
   gboolean whole; /* values are rounded to whole numbers */
   double base;    /* the project's own value at the first path; NaN where it has none */
 } QnParameter;
 
-/* What was measured between two blocks. */
+/* A measured crack between two blocks. */
 typedef struct QnMeasuredCrack {
   char *blocks[2]; /* names, owned */
   double width;    /* m, >= 0 */
@@ -138,7 +138,7 @@ gboolean qn_study_output_is_number (QnStudyOutput output);
 gboolean qn_study_read (const char *path, const char *model_path, QnStudy *study,
                         GError **error);
 
-/* Without parameters; for those who fill one themselves. */
+/* A study without parameters, to be filled. */
 void qn_study_init (QnStudy *study);
 
 void qn_study_clear (QnStudy *study);

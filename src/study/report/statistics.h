@@ -27,8 +27,8 @@ double qn_quantile (const double *sorted, gsize count, double p);
  * distribution of the values. An end that no value bounds is infinite. */
 QnInterval qn_quantile_interval (const double *sorted, gsize count, double p);
 
-/* Bounds of the probability of what happened in `part` of `whole` (> 0) cases, after Clopper and
- * Pearson (Biometrika 26, 1934). */
+/* Bounds of the probability of an event that occurred in `part` of `whole` (> 0) cases, after Clopper
+ * and Pearson (Biometrika 26, 1934). */
 QnInterval qn_share_interval (gsize part, gsize whole);
 
 /* How many of an ascending sample do not exceed x. */
@@ -38,8 +38,8 @@ gsize qn_count_up_to (const double *sorted, gsize count, double x);
  * three values. */
 double qn_rank_correlation (const double *a, const double *b, gsize count);
 
-/* Shares of an output's variance (Sobol 1993): `first` is what a parameter explains by itself,
- * `total` what would remain if all others were known. */
+/* Shares of the variance of an output (Sobol 1993): `first` explained by a parameter alone, `total`
+ * remaining if all others were known. */
 typedef struct QnSobolIndex {
   double first, total;
   QnInterval of_first, of_total; /* by the bootstrap, 500 times */

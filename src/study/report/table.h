@@ -39,8 +39,8 @@ const char *qn_table_column_name (const QnTable *table, gsize column);
  * unit. */
 const char *qn_table_column_text (const QnTable *table, gsize column);
 
-/* What the share of cases up to a value of a column says of collapse, translated: of a bound it is the
- * least share; NULL where the column says nothing of it. */
+/* Meaning for collapse of the share of cases up to a value of a column, translated: for a bound the least
+ * share of collapses; NULL: no meaning. */
 const char *qn_table_fragility_text (const QnTable *table, gsize column);
 
 static inline double
@@ -49,6 +49,6 @@ qn_table_number (const QnTable *table, gsize row, gsize column)
   return table->numbers[row * table->width + column];
 }
 
-/* Comma-separated values, RFC 4180; what does not depend on the machine alone, so no times. "-" is
- * standard output. */
+/* Comma-separated values, RFC 4180, without times, which depend on the machine. "-" is standard
+ * output. */
 gboolean qn_table_write (const QnTable *table, const char *path, GError **error);
