@@ -301,9 +301,9 @@ add_axles (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
   const QnModel *model = b->model;
   const QnVehicle *vehicle = &model->vehicles[load->vehicle];
   const double r = 0.25 * b->block_size;
-  QnSeenEdges top = { 0 };
-  if (!qn_model_find_seen_edges (model, QN_BLOCK_SIDE_TOP, &top))
-    return;
+  QnSeenEdges top;
+  QnPool room = { 0 };
+  qn_model_find_seen_edges (model, QN_BLOCK_SIDE_TOP, &top, &room);
   for (int32_t n = 0; n < load->convoy; n++)
     for (int32_t i = 0; i < vehicle->axle_count; i++) {
       double x = qn_load_behind_front (model, load, n, vehicle->axles[i].at);
@@ -324,7 +324,7 @@ add_axles (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
       label->align_y = -0.2F;
       qn_command_set_pick (label, pick, index);
     }
-  free (top.items);
+  qn_pool_clear (&room);
 }
 
 static void
