@@ -495,10 +495,7 @@ qn_pages_finish (QnPages *pages, GError **error)
   GBytes *bytes = g_byte_array_free_to_bytes (pages->bytes);
   g_free (pages->footer);
   g_free (pages);
-  if (status == CAIRO_STATUS_SUCCESS)
-    return bytes;
-  g_bytes_unref (bytes);
-  g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
-                       cairo_status_to_string (status));
-  return NULL;
+  if (!qn_output_succeeded (status, error))
+    g_clear_pointer (&bytes, g_bytes_unref);
+  return bytes;
 }

@@ -420,8 +420,6 @@ draw_page (cairo_t *cr, const QnPage *page, void *plot, GError **error)
 {
   QnFrame frame = qn_page_frame (page, PLOT_MARGIN);
   (void) error;
-  cairo_set_antialias (cr,
-                       page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
   qn_plot_draw (plot, cr, page->unit, &frame, NULL);
   return true;
 }
