@@ -1,6 +1,6 @@
 #include "render/figure/figure-layout.h"
 
-#include "render/backend/draw-scene.h"
+#include "render/backend/gl-painter.h"
 #include "render/drawing/scene-fit.h"
 #include "render/drawing/text.h"
 
@@ -97,7 +97,7 @@ qn_figure_layout_init (QnFigureLayout *layout, const QnFigure *figure,
     layout->as_column =
       place_furniture (&layout->furniture, &layout->camera, scene, page->unit);
   }
-  qn_scene_fit (&layout->camera, scene, cr, frame->scale);
+  qn_scene_fit (&layout->camera, scene, cr, 0);
 }
 
 bool

@@ -471,7 +471,7 @@ qn_pages_plot (QnPages *pages, const QnPlot *plot, double share)
 {
   double height = share * (bottom (pages) - MARGIN);
   begin (pages, height);
-  const QnFrame frame = { MARGIN, pages->y, text_width (pages), height, 0 };
+  const QnFrame frame = { MARGIN, pages->y, text_width (pages), height };
   QnPlot numbered = *plot;
   g_autofree char *caption = dup_caption (pages, plot->title);
   numbered.title = caption;

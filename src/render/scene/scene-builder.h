@@ -97,9 +97,8 @@ void qn_build_beams (QnSceneBuilder *builder);
 /* scene-bars.c */
 void qn_build_bars (QnSceneBuilder *builder);
 
-/* scene-ties.c; and an end as it is drawn. */
+/* scene-ties.c */
 void qn_build_ties (QnSceneBuilder *builder);
-QnVec2 qn_builder_place_tie_end (const QnSceneBuilder *builder, const QnTieEnd *end);
 
 /* scene-diagrams.c */
 void qn_build_diagrams (QnSceneBuilder *builder);
