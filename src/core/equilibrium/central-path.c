@@ -249,7 +249,7 @@ finish (Increment *increment)
   memcpy (increment->path->kept, eq->u, bytes);
   if (qn_assembly_evaluate (&eq->assembly, eq->u))
     status = qn_equilibrium_newton (eq, increment->path->target,
-                                    increment->path->viscosity, QN_NEWTON_SHORT);
+                                    increment->path->viscosity, QN_NEWTON_BUDGET);
   if (status == QN_SOLVE_FAILED) {
     memcpy (eq->u, increment->path->kept, bytes);
     eq->multiplier = multiplier;

@@ -115,10 +115,8 @@ struct QnStepEquation {
   void (*refine) (QnStepEquation *); /* after convergence; nullable */
 };
 
-/* Newton iterations of a step; of one that something else can take, or that a shorter one does; of an easy one,
- * after which the next is longer, and from a predicted state. */
+/* Newton iterations of a step; of an easy one, after which the next is longer, and from a predicted state. */
 #define QN_NEWTON_BUDGET 20
-#define QN_NEWTON_SHORT  12
 #define QN_NEWTON_EASY   6
 
 /* Newton's iteration of an equation that was measured with bonds held (qn_assembly_hold_bonds()),

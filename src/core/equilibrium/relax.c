@@ -221,7 +221,7 @@ growth (Relaxation *relaxation, int iterations)
                   && relaxation->viscosity / LONGER <= relaxation->failed;
 
   relaxation->waits -= relaxation->waits > 0;
-  if (iterations >= QN_NEWTON_SHORT)
+  if (iterations >= QN_NEWTON_BUDGET)
     return 0.5;
   return iterations <= QN_NEWTON_EASY && !may_fail ? LONGER : 1;
 }
@@ -273,7 +273,7 @@ come_straight (QnEquilibrium *eq, const QnTarget *target)
     qn_pair_keep_damage (&as->springs[p], &eq->anchor.memory[p], &as->committed[p]);
   qn_beam_state_set (&eq->recorded.beams, &as->beams);
   QnSolveStatus status = qn_assembly_evaluate (as, eq->u)
-                           ? qn_equilibrium_newton (eq, target, 0, QN_NEWTON_SHORT)
+                           ? qn_equilibrium_newton (eq, target, 0, QN_NEWTON_BUDGET)
                            : QN_SOLVE_FAILED;
   if (status != QN_SOLVE_FAILED)
     return status;
@@ -300,7 +300,7 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
     qn_equilibrium_save (eq, &eq->anchor);
     qn_equilibrium_note_gaps (eq);
     QnSolveStatus status =
-      qn_equilibrium_newton (eq, &now, relaxation.viscosity, QN_NEWTON_SHORT);
+      qn_equilibrium_newton (eq, &now, relaxation.viscosity, QN_NEWTON_BUDGET);
     bool by_central =
       status == QN_SOLVE_FAILED && central != NULL && step >= CENTRAL_FROM;
 
