@@ -208,9 +208,6 @@ bool qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step,
 /* Largest motion of a body since the committed state, m (qn_assembly_largest()). */
 double qn_equilibrium_motion (const QnEquilibrium *eq);
 
-/* This motion in elastic displacements (qn_assembly_elastic_displacements()). */
-double qn_equilibrium_elastic_displacements (const QnEquilibrium *eq);
-
 void qn_equilibrium_state_init (QnEquilibriumState *state, const QnAssembly *assembly,
                                 QnPool *pool);
 

@@ -18,7 +18,6 @@
 /* One solution in progress. */
 typedef struct {
   QnStepEquation equation; /* norm: of residual and target together, N */
-  QnEquilibrium *eq;
   const QnTarget *target;
   double viscosity;
   double stiffness; /* force that the target's equation is worth per unit, N or N/m */
@@ -41,7 +40,7 @@ qn_equilibrium_target_lack (const QnEquilibrium *eq, const QnTarget *target)
 static double
 target_gap (const Newton *newton)
 {
-  const QnEquilibrium *eq = newton->eq;
+  const QnEquilibrium *eq = newton->equation.eq;
   const QnTarget *target = newton->target;
   double gap = qn_equilibrium_target_lack (eq, target), size = 0;
 
@@ -59,7 +58,7 @@ static void
 measure (QnStepEquation *equation)
 {
   Newton *newton = (Newton *) equation;
-  QnEquilibrium *eq = newton->eq;
+  QnEquilibrium *eq = newton->equation.eq;
   QnAssembly *as = &eq->assembly;
   double start = qn_clock_seconds ();
   double scale = qn_assembly_residual (as, eq->multiplier, eq->residual);
@@ -83,7 +82,7 @@ measure (QnStepEquation *equation)
 static void
 evaluate (Newton *newton)
 {
-  QnEquilibrium *eq = newton->eq;
+  QnEquilibrium *eq = newton->equation.eq;
   double start = qn_clock_seconds ();
   bool evaluated = qn_assembly_evaluate (&eq->assembly, eq->u);
 
@@ -186,7 +185,7 @@ viscosity_of_tangent (const Newton *newton)
 {
   bool held = newton->target->direction != NULL;
 
-  return held && !is_factored (newton->eq, newton->viscosity)
+  return held && !is_factored (newton->equation.eq, newton->viscosity)
            ? fmax (newton->viscosity, TRACE)
            : newton->viscosity;
 }
@@ -196,7 +195,7 @@ static QnSolveStatus
 solve_direction (QnStepEquation *equation)
 {
   Newton *newton = (Newton *) equation;
-  QnEquilibrium *eq = newton->eq;
+  QnEquilibrium *eq = newton->equation.eq;
   const QnTarget *target = newton->target;
   int32_t n = eq->assembly.unknown_count;
   size_t bytes = (size_t) n * sizeof (double);
@@ -224,7 +223,7 @@ static void
 move (QnStepEquation *equation, double part)
 {
   Newton *newton = (Newton *) equation;
-  QnEquilibrium *eq = newton->eq;
+  QnEquilibrium *eq = newton->equation.eq;
   int32_t n = eq->assembly.unknown_count;
 
   if (part == 1) {
@@ -255,7 +254,7 @@ static void
 refine (QnStepEquation *equation)
 {
   Newton *newton = (Newton *) equation;
-  QnEquilibrium *eq = newton->eq;
+  QnEquilibrium *eq = newton->equation.eq;
 
   if (newton->target->direction == NULL
       || newton->equation.relative <= FINER * eq->tolerance
@@ -333,7 +332,6 @@ qn_equilibrium_newton (QnEquilibrium *eq, const QnTarget *target, double viscosi
                                   .solve = solve_direction,
                                   .move = move,
                                   .refine = refine },
-                    .eq = eq,
                     .target = target,
                     .viscosity = viscosity,
                     .stiffness = 1 };

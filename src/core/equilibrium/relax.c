@@ -71,8 +71,9 @@ update_velocity (QnEquilibrium *eq, Relaxation *relaxation)
   relaxation->change = norm > 0 ? sqrt (change / norm) : INFINITY;
 }
 
-double
-qn_equilibrium_elastic_displacements (const QnEquilibrium *eq)
+/* Motion since the committed state. */
+static double
+elastic_displacements (const QnEquilibrium *eq)
 {
   return qn_assembly_elastic_displacements (&eq->assembly, eq->u, eq->committed.u);
 }
@@ -142,7 +143,7 @@ is_falling (QnEquilibrium *eq, Relaxation *relaxation)
       || (moved > length
           && qn_assembly_largest_loose (&eq->assembly, eq->u, eq->committed.u) > length))
     return true;
-  if (qn_equilibrium_elastic_displacements (eq) >= FALL_BEGINS
+  if (elastic_displacements (eq) >= FALL_BEGINS
       && moved >= 2 * relaxation->watched_motion) {
     double lost = 1 - relaxation->speed / relaxation->watched_speed;
     bool slower = lost * far > way;
@@ -163,7 +164,7 @@ is_mechanism (QnEquilibrium *eq, Relaxation *relaxation)
 
   if (eq->assembly.nonlinear)
     return !relaxation->held && is_falling (eq, relaxation);
-  if (qn_equilibrium_elastic_displacements (eq) > eq->runaway)
+  if (elastic_displacements (eq) > eq->runaway)
     return true;
   return relaxation->change < STEADY && 2 * time_step >= relaxation->elapsed
          && !(relaxation->change * left > time_step)
