@@ -30,10 +30,9 @@
 #define DRIVE       0.001
 #define DRIVE_STEPS 8
 
-/* In large displacements motion is watched from so many elastic displacements on, and counts as a fall when it
- * has doubled so often without slowing down: as if to rest within so many characteristic lengths, for slender
- * members bend far under little force, and at first without any hurry to stop. */
-#define FALL_BEGINS    10
+/* In large displacements motion counts as a fall when it has doubled so often without slowing down: as if to rest
+ * within so many characteristic lengths, for slender members bend far under little force, and at first without any
+ * hurry to stop. */
 #define FALL_DOUBLINGS 4
 #define FALL_LENGTHS   1e3
 #define FALL_PART      0.25 /* of a kept state: the way gone beside the one after it */
@@ -143,8 +142,7 @@ is_falling (QnEquilibrium *eq, Relaxation *relaxation)
       || (moved > length
           && qn_assembly_largest_loose (&eq->assembly, eq->u, eq->committed.u) > length))
     return true;
-  if (elastic_displacements (eq) >= FALL_BEGINS
-      && moved >= 2 * relaxation->watched_motion) {
+  if (moved >= 2 * relaxation->watched_motion) {
     double lost = 1 - relaxation->speed / relaxation->watched_speed;
     bool slower = lost * far > way;
     relaxation->doublings = slower ? 0 : relaxation->doublings + 1;
