@@ -13,22 +13,19 @@
 #include <string.h>
 
 /* Tuning. An easy step lets the next one be LONGER times as long, one that fails is repeated SHORTER times as
- * short. */
+ * short. Of FEW steps are the advance of a measure that is held, at least; the wait until a failed viscosity is
+ * tried again, no measure held; and the motion before it goes along central paths, for in the first steps small
+ * structures rest or fall by Newton's method alone, which is cheaper. */
 #define LONGER          4
 #define SHORTER         8
 #define FIRST_VISCOSITY 0.01 /* soft enough to cross a small jump at once */
 #define STIFFEST        1e9 /* joints are nothing beside it: what fails then never converges */
-#define WAIT            8 /* steps until a failed viscosity is tried again, no measure held */
+#define FEW             10
 #define STEADY          1e-3 /* velocities differ by less, over as long as all that went before */
 
-/* First step along a central path. Small structures rest or fall before, which is cheaper by Newton's method
- * alone. */
-#define CENTRAL_FROM 10
-
 /* A measure advances at a speed that damping resists with this part of the largest dead load on a block: ten
- * times as fast, and walls take other branches in large than in small steps. In at least so many steps. */
-#define DRIVE       0.001
-#define DRIVE_STEPS 8
+ * times as fast, and walls take other branches in large than in small steps. */
+#define DRIVE 0.001
 
 /* In large displacements motion counts as a fall when it has doubled so often without slowing down: as if to rest
  * within so many characteristic lengths, for slender members bend far under little force, and at first without any
@@ -288,7 +285,7 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
                             .duration = find_duration (eq, target),
                             .viscosity = FIRST_VISCOSITY };
   if (relaxation.duration > 0)
-    relaxation.viscosity = fmin (FIRST_VISCOSITY, DRIVE_STEPS / relaxation.duration);
+    relaxation.viscosity = fmin (FIRST_VISCOSITY, FEW / relaxation.duration);
 
   memset (eq->motion, 0, (size_t) eq->assembly.unknown_count * sizeof *eq->motion);
   if (fall != NULL)
@@ -300,8 +297,7 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
     qn_equilibrium_note_gaps (eq);
     QnSolveStatus status =
       qn_equilibrium_newton (eq, &now, relaxation.viscosity, QN_NEWTON_BUDGET);
-    bool by_central =
-      status == QN_SOLVE_FAILED && central != NULL && step >= CENTRAL_FROM;
+    bool by_central = status == QN_SOLVE_FAILED && central != NULL && step >= FEW;
 
     if (by_central) {
       qn_equilibrium_set_state (eq, &eq->anchor);
@@ -312,7 +308,7 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
     if (status == QN_SOLVE_FAILED) {
       qn_equilibrium_set_state (eq, &eq->anchor);
       relaxation.failed = relaxation.viscosity;
-      relaxation.waits = WAIT;
+      relaxation.waits = FEW;
       relaxation.viscosity *= SHORTER;
       if (relaxation.viscosity > STIFFEST)
         return QN_SOLVE_FAILED;
