@@ -98,14 +98,6 @@ has_collapsed (const QnPathTrace *trace)
          && moved > QN_PATH_COLLAPSED * eq->assembly.length;
 }
 
-/* Whether a structure without collapse load has moved farther than its own diagonal. */
-static bool
-is_drawn_out (const QnPathTrace *trace)
-{
-  return trace->unlimited && !trace->events.below
-         && trace->events.displacement > trace->extent;
-}
-
 void
 qn_path_end_finish (QnPathTrace *trace, QnOutcome outcome, QnStop stop)
 {
@@ -131,7 +123,7 @@ qn_path_end_check (QnPathTrace *trace)
     qn_path_end_finish (trace, QN_OUTCOME_TARGET_REACHED, QN_STOP_DISPLACEMENT);
   else if (falls && eq->multiplier <= QN_TOLERANCE_TARGET * events->highest)
     qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_ZERO);
-  else if (is_drawn_out (trace))
+  else if (!events->below && events->displacement > trace->extent)
     qn_path_end_finish (trace, QN_OUTCOME_UNBOUNDED, QN_STOP_MULTIPLIER);
   else if (has_collapsed (trace))
     qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_FALL);

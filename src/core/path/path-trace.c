@@ -620,9 +620,12 @@ see_limits (QnPathTrace *trace, QnDiag *diag)
     return QN_OK;
   for (size_t b = 0; b < model->block_count; b++)
     qn_box_add_point (&box, model->blocks[b].centroid);
-  trace->extent = qn_box_diagonal (box);
-  return qn_check_unlimited (model, trace->path->equilibrium.assembly.contacts,
-                             &trace->unlimited, diag);
+  bool unlimited;
+  QnStatus status = qn_check_unlimited (model, trace->path->equilibrium.assembly.contacts,
+                                        &unlimited, diag);
+  if (unlimited)
+    trace->extent = qn_box_diagonal (box);
+  return status;
 }
 
 QnStatus
@@ -634,6 +637,7 @@ qn_path_trace (QnPath *path, bool *reverses, QnDiag *diag)
   double live = qn_assembly_largest (as, as->live, NULL);
   QnPathTrace trace = { .path = path,
                         .above = 1,
+                        .extent = INFINITY,
                         .looks = QN_PATH_MOST_LOOKS,
                         .reverses = reverses,
                         .unit = live > 0 ? dead / live : 0,

@@ -27,8 +27,8 @@ typedef struct QnPathTrace {
   bool jumped;     /* the last step was a jump */
   bool *reverses;  /* until the first step is solved: see qn_path_trace(); nullable */
   double end;      /* largest multiplier */
-  bool unlimited; /* no load causes collapse (core/check/unlimited.h): ends at `extent` */
-  double extent;  /* diagonal of the structure, m */
+  double
+    extent; /* m: a structure that no load brings down ends farther away (core/check/unlimited.h) */
   double
     unit; /* multiplier at which the largest live load on a block equals the dead load */
   double step;    /* next step */
