@@ -107,8 +107,8 @@ is_eccentric (const QnModel *model, const QnLoad *load)
          && (arm.x != 0 || arm.y != 0);
 }
 
-void
-qn_assembly_gather_loads (QnAssembly *as)
+QnStatus
+qn_assembly_gather_loads (QnAssembly *as, QnDiag *diag)
 {
   const QnModel *model = as->model;
   const double held[QN_MAX_LOAD_SETS] = { 0 }, driven[QN_MAX_LOAD_SETS] = { 1 };
@@ -116,7 +116,8 @@ qn_assembly_gather_loads (QnAssembly *as)
   as->eccentric =
     qn_pool_alloc (&as->pool, qn_model_acting_count (model), sizeof *as->eccentric);
   if (as->eccentric == NULL)
-    return;
+    return qn_diag_no_memory (diag);
+
   for (size_t i = 0; i < qn_model_acting_count (model); i++) {
     const QnLoad load = qn_model_acting_load (model, i);
     if (!is_eccentric (model, &load))
@@ -133,6 +134,7 @@ qn_assembly_gather_loads (QnAssembly *as)
   }
   choose_force_scale (as);
   qn_assembly_set_loads (as, held, driven);
+  return QN_OK;
 }
 
 void

@@ -28,10 +28,8 @@ static const struct {
   double reach;   /* of a collapse with stiffer joints, in `growth` */
   double tolerance; /* of one collapse, in tolerances of the multiplier */
   int stiffenings;  /* most, where joints give too much at once */
-  int32_t budget;   /* factorisations of the first start, */
-  int32_t again;    /* of each further one until there is a collapse, */
-  int32_t stiff;    /* of all, as long as it does not stand still, */
-  int32_t spare;    /* and until others are sought beside one that does */
+  int32_t budget;   /* factorisations of each start until there is a collapse, */
+  int32_t more; /* of all, and half as many before another is begun beside a collapse */
 } search_tuning = {
   .strength = { [REST] = 5, [FORCES] = 10, [GO_ON] = 0.1 },
   .large = 2000,
@@ -45,10 +43,8 @@ static const struct {
   .reach = 5,
   .tolerance = 0.03,
   .stiffenings = 4,
-  .budget = 200,
-  .again = 150,
-  .stiff = 110,
-  .spare = 38,
+  .budget = 150,
+  .more = 110,
 };
 
 /* Shear lines of the program that finds a mechanism keep this part of their slope: a pair without force
@@ -241,27 +237,28 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
   return keep (search, compliance, diag);
 }
 
-/* From rest until there is a collapse, with stiffer joints where they give too much, else with softer ones.
- * After that with stiffer ones as long as the least multiplier does not stand still; where it does at
- * once, softer joints may lead to another collapse. */
+/* From rest until there is a collapse: from where a start ended with stiffer joints where they give too much, once
+ * more where it was lost, then from rest with softer ones. After that with stiffer ones from the collapse before, as
+ * long as the least multiplier does not stand still; where it does at once, softer joints may lead from rest to
+ * another collapse. */
 static QnStatus
 seek_all (Search *search, QnDiag *diag)
 {
   const QnStatistics *effort = &search->interval->solution.effort;
   double compliance =
     fmin (search_tuning.softest, search_tuning.compliance / free_blocks (search));
-  int32_t before = effort->factorizations, budget = search_tuning.budget;
+  int32_t before = effort->factorizations;
   bool found = false, once = search->known < INFINITY;
   QnStatus status = QN_OK;
-  Start start = search->elastic ? FORCES : REST;
+  Start start = search->elastic ? FORCES : REST, next = search->elastic ? REST : GO_ON;
   int left = once ? 1 : 2, stiffenings = search_tuning.stiffenings;
 
   while (left > 0 && !found && !status && !search->cancelled) {
-    status = seek (search, start, compliance, budget, &found, diag);
-    budget = search_tuning.again;
+    status = seek (search, start, compliance, search_tuning.budget, &found, diag);
     if (!found && !status && !search->cancelled && search->gives == 0 && !search->elastic
         && !once)
-      status = seek (search, GO_ON, compliance, budget, &found, diag);
+      status = seek (search, GO_ON, compliance, search_tuning.budget, &found, diag);
+    start = next;
     if (search->gives > search_tuning.rigid && stiffenings-- > 0) {
       compliance *= 0.5 * search_tuning.rigid / search->gives;
       continue;
@@ -271,18 +268,20 @@ seek_all (Search *search, QnDiag *diag)
       compliance *= search_tuning.softer;
     start = REST;
   }
+  bool at_once = true;
   while (search->count > 0 && !status && !search->cancelled
          && is_of_interest (search, find_least (search))) {
     int32_t spent = effort->factorizations - before;
     bool still = stands_still (search, find_least (search));
-    /* Stiffer ones take longer. */
-    if (spent >= (still ? search_tuning.spare : search_tuning.stiff / 2)
-        || (still && (search->elastic || once)))
+    if (spent >= search_tuning.more / 2
+        || (still && (!at_once || search->elastic || once)))
       break;
     compliance *= still ? search_tuning.softer : search_tuning.stiffer;
-    status = seek (search, REST, compliance, search_tuning.stiff - spent, &found, diag);
+    status = seek (search, still ? REST : next, compliance, search_tuning.more - spent,
+                   &found, diag);
     if (still)
       break;
+    at_once = false;
   }
   return status;
 }

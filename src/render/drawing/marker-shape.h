@@ -1,4 +1,5 @@
-/* The shapes of markers, once for every back end: paths in units of the marker's size. */
+/* The shapes of markers, once for every back end: paths in units of the marker's size, x along
+ * its angle, y to the left of it. */
 #pragma once
 
 #include "render/drawing/scene.h"
@@ -21,7 +22,5 @@ typedef struct QnMarkerPath {
   QnVec2 points[QN_MARKER_POINTS];
 } QnMarkerPath;
 
-/* The `part`-th path of a marker, from 0, turned counter-clockwise by an angle; mirrored about its axis before.
- * False when there are no more. */
-bool qn_marker_path (QnMarker marker, int part, double angle, bool mirrored,
-                     QnMarkerPath *path);
+/* The `part`-th path of a marker, from 0; false when there are no more. */
+bool qn_marker_path (QnMarker marker, int part, QnMarkerPath *path);
