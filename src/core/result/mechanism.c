@@ -221,45 +221,6 @@ find_bodies (QnMechanism *m, const Field *field, const QnContacts *contacts, QnD
   return QN_OK;
 }
 
-static QnStatus
-analyse (QnMechanism *m, const Field *field, const QnContacts *contacts, QnDiag *diag)
-{
-  const QnModel *model = field->model;
-  QnStatus status;
-
-  *m = (QnMechanism){ .joint_count = contacts->face_count,
-                      .block_count = model->block_count };
-  m->joints = qn_alloc (m->joint_count, sizeof *m->joints);
-  m->body_of_block = qn_alloc (m->block_count, sizeof *m->body_of_block);
-  if (!m->joints || !m->body_of_block) {
-    qn_mechanism_clear (m);
-    return qn_diag_no_memory (diag);
-  }
-  for (size_t b = 0; b < model->block_count; b++)
-    m->largest = fmax (m->largest, fastest_vertex (field, (QnId) b));
-  for (size_t f = 0; f < m->joint_count; f++) {
-    m->joints[f] = joint_motion (field, contacts, (QnId) f, MOTION_SHARE * m->largest);
-    m->counts[m->joints[f].kind]++;
-    m->sliding_count += m->joints[f].slides;
-  }
-  status = find_bodies (m, field, contacts, diag);
-  if (status)
-    qn_mechanism_clear (m);
-  else
-    m->kind = qn_mechanism_classify (m, model, contacts);
-  return status;
-}
-
-QnStatus
-qn_mechanism_init (QnMechanism *mechanism, const QnModel *model,
-                   const QnContacts *contacts, const double *base,
-                   const double *velocities, QnDiag *diag)
-{
-  const Field field = { model, base, velocities, true };
-
-  return analyse (mechanism, &field, contacts, diag);
-}
-
 const double *
 qn_mechanism_base (const QnModel *model, const QnResult *result)
 {
@@ -272,14 +233,34 @@ qn_mechanism_base (const QnModel *model, const QnResult *result)
 }
 
 QnStatus
-qn_mechanism_of_result (QnMechanism *mechanism, const QnModel *model,
-                        const QnContacts *contacts, const QnResult *result, QnDiag *diag)
+qn_mechanism_of_result (QnMechanism *m, const QnModel *model, const QnContacts *contacts,
+                        const QnResult *result, QnDiag *diag)
 {
   const Field field = { model, qn_mechanism_base (model, result), result->mechanism,
                         result->limit.given
                           && result->limit.flow == QN_FLOW_ASSOCIATIVE };
 
-  return analyse (mechanism, &field, contacts, diag);
+  *m = (QnMechanism){ .joint_count = contacts->face_count,
+                      .block_count = model->block_count };
+  m->joints = qn_alloc (m->joint_count, sizeof *m->joints);
+  m->body_of_block = qn_alloc (m->block_count, sizeof *m->body_of_block);
+  if (!m->joints || !m->body_of_block) {
+    qn_mechanism_clear (m);
+    return qn_diag_no_memory (diag);
+  }
+  for (size_t b = 0; b < model->block_count; b++)
+    m->largest = fmax (m->largest, fastest_vertex (&field, (QnId) b));
+  for (size_t f = 0; f < m->joint_count; f++) {
+    m->joints[f] = joint_motion (&field, contacts, (QnId) f, MOTION_SHARE * m->largest);
+    m->counts[m->joints[f].kind]++;
+    m->sliding_count += m->joints[f].slides;
+  }
+  QnStatus status = find_bodies (m, &field, contacts, diag);
+  if (status != QN_OK)
+    qn_mechanism_clear (m);
+  else
+    m->kind = qn_mechanism_classify (m, model, contacts);
+  return status;
 }
 
 void

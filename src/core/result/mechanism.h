@@ -75,26 +75,20 @@ typedef struct QnMechanism {
 extern const char *const qn_joint_kind_names[QN_JOINT_KIND_COUNT];
 extern const char *const qn_mechanism_kind_names[QN_MECHANISM_KIND_COUNT];
 
-/* Analyses a field: velocities, block_count x 3, of blocks that have moved by `base` (the same; NULL: not at
- * all), where joints have their directions and bodies their centres. `mechanism` is overwritten without being
- * cleared. Joints may dilate by their friction, as in associative limit analysis. */
-QnStatus qn_mechanism_init (QnMechanism *mechanism, const QnModel *model,
-                            const QnContacts *contacts, const double *base,
-                            const double *velocities, QnDiag *diag);
-
 /* Displacements at which the mechanism of a result begins, in
  * large displacements; NULL: those of the
  * undeformed structure: modes of vibration and of buckling, limit analysis, mechanisms with beams. */
 const double *qn_mechanism_base (const QnModel *model, const QnResult *result);
 
-/* Analyses the mechanism of a result that has one, with the dilatancy of the analysis. */
+/* Analyses the mechanism of a result that has one, with the dilatancy of the analysis: of joints and bodies
+ * where qn_mechanism_base() has brought them. Overwritten without being cleared. */
 QnStatus qn_mechanism_of_result (QnMechanism *mechanism, const QnModel *model,
                                  const QnContacts *contacts, const QnResult *result,
                                  QnDiag *diag);
 
 void qn_mechanism_clear (QnMechanism *mechanism);
 
-/* Kind of the mechanism from its joints and bodies, as _init() sets it. */
+/* Kind of the mechanism from its joints and bodies, as qn_mechanism_of_result() sets it. */
 QnMechanismKind qn_mechanism_classify (const QnMechanism *mechanism, const QnModel *model,
                                        const QnContacts *contacts);
 

@@ -20,9 +20,8 @@ collapse_in_words (QnModel *model, char **title, char **text)
   g_assert_cmpint (qn_analysis_run (model, &contacts, NULL, NULL, &result, NULL), ==,
                    QN_OK);
   g_assert_nonnull (result.mechanism);
-  g_assert_cmpint (
-    qn_mechanism_init (&mechanism, model, &contacts, NULL, result.mechanism, NULL), ==,
-    QN_OK);
+  g_assert_cmpint (qn_mechanism_of_result (&mechanism, model, &contacts, &result, NULL),
+                   ==, QN_OK);
   *title = qn_mechanism_dup_title (&mechanism);
   *text = qn_mechanism_dup_text (model, &mechanism);
   qn_mechanism_clear (&mechanism);
