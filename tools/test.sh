@@ -60,7 +60,8 @@ for line in open(sys.argv[1], encoding="utf-8", errors="replace"):
         cases = ["after " + good[-1]] if good else []
         errors = (test.get("stderr") or "").splitlines()
         telling = [e for e in errors + said if re.search(r"ERROR|Bail out|SUMMARY", e)]
-        cases += (telling or [e for e in errors if e.strip()])[-1:]
+        own = [e for e in errors if e.strip() and not e.startswith("(test program exited with")]
+        cases += (telling or own or errors)[-2:]
     detail = "; ".join(case.strip() for case in cases)
     print(f"{test['name']}: {test['result']}" + (f": {detail[:300]}" if detail else ""))
 END

@@ -152,7 +152,7 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
   cairo_clip (cr);
   cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
   cairo_paint (cr);
-  QnFrame frame = { 0.0, 0.0, page.width, page.height, 0.0 };
+  QnFrame frame = { 0.0, 0.0, page.width, page.height };
   gboolean drawn = qn_figure_draw (&figure, cr, &page, &frame, NULL, &error);
   show_refusal (dialog, drawn ? "" : error->message);
 }

@@ -205,7 +205,7 @@ qn_compare_draw_curves (GtkDrawingArea *area, cairo_t *cr, int width, int height
   }
   for (guint g = 1; g <= groups; g++) {
     double part = (double) height / groups;
-    const QnFrame frame = { 6.0, (g - 1) * part + 6.0, width - 12.0, part - 12.0, 0.0 };
+    const QnFrame frame = { 6.0, (g - 1) * part + 6.0, width - 12.0, part - 12.0 };
     gsize found = 0;
     for (guint i = 0; i < count; i++)
       if (group[i] == g)

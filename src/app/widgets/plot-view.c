@@ -78,8 +78,7 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
   View *view = data;
   const QnPlotHand *hand = view->hand;
-  const QnFrame frame = { MARGIN, MARGIN, width - 2.0 * MARGIN, height - 2.0 * MARGIN,
-                          0.0 };
+  const QnFrame frame = { MARGIN, MARGIN, width - 2.0 * MARGIN, height - 2.0 * MARGIN };
   const QnBox paper = { { 20.0, MARGIN }, { width - 20.0, height - MARGIN } };
   double share = hand->text_share > 0.0 ? hand->text_share : 1.0;
   g_autofree char *message = NULL, *told = NULL;

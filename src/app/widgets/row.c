@@ -5,6 +5,10 @@
 /* A label that is longer asks for no more width than this: it may wrap. */
 #define LABEL_CHARS 14
 
+/* Steps in which a row is widened until it is low enough, and the width at which that ends, px. */
+#define WIDER  16
+#define WIDEST 2000
+
 struct _QnRow {
   GtkWidget parent_instance;
   GtkLabel *label;
@@ -19,7 +23,9 @@ enum { PROPERTY_LABEL = 1, PROPERTY_FIELD, PROPERTY_COUNT };
  *
  * As a horizontal box, but for the widths, which are asked of label and field without a height: a box
  * asks with the height that it is given, and labels of one size group that wrap in other rows would
- * answer as if they stood in one line here. */
+ * answer as if they stood in one line here. The natural width for a height is one at which the row is no
+ * higher: a box above takes the least such width for its own minimum, which may not exceed what it finds
+ * natural. */
 
 static void
 split (QnRow *self, int width, int *label, int *field)
@@ -56,6 +62,12 @@ measure (GtkWidget *widget, GtkOrientation orientation, int for_size, int *minim
   gboolean beside = orientation == GTK_ORIENTATION_HORIZONTAL;
   *minimum = beside ? least[0] + SPACING + least[1] : MAX (least[0], least[1]);
   *natural = beside ? usual[0] + SPACING + usual[1] : MAX (usual[0], usual[1]);
+  for (int high; beside && for_size >= 0 && *natural < WIDEST; *natural += WIDER) {
+    gtk_widget_measure (widget, GTK_ORIENTATION_VERTICAL, *natural, &high, NULL, NULL,
+                        NULL);
+    if (high <= for_size)
+      break;
+  }
 }
 
 static void

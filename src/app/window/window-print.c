@@ -15,7 +15,7 @@ draw_page (QnWindow *self, cairo_t *cr, double width, double height, GError **er
   const QnPage page = {
     .width = width, .height = height, .unit = 1.0, .antialias = true
   };
-  const QnFrame frame = { 0.0, 0.0, width, height, 0.0 };
+  const QnFrame frame = { 0.0, 0.0, width, height };
   return qn_figure_draw (&figure, cr, &page, &frame, NULL, error);
 }
 

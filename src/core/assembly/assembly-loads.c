@@ -107,8 +107,8 @@ is_eccentric (const QnModel *model, const QnLoad *load)
          && (arm.x != 0 || arm.y != 0);
 }
 
-QnStatus
-qn_assembly_gather_loads (QnAssembly *as, QnDiag *diag)
+void
+qn_assembly_gather_loads (QnAssembly *as)
 {
   const QnModel *model = as->model;
   const double held[QN_MAX_LOAD_SETS] = { 0 }, driven[QN_MAX_LOAD_SETS] = { 1 };
@@ -116,8 +116,7 @@ qn_assembly_gather_loads (QnAssembly *as, QnDiag *diag)
   as->eccentric =
     qn_pool_alloc (&as->pool, qn_model_acting_count (model), sizeof *as->eccentric);
   if (as->eccentric == NULL)
-    return qn_diag_no_memory (diag);
-
+    return;
   for (size_t i = 0; i < qn_model_acting_count (model); i++) {
     const QnLoad load = qn_model_acting_load (model, i);
     if (!is_eccentric (model, &load))
@@ -134,7 +133,6 @@ qn_assembly_gather_loads (QnAssembly *as, QnDiag *diag)
   }
   choose_force_scale (as);
   qn_assembly_set_loads (as, held, driven);
-  return QN_OK;
 }
 
 void

@@ -4,7 +4,7 @@
 #include "core/assembly/assembly.h"
 
 /* Lists the forces whose moment changes when their block turns, and sums up all loads. */
-QnStatus qn_assembly_gather_loads (QnAssembly *assembly, QnDiag *diag);
+void qn_assembly_gather_loads (QnAssembly *assembly);
 
 /* Moments of forces on blocks that have turned: their arms turn with them. */
 void qn_assembly_turn_loads (QnAssembly *assembly, const double *u);

@@ -11,7 +11,7 @@
 
 /* --- Setting up ------------------------------------------------------------------------- */
 
-static bool
+static void
 allocate (QnAssembly *as)
 {
   QnPool *pool = &as->pool;
@@ -42,7 +42,6 @@ allocate (QnAssembly *as)
                                      sizeof *as->face_unknowns);
   for (size_t p = 0; !pool->failed && p < pairs; p++)
     as->breaks[p] = NAN;
-  return !pool->failed;
 }
 
 /* Marks the supports that settle in any of the loads. */
@@ -54,7 +53,7 @@ mark_settling (const QnLoad *loads, size_t count, int32_t *unknown)
       unknown[QN_DOF_COUNT * loads[i].block + (int) loads[i].dof] = 1;
 }
 
-static bool
+static void
 number_unknowns (QnAssembly *as)
 {
   const QnModel *model = as->model;
@@ -63,7 +62,7 @@ number_unknowns (QnAssembly *as)
 
   as->unknown = qn_pool_alloc (&as->pool, count, sizeof *as->unknown);
   if (as->unknown == NULL)
-    return false;
+    return;
   mark_settling (model->dead_loads, model->dead_load_count, as->unknown);
   mark_settling (model->live_loads, model->live_load_count, as->unknown);
   as->settling_count = 0;
@@ -71,7 +70,7 @@ number_unknowns (QnAssembly *as)
     as->settling_count += as->unknown[i] != 0;
   as->settling = qn_pool_alloc (&as->pool, as->settling_count, sizeof *as->settling);
   if (as->settling == NULL)
-    return false;
+    return;
 
   QnSettling *next = as->settling;
   as->unknown_count = 0;
@@ -85,7 +84,6 @@ number_unknowns (QnAssembly *as)
                               .dof = (QnDof) (i % QN_DOF_COUNT) };
     as->unknown[i] = fixed && !settles ? QN_NONE : as->unknown_count++;
   }
-  return true;
 }
 
 void
@@ -106,7 +104,7 @@ qn_assembly_place_pair (QnAssembly *as, size_t p)
 
 /* Where the rows of settling unknowns stand: the pattern is symmetric, so their columns say
  * which columns have an entry in them. */
-static bool
+static void
 find_settling_rows (QnAssembly *as)
 {
   size_t count = 0;
@@ -119,7 +117,7 @@ find_settling_rows (QnAssembly *as)
   }
   as->settling_entries = qn_pool_alloc (&as->pool, count, sizeof *as->settling_entries);
   if (as->settling_entries == NULL)
-    return false;
+    return;
   for (size_t s = 0; s < as->settling_count; s++) {
     int32_t i = as->settling[s].unknown;
     as->settling[s].first_entry = next;
@@ -127,7 +125,6 @@ find_settling_rows (QnAssembly *as)
       if (as->ai[k] != i)
         as->settling_entries[next++] = qn_sparse_find (as->ap, as->ai, i, as->ai[k]);
   }
-  return true;
 }
 
 /* Where a face's 6 x 6 goes in ax. */
@@ -143,8 +140,8 @@ find_face_places (QnAssembly *as, size_t f)
 }
 
 /* Pattern of K: every block couples with itself and with the blocks it touches. */
-static QnStatus
-build_pattern (QnAssembly *as, QnDiag *diag)
+static void
+build_pattern (QnAssembly *as)
 {
   const QnContacts *contacts = as->contacts;
   size_t bodies = qn_model_body_count (as->model);
@@ -164,14 +161,13 @@ build_pattern (QnAssembly *as, QnDiag *diag)
     as->ax =
       qn_pool_alloc (&as->pool, (size_t) as->ap[as->unknown_count], sizeof (double));
   if (as->pool.failed)
-    return qn_diag_no_memory (diag);
-
+    return;
   for (size_t f = 0; f < contacts->face_count; f++)
     find_face_places (as, f);
   qn_beam_assembly_find_places (&as->beams, as->ap, as->ai);
   for (int32_t i = 0; i < as->unknown_count; i++)
     as->diagonal[i] = qn_sparse_find (as->ap, as->ai, i, i);
-  return find_settling_rows (as) ? QN_OK : qn_diag_no_memory (diag);
+  find_settling_rows (as);
 }
 
 /* What a body resists acceleration with: its weight, or its area, and the square of the radius of
@@ -276,20 +272,19 @@ qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *conta
                       .nonlinear = model->analysis.geometry == QN_GEOMETRY_NONLINEAR,
                       .pair_count = contacts->pair_count };
 
-  if (!number_unknowns (as) || !allocate (as)
-      || !qn_beam_assembly_setup (&as->beams, model, as->unknown)) {
-    qn_assembly_clear (as);
-    return qn_diag_no_memory (diag);
-  }
-  for (size_t p = 0; p < as->pair_count; p++) {
+  number_unknowns (as);
+  allocate (as);
+  qn_beam_assembly_setup (&as->beams, model, as->unknown, &as->pool);
+  for (size_t p = 0; p < as->pair_count && !as->pool.failed; p++) {
     qn_assembly_place_pair (as, p);
     as->springs[p] = qn_contacts_pair_springs (as->model, as->contacts, p);
     as->has_bonds |=
       qn_spring_has_bond (&as->springs[p].a) || qn_spring_has_bond (&as->springs[p].b);
   }
   /* What the inner loops need of faces. */
-  as->first_pairs[as->contacts->face_count] = (int32_t) as->pair_count;
-  for (size_t f = 0; f < as->contacts->face_count; f++) {
+  if (!as->pool.failed)
+    as->first_pairs[as->contacts->face_count] = (int32_t) as->pair_count;
+  for (size_t f = 0; f < as->contacts->face_count && !as->pool.failed; f++) {
     const QnContactFace *face = &as->contacts->faces[f];
     int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
     as->first_pairs[f] = face->first_pair;
@@ -298,20 +293,21 @@ qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *conta
       unknowns[QN_DOF_COUNT + i] = as->unknown[QN_DOF_COUNT * face->b + i];
     }
   }
-  QnStatus status = build_pattern (as, diag);
-  if (status == QN_OK) {
+  if (!as->pool.failed)
+    build_pattern (as);
+  if (!as->pool.failed) {
     prepare_damping (as);
-    status = qn_assembly_gather_loads (as, diag);
+    qn_assembly_gather_loads (as);
   }
-  if (status != QN_OK)
-    qn_assembly_clear (as);
-  return status;
+  if (!as->pool.failed)
+    return QN_OK;
+  qn_assembly_clear (as);
+  return qn_diag_no_memory (diag);
 }
 
 void
 qn_assembly_clear (QnAssembly *as)
 {
-  qn_beam_assembly_clear (&as->beams);
   qn_pool_clear (&as->pool);
   *as = (QnAssembly){ 0 };
 }

@@ -128,11 +128,11 @@ qn_beam_assembly_stiffness (const QnBeamAssembly *as)
   return exp (sum / (double) as->count);
 }
 
-bool
-qn_beam_assembly_setup (QnBeamAssembly *as, const QnModel *model, const int32_t *unknowns)
+void
+qn_beam_assembly_setup (QnBeamAssembly *as, const QnModel *model, const int32_t *unknowns,
+                        QnPool *pool)
 {
   size_t count = model->element_count + qn_model_tie_count (model);
-  QnPool *pool = &as->pool;
 
   *as = (QnBeamAssembly){ .model = model,
                           .length = model->characteristic_length,
@@ -147,19 +147,10 @@ qn_beam_assembly_setup (QnBeamAssembly *as, const QnModel *model, const int32_t 
   as->assembled_phases = qn_pool_alloc (pool, count, sizeof *as->assembled_phases);
   as->shares = qn_pool_alloc (pool, model->node_count, sizeof *as->shares);
   if (pool->failed)
-    return false;
-
+    return;
   for (size_t i = 0; i < count; i++)
     place (as, i, unknowns);
   share_out (as);
-  return true;
-}
-
-void
-qn_beam_assembly_clear (QnBeamAssembly *as)
-{
-  qn_pool_clear (&as->pool);
-  *as = (QnBeamAssembly){ 0 };
 }
 
 void

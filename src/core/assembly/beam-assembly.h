@@ -40,7 +40,6 @@ typedef struct QnBeamShare {
 } QnBeamShare;
 
 typedef struct QnBeamAssembly {
-  QnPool pool; /* of all that follows */
   const QnModel *model;
   double length; /* by which rotations are scaled, m */
   bool nonlinear;
@@ -64,11 +63,9 @@ typedef struct QnBeamState {
 QnBeamProperties qn_beam_properties (const QnModel *model, QnId element);
 
 /* unknowns: (block_count + node_count) x 3, those of riding nodes unused. `beams` is overwritten
- * without being cleared; the model must outlive it. False when memory runs out. */
-bool qn_beam_assembly_setup (QnBeamAssembly *beams, const QnModel *model,
-                             const int32_t *unknowns);
-
-void qn_beam_assembly_clear (QnBeamAssembly *beams);
+ * without being cleared, in memory of the pool; the model must outlive it. */
+void qn_beam_assembly_setup (QnBeamAssembly *beams, const QnModel *model,
+                             const int32_t *unknowns, QnPool *pool);
 
 /* Geometric mean of the sway stiffness 12 EI / D^3 of elements, D the extent of all nodes (independent of
  * the number of elements per member), and of EA / L of ties, N/m; 1 without elements. */

@@ -201,21 +201,15 @@ is_convex_corner (const QnSide *sides, size_t i, size_t count)
   return qn_vec2_cross (sides[i].direction, sides[(i + 1) % count].direction) > 0;
 }
 
-static bool
-add (QnContactFollow *follow, QnFoundContact contact)
-{
-  return QN_ARRAY_PUSH (follow->found, follow->count, follow->capacity, contact);
-}
-
 /* Corners of block b near sides of block a. */
-static bool
+static void
 list_corners (QnContactFollow *follow, QnId a, QnId b, const double *displacements,
               double margin)
 {
   const QnSides *sides = &follow->sides;
   const QnSide *own = sides->items + sides->first[b];
   size_t corners = sides->first[b + 1] - sides->first[b];
-  bool joined = is_joined (follow, a, b, NULL, NULL), ok = true;
+  bool joined = is_joined (follow, a, b, NULL, NULL);
 
   for (size_t i = 0; i < corners; i++) {
     if (!is_convex_corner (own, i, corners))
@@ -227,21 +221,22 @@ list_corners (QnContactFollow *follow, QnId a, QnId b, const double *displacemen
     QnVec2 corner =
       qn_block_unplace (follow->model, a, displacements,
                         qn_block_place (follow->model, b, displacements, next->start));
-    for (size_t s = sides->first[a]; ok && s < sides->first[a + 1]; s++) {
+    for (size_t s = sides->first[a]; s < sides->first[a + 1]; s++) {
       const QnSide *side = &sides->items[s];
       QnCornerPlace at = place_beside (side, corner);
       double over = joined ? -qn_contact_follow_band (follow, a, b) : margin;
       if (fabs (at.apart) > margin || at.along < -over || at.along > at.length + over
           || (joined && is_joined (follow, a, b, side, NULL)))
         continue;
-      ok = add (follow, (QnFoundContact){ .block = a,
+      follow->pool.failed |=
+        !QN_ARRAY_PUSH (follow->found, follow->count, follow->capacity,
+                        (QnFoundContact){ .block = a,
                                           .side = side->vertex,
                                           .other = b,
                                           .corner = next->vertex,
                                           .foot = at.along });
     }
   }
-  return ok;
 }
 
 static int
@@ -252,7 +247,7 @@ compare_pairs (const void *a, const void *b)
   return p[0] != q[0] ? (p[0] < q[0] ? -1 : 1) : (p[1] > q[1]) - (p[1] < q[1]);
 }
 
-static bool
+static void
 list_all (QnContactFollow *follow, const double *displacements, double margin)
 {
   const QnModel *model = follow->model;
@@ -269,26 +264,26 @@ list_all (QnContactFollow *follow, const double *displacements, double margin)
       qn_box_add_point (&boxes[b], qn_block_place (model, (QnId) b, displacements, v[i]));
   }
   qn_box_tree_init (&tree, boxes, blocks, &room);
-  bool ok = !room.failed && qn_box_tree_pairs (&tree, margin, MOST_NEAR * blocks, &pairs);
-  for (size_t i = 0; ok && i < pairs.count; i++)
+  follow->pool.failed |=
+    room.failed || !qn_box_tree_pairs (&tree, margin, MOST_NEAR * blocks, &pairs);
+  for (size_t i = 0; i < pairs.count; i++)
     if (pairs.items[i][0] > pairs.items[i][1]) {
       QnId low = pairs.items[i][1];
       pairs.items[i][1] = pairs.items[i][0];
       pairs.items[i][0] = low;
     }
-  if (ok && pairs.count > 0)
+  if (pairs.count > 0)
     qsort (pairs.items, pairs.count, sizeof *pairs.items, compare_pairs);
-  for (size_t i = 0; ok && i < pairs.count; i++) {
+  for (size_t i = 0; i < pairs.count; i++) {
     QnId a = pairs.items[i][0], b = pairs.items[i][1];
     if (qn_support_is_full (model->blocks[a].support)
         && qn_support_is_full (model->blocks[b].support))
       continue;
-    ok = list_corners (follow, a, b, displacements, margin)
-         && list_corners (follow, b, a, displacements, margin);
+    list_corners (follow, a, b, displacements, margin);
+    list_corners (follow, b, a, displacements, margin);
   }
   qn_box_pairs_clear (&pairs);
   qn_pool_clear (&room);
-  return ok;
 }
 
 static bool
@@ -378,17 +373,17 @@ qn_contact_follow_search (QnContactFollow *follow, const double *displacements,
 
   follow->found = NULL;
   follow->count = follow->capacity = 0;
-  bool ok = list_all (follow, displacements, margin);
+  list_all (follow, displacements, margin);
   follow->active = qn_alloc (follow->count, sizeof *follow->active);
-  ok = ok && follow->active != NULL;
-  if (ok)
+  follow->pool.failed |= follow->active == NULL;
+  if (!follow->pool.failed)
     *changed = !take_over (follow, before, active, count, places);
   follow->margin = margin;
   memcpy (follow->at_search, displacements,
           follow->model->block_count * QN_DOF_COUNT * sizeof *displacements);
   free (before);
   free (active);
-  return ok ? QN_OK : qn_diag_no_memory (diag);
+  return follow->pool.failed ? qn_diag_no_memory (diag) : QN_OK;
 }
 
 /* --- Activation --------------------------------------------------------------------------- */

@@ -110,21 +110,22 @@ lay_out_factors (QnBlockLu *lu)
 
 /* Takes the forest to parts, the largest subtrees of at most their share of the work. Where all of it
  * is little work, these are its trees. */
-static bool
-lay_out_parts (QnBlockLu *lu)
+static void
+lay_out_parts (QnBlockLu *lu, QnPool *room)
 {
   const QnFrontTree *tree = &lu->tree;
   size_t count = (size_t) tree->front_count;
   double most = lu->work > WORK_TO_SHARE ? PART_OF_WORK * lu->work : INFINITY;
-  double *work = qn_alloc (count, sizeof *work);    /* of each front's subtree, */
-  int32_t *first = qn_alloc (count, sizeof *first); /* and its first front */
+  double *work = qn_pool_alloc (room, count, sizeof *work); /* of each front's subtree, */
+  int32_t *first = qn_pool_alloc (room, count, sizeof *first); /* and its first front */
   lu->parts = qn_pool_alloc (&lu->pool, count, sizeof *lu->parts);
   lu->top = qn_pool_alloc (&lu->pool, count, sizeof *lu->top);
-  bool ok = work && first && !lu->pool.failed;
 
-  for (int32_t f = 0; ok && f < tree->front_count; f++)
+  if (room->failed || lu->pool.failed)
+    return;
+  for (int32_t f = 0; f < tree->front_count; f++)
     first[f] = f;
-  for (int32_t f = 0; ok && f < tree->front_count; f++) {
+  for (int32_t f = 0; f < tree->front_count; f++) {
     int32_t parent = tree->fronts[f].parent;
     work[f] += lu->matrices[f].work;
     if (parent != QN_NONE) {
@@ -132,16 +133,13 @@ lay_out_parts (QnBlockLu *lu)
       first[parent] = first[f] < first[parent] ? first[f] : first[parent];
     }
   }
-  for (int32_t f = 0; ok && f < tree->front_count; f++) {
+  for (int32_t f = 0; f < tree->front_count; f++) {
     int32_t parent = tree->fronts[f].parent;
     if (work[f] > most)
       lu->top[lu->top_count++] = f;
     else if (parent == QN_NONE || work[parent] > most)
       lu->parts[lu->part_count++] = (Part){ .first = first[f], .end = f + 1 };
   }
-  free (work);
-  free (first);
-  return ok;
 }
 
 /* Lays out S of all fronts in so many numbers from `begin`, which are returned. Where those of a part
@@ -222,35 +220,31 @@ list_entries (QnBlockLu *lu, const int32_t *ap, const int32_t *ai, int32_t f,
   return fill;
 }
 
-static bool
-list_all_entries (QnBlockLu *lu, const int32_t *ap, const int32_t *ai)
+static void
+list_all_entries (QnBlockLu *lu, const int32_t *ap, const int32_t *ai, QnPool *room)
 {
   const QnFrontTree *tree = &lu->tree;
   size_t n = (size_t) tree->n;
   int32_t fill = 0;
-  int32_t *unknown = qn_alloc (n, sizeof *unknown), *where = qn_alloc (n, sizeof *where),
-          *mirror = qn_alloc ((size_t) ap[n], sizeof *mirror);
-  bool ok = unknown && where && mirror;
+  int32_t *unknown = qn_pool_alloc (room, n, sizeof *unknown),
+          *where = qn_pool_alloc (room, n, sizeof *where),
+          *mirror = qn_pool_alloc (room, (size_t) ap[n], sizeof *mirror);
 
-  if (ok) {
-    qn_sparse_mirror (tree->n, ap, ai, where, mirror);
-    for (int32_t i = 0; i < tree->n; i++)
-      unknown[tree->position[i]] = i;
-    for (int32_t f = 0; f < tree->front_count; f++) {
-      const QnFront *front = &tree->fronts[f];
-      for (int32_t c = 0; c < front->pivots; c++)
-        where[front->first + c] = c;
-      for (int32_t r = 0; r < front->rest; r++)
-        where[tree->rows[front->first_row + r]] = front->pivots + r;
-      lu->matrices[f].first_entry = fill;
-      fill = list_entries (lu, ap, ai, f, unknown, mirror, where, fill);
-    }
-    lu->matrices[tree->front_count].first_entry = fill;
+  if (room->failed)
+    return;
+  qn_sparse_mirror (tree->n, ap, ai, where, mirror);
+  for (int32_t i = 0; i < tree->n; i++)
+    unknown[tree->position[i]] = i;
+  for (int32_t f = 0; f < tree->front_count; f++) {
+    const QnFront *front = &tree->fronts[f];
+    for (int32_t c = 0; c < front->pivots; c++)
+      where[front->first + c] = c;
+    for (int32_t r = 0; r < front->rest; r++)
+      where[tree->rows[front->first_row + r]] = front->pivots + r;
+    lu->matrices[f].first_entry = fill;
+    fill = list_entries (lu, ap, ai, f, unknown, mirror, where, fill);
   }
-  free (unknown);
-  free (where);
-  free (mirror);
-  return ok;
+  lu->matrices[tree->front_count].first_entry = fill;
 }
 
 /* Finds where the solution, or what is summed up beside it, holds the rests of a part's fronts. `place`: of
@@ -286,7 +280,7 @@ widen_scratch (const QnBlockLu *lu, int32_t f, size_t begin, size_t *end)
   *end = size > *end - begin ? begin + size : *end;
 }
 
-static bool
+static void
 lay_out_scratch (QnBlockLu *lu)
 {
   size_t end = 0;
@@ -300,12 +294,11 @@ lay_out_scratch (QnBlockLu *lu)
   for (int32_t t = 0; t < lu->top_count; t++)
     widen_scratch (lu, lu->top[t], lu->scratch_above, &end);
   lu->scratch = qn_pool_lines (&lu->pool, end, sizeof *lu->scratch);
-  return lu->scratch != NULL;
 }
 
 /* Finds the places of all unknowns in the solution. */
-static bool
-lay_out_solution (QnBlockLu *lu)
+static void
+lay_out_solution (QnBlockLu *lu, QnPool *room)
 {
   const QnFrontTree *tree = &lu->tree;
   size_t n = (size_t) tree->n, rests = 0, outside = 0;
@@ -313,36 +306,34 @@ lay_out_solution (QnBlockLu *lu)
     rests += (size_t) tree->fronts[f].rest;
   for (int32_t p = 0; p < lu->part_count; p++)
     outside += (size_t) tree->fronts[lu->parts[p].end - 1].rest;
-  int32_t *place = qn_alloc (n, sizeof *place), *where = qn_alloc (n, sizeof *where);
+  int32_t *place = qn_pool_alloc (room, n, sizeof *place),
+          *where = qn_pool_alloc (room, n, sizeof *where);
 
   lu->solution = qn_pool_lines (&lu->pool, lu->solution_size, sizeof *lu->solution);
   lu->outside = qn_pool_alloc (&lu->pool, outside, sizeof *lu->outside);
   lu->unknown_places = qn_pool_alloc (&lu->pool, n, sizeof *lu->unknown_places);
   lu->rest_places = qn_pool_alloc (&lu->pool, rests, sizeof *lu->rest_places);
   lu->outside_places = qn_pool_alloc (&lu->pool, outside, sizeof *lu->outside_places);
-  bool ok = place && where && !lu->pool.failed && lay_out_scratch (lu);
-  if (ok) {
-    for (int32_t f = 0; f < tree->front_count; f++)
-      for (int32_t c = 0; c < tree->fronts[f].pivots; c++)
-        place[tree->fronts[f].first + c] = lu->matrices[f].first_place + c;
-    for (int32_t i = 0; i < tree->n; i++)
-      lu->unknown_places[i] = place[tree->position[i]];
-    for (int32_t p = 0; p < lu->part_count; p++)
-      place_rests (lu, &lu->parts[p], place, where);
-    for (int32_t t = 0; t < lu->top_count; t++) {
-      const QnFront *front = &tree->fronts[lu->top[t]];
-      lu->matrices[lu->top[t]].inside = front->rest;
-      for (int32_t r = front->first_row; r < front->first_row + front->rest; r++)
-        lu->rest_places[r] = place[tree->rows[r]];
-    }
+  if (room->failed || lu->pool.failed)
+    return;
+  for (int32_t f = 0; f < tree->front_count; f++)
+    for (int32_t c = 0; c < tree->fronts[f].pivots; c++)
+      place[tree->fronts[f].first + c] = lu->matrices[f].first_place + c;
+  for (int32_t i = 0; i < tree->n; i++)
+    lu->unknown_places[i] = place[tree->position[i]];
+  for (int32_t p = 0; p < lu->part_count; p++)
+    place_rests (lu, &lu->parts[p], place, where);
+  for (int32_t t = 0; t < lu->top_count; t++) {
+    const QnFront *front = &tree->fronts[lu->top[t]];
+    lu->matrices[lu->top[t]].inside = front->rest;
+    for (int32_t r = front->first_row; r < front->first_row + front->rest; r++)
+      lu->rest_places[r] = place[tree->rows[r]];
   }
-  free (place);
-  free (where);
-  return ok;
 }
 
+/* `room`: of what is needed here alone. */
 static bool
-set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai)
+set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai, QnPool *room)
 {
   size_t entries = (size_t) ap[n];
 
@@ -357,11 +348,15 @@ set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai)
   if (lu->pool.failed)
     return false;
   size_t factors = lay_out_factors (lu);
-  if (!lay_out_parts (lu))
+  lay_out_parts (lu, room);
+  if (room->failed || lu->pool.failed)
     return false;
   lu->numbers =
     qn_pool_lines (&lu->pool, factors + lay_out_rests (lu, factors), sizeof *lu->numbers);
-  return lu->numbers && lay_out_solution (lu) && list_all_entries (lu, ap, ai);
+  lay_out_scratch (lu);
+  lay_out_solution (lu, room);
+  list_all_entries (lu, ap, ai, room);
+  return !room->failed && !lu->pool.failed;
 }
 
 QnBlockLu *
@@ -369,16 +364,18 @@ qn_block_lu_new (int32_t n, const int32_t *ap, const int32_t *ai,
                  const QnWorkers *workers)
 {
   QnBlockLu *lu = qn_alloc (1, sizeof *lu);
+  QnPool room = { 0 };
 
   if (lu == NULL)
     return NULL;
   lu->loops = qn_front_loops (QN_FRONT_ROWS);
   lu->workers = workers;
-  if (!set_up (lu, n, ap, ai)) {
-    qn_block_lu_free (lu);
-    return NULL;
-  }
-  return lu;
+  bool done = set_up (lu, n, ap, ai, &room);
+  qn_pool_clear (&room);
+  if (done)
+    return lu;
+  qn_block_lu_free (lu);
+  return NULL;
 }
 
 void

@@ -113,25 +113,24 @@ find_column (const Analysis *a, int32_t j, const int32_t *child, const int32_t *
 }
 
 /* Fills column_start and rows. */
-static bool
+static void
 find_columns (Analysis *a)
 {
   size_t nodes = (size_t) a->count;
-  int32_t *scratch = qn_alloc (3 * nodes + 1, sizeof *scratch);
+  int32_t *scratch = qn_pool_alloc (&a->pool, 3 * nodes + 1, sizeof *scratch);
   int32_t *child = scratch, *sibling = scratch + nodes, *column = scratch + 2 * nodes;
 
   if (scratch == NULL)
-    return false;
+    return;
   memset (scratch, -1, 2 * nodes * sizeof *scratch);
   memset (a->marks, -1, nodes * sizeof *a->marks);
   for (int32_t j = 0; j < a->count; j++) {
     int32_t start = a->column_start[j],
             length = find_column (a, j, child, sibling, column);
-    if (!qn_array_reserve (&a->rows, &a->row_capacity, (size_t) start + (size_t) length,
-                           sizeof *a->rows)) {
-      free (scratch);
-      return false;
-    }
+    a->pool.failed |= !qn_array_reserve (
+      &a->rows, &a->row_capacity, (size_t) start + (size_t) length, sizeof *a->rows);
+    if (a->pool.failed)
+      return;
     memcpy (a->rows + start, column, (size_t) length * sizeof *column);
     a->column_start[j + 1] = start + length;
     if (length > 0) {
@@ -139,19 +138,17 @@ find_columns (Analysis *a)
       child[column[0]] = j;
     }
   }
-  free (scratch);
-  return true;
 }
 
 /* The order of elimination, by minimum degree, and the columns that belong to it. */
-static bool
+static void
 choose_order (Analysis *a)
 {
-  if (amd_order (a->count, a->start, a->next, a->order, NULL, NULL) < AMD_OK)
-    return false;
-  for (int32_t j = 0; j < a->count; j++)
+  a->pool.failed = amd_order (a->count, a->start, a->next, a->order, NULL, NULL) < AMD_OK;
+  for (int32_t j = 0; j < a->count && !a->pool.failed; j++)
     a->place[a->order[j]] = j;
-  return find_columns (a);
+  if (!a->pool.failed)
+    find_columns (a);
 }
 
 /* --- Groups of nodes that make a front -------------------------------------------------- */
@@ -186,13 +183,13 @@ is_worth_joining (const Group *child, const Group *parent, double *zeros)
 
 /* Every node starts as a group, and joins its parent's in the elimination tree where that is
  * faster. */
-static bool
+static void
 form_groups (Analysis *a)
 {
-  Group *groups = qn_alloc ((size_t) a->count, sizeof *groups);
+  Group *groups = qn_pool_alloc (&a->pool, (size_t) a->count, sizeof *groups);
 
-  if (groups == NULL)
-    return false;
+  if (a->pool.failed)
+    return;
   for (int32_t j = 0; j < a->count; j++) {
     a->group[j] = j;
     groups[j].pivots = a->width[a->order[j]];
@@ -211,8 +208,6 @@ form_groups (Analysis *a)
   }
   for (int32_t j = a->count - 1; j >= 0; j--) /* parents have higher numbers */
     a->group[j] = a->group[a->group[j]];
-  free (groups);
-  return true;
 }
 
 /* a->marks becomes the front of each node that is the last of a group: in postorder, whatever
@@ -284,7 +279,7 @@ front_of_position (const QnFrontTree *tree, int32_t position)
 }
 
 /* The rests, and where they stand in the parents. */
-static bool
+static void
 list_rests (const Analysis *a, QnFrontTree *tree)
 {
   size_t total = 0;
@@ -297,7 +292,7 @@ list_rests (const Analysis *a, QnFrontTree *tree)
   tree->places = qn_pool_alloc (&tree->pool, total + 1, sizeof *tree->places);
   tree->runs = qn_pool_alloc (&tree->pool, total + 1, sizeof *tree->runs);
   if (tree->pool.failed)
-    return false;
+    return;
   for (int32_t j = 0; j < a->count; j++) {
     if (a->group[j] != j)
       continue;
@@ -312,7 +307,6 @@ list_rests (const Analysis *a, QnFrontTree *tree)
     front->parent =
       front->rest > 0 ? front_of_position (tree, tree->rows[front->first_row]) : QN_NONE;
   }
-  return true;
 }
 
 /* Makes each front a child of its parent, and finds where its rest goes there. */
@@ -373,10 +367,13 @@ analyse (Analysis *a, QnFrontTree *tree)
     return false;
   gather_nodes (a);
   fill_graph (a);
-  if (!choose_order (a) || !form_groups (a))
+  choose_order (a);
+  form_groups (a);
+  if (a->pool.failed)
     return false;
   order_groups (a, tree);
-  if (!list_rests (a, tree))
+  list_rests (a, tree);
+  if (tree->pool.failed)
     return false;
   link_fronts (tree);
   measure_runs (tree);

@@ -1,14 +1,11 @@
 #include "core/model/edge-load.h"
 
 #include "core/base/integer.h"
-#include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "core/base/tolerance.h"
 #include "core/model/disperse.h"
 #include "core/model/model-check.h"
 #include "core/model/soil.h"
-
-#include <stdlib.h>
 
 double
 qn_earth_at_rest (double friction_angle)
@@ -88,7 +85,7 @@ typedef struct {
   size_t source;
   const QnLoad *load;
   QnSeenEdges seen[QN_BLOCK_SIDE_COUNT];
-  bool looked[QN_BLOCK_SIDE_COUNT];
+  QnPool room; /* of what is seen, and of shares; whether memory ran out */
   QnDiag *diag;
 } Resolver;
 
@@ -209,13 +206,12 @@ resolve_edge (Resolver *r)
   return status;
 }
 
-static bool
+static const QnSeenEdges *
 look_from (Resolver *r, QnBlockSide side)
 {
-  if (!r->looked[side] && !qn_model_find_seen_edges (r->model, side, &r->seen[side]))
-    return false;
-  r->looked[side] = true;
-  return true;
+  if (r->seen[side].items == NULL)
+    qn_model_find_seen_edges (r->model, side, &r->seen[side], &r->room);
+  return &r->seen[side];
 }
 
 /* The part of a seen edge between two coordinates: of the axis that it is seen across. */
@@ -286,13 +282,12 @@ resolve_seen (Resolver *r)
   QnBlockSide side = fill ? r->load->side : QN_BLOCK_SIDE_TOP;
   QnStatus status = QN_OK;
 
-  if (!look_from (r, side))
-    return qn_diag_no_memory (r->diag);
-  for (size_t i = 0; i < r->seen[side].count && status == QN_OK; i++) {
+  const QnSeenEdges *seen = look_from (r, side);
+  for (size_t i = 0; i < seen->count && status == QN_OK; i++) {
     QnVec2 ends[2];
-    if (clip (&r->seen[side].items[i], fill, r->load->span, ends))
-      status = fill ? add_backfill (r, &r->seen[side].items[i], ends)
-                    : add_surcharge (r, &r->seen[side].items[i], ends);
+    if (clip (&seen->items[i], fill, r->load->span, ends))
+      status = fill ? add_backfill (r, &seen->items[i], ends)
+                    : add_surcharge (r, &seen->items[i], ends);
   }
   return status;
 }
@@ -340,10 +335,9 @@ resolve_fill (Resolver *r)
 
   for (int s = 0; s < count && status == QN_OK; s++) {
     double beside = s == 0 ? 0 : s == 1 ? -1 : 1;
-    if (!look_from (r, sides[s]))
-      return qn_diag_no_memory (r->diag);
-    for (size_t i = 0; i < r->seen[sides[s]].count; i++) {
-      const QnSeenEdge *seen = &r->seen[sides[s]].items[i];
+    const QnSeenEdges *all = look_from (r, sides[s]);
+    for (size_t i = 0; i < all->count; i++) {
+      const QnSeenEdge *seen = &all->items[i];
       QnVec2 edge = qn_vec2_sub (seen->ends[1], seen->ends[0]);
       double x = seen->ends[0].x;
       if (s > 0 && fabs (edge.x) > QN_TOLERANCE_CONVEX * fabs (edge.y))
@@ -424,13 +418,11 @@ resolve_vehicle (Resolver *r)
   const QnLoad *load = r->load;
   const QnVehicle *vehicle = &r->model->vehicles[load->vehicle];
 
-  if (!look_from (r, QN_BLOCK_SIDE_TOP))
-    return qn_diag_no_memory (r->diag);
   QnStatus status = QN_OK;
-  size_t count = r->seen[QN_BLOCK_SIDE_TOP].count;
-  QnShare *shares = qn_alloc (count, sizeof *shares);
+  size_t count = look_from (r, QN_BLOCK_SIDE_TOP)->count;
+  QnShare *shares = qn_pool_alloc (&r->room, count, sizeof *shares);
   if (shares == NULL)
-    return qn_diag_no_memory (r->diag);
+    return QN_OK;
   QnBox box = QN_BOX_EMPTY;
   for (size_t i = 0; i < count; i++) {
     shares[i] = (QnShare){ .from = INFINITY, .to = -INFINITY };
@@ -466,7 +458,6 @@ resolve_vehicle (Resolver *r)
     }
   }
   qn_model_load (r->model, r->source)->beside = beside;
-  free (shares);
   return status;
 }
 
@@ -489,7 +480,8 @@ qn_model_resolve_edge_loads (QnModel *model, QnDiag *diag)
     else if (r.load->kind == QN_LOAD_VEHICLE)
       status = resolve_vehicle (&r);
   }
-  for (int side = 0; side < QN_BLOCK_SIDE_COUNT; side++)
-    free (r.seen[side].items);
+  if (r.room.failed)
+    status = qn_diag_no_memory (diag);
+  qn_pool_clear (&r.room);
   return status;
 }

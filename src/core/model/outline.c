@@ -1,9 +1,6 @@
 #include "core/model/outline.h"
 
-#include "core/base/memory.h"
 #include "core/base/tolerance.h"
-
-#include <stdlib.h>
 
 /* Unit vector that points out of a block at one of its sides. */
 static QnVec2
@@ -159,31 +156,29 @@ point_at (const QnModel *model, const Segment *s, double u)
            : qn_vec2_lerp (start, end, (s->high.x - u) / (s->high.x - s->low.x));
 }
 
-bool
-qn_model_find_seen_edges (const QnModel *model, QnBlockSide from, QnSeenEdges *seen)
+void
+qn_model_find_seen_edges (const QnModel *model, QnBlockSide from, QnSeenEdges *seen,
+                          QnPool *pool)
 {
-  Segment *segments = qn_alloc_unset (model->vertex_count, sizeof *segments);
-  Piece *room = qn_alloc_unset (model->vertex_count, 4 * sizeof *room);
+  size_t most = model->vertex_count;
+  Segment *segments = qn_pool_alloc (pool, most, sizeof *segments);
+  Piece *room = qn_pool_alloc (pool, most, 4 * sizeof *room);
 
-  *seen =
-    (QnSeenEdges){ qn_alloc_unset (model->vertex_count, 2 * sizeof *seen->items), 0 };
-  bool done = segments != NULL && room != NULL && seen->items != NULL;
-  size_t count = done ? gather_segments (model, direction_of (from), segments) : 0;
-  if (count > 0) {
-    Envelope envelope = find_envelope (segments, count, room, room + 2 * count);
-    for (size_t i = 0; i < envelope.count; i++) {
-      const Piece *piece = &envelope.items[i];
-      seen->items[seen->count++] = (QnSeenEdge){
-        piece->segment->block,
-        piece->segment->edge,
-        { point_at (model, piece->segment, piece->to),
-          point_at (model, piece->segment, piece->from) },
-      };
-    }
+  *seen = (QnSeenEdges){ qn_pool_alloc (pool, most, 2 * sizeof *seen->items), 0 };
+  size_t count =
+    pool->failed ? 0 : gather_segments (model, direction_of (from), segments);
+  if (count == 0)
+    return;
+  Envelope envelope = find_envelope (segments, count, room, room + 2 * count);
+  for (size_t i = 0; i < envelope.count; i++) {
+    const Piece *piece = &envelope.items[i];
+    seen->items[seen->count++] = (QnSeenEdge){
+      piece->segment->block,
+      piece->segment->edge,
+      { point_at (model, piece->segment, piece->to),
+        point_at (model, piece->segment, piece->from) },
+    };
   }
-  free (segments);
-  free (room);
-  return done;
 }
 
 const QnLoad *

@@ -1,6 +1,7 @@
 /* Edges of the outlines of blocks: which one faces a side, and which are seen from afar. */
 #pragma once
 
+#include "core/base/memory.h"
 #include "core/model/model.h"
 
 /* The edge that faces a side most; of several such the longest. Blocks are counter-clockwise. */
@@ -13,14 +14,16 @@ typedef struct QnSeenEdge {
 } QnSeenEdge;
 
 typedef struct QnSeenEdges {
-  QnSeenEdge *items; /* owned: free() */
+  QnSeenEdge *items;
   size_t count;
 } QnSeenEdges;
 
 /* The edges that parallel rays from a side meet first: the envelope of n edges, in O(n log n) by merging
  * the envelopes of halves. Edges along the rays are not seen. Where blocks overlap, the one
- * that lies in front in the middle of the common stretch hides the other. False when memory runs out. */
-bool qn_model_find_seen_edges (const QnModel *model, QnBlockSide from, QnSeenEdges *seen);
+ * that lies in front in the middle of the common stretch hides the other. In memory of the pool; no edges
+ * where it has failed. */
+void qn_model_find_seen_edges (const QnModel *model, QnBlockSide from, QnSeenEdges *seen,
+                               QnPool *pool);
 
 /* The fill that lies at x, NULL for none, and the height at which a vehicle stands there, on the first fill or
  * else on the blocks, whose edges seen from above are `top`; NAN beside both. */

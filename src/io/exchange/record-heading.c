@@ -45,12 +45,6 @@ qn_record_unit_name (QnRecordUnit unit)
   return "";
 }
 
-static void
-replace (GString *text, const char *old, const char *new)
-{
-  g_string_replace (text, old, new, 0);
-}
-
 QnRecordUnit
 qn_record_unit (const char *text)
 {
@@ -63,7 +57,7 @@ qn_record_unit (const char *text)
     { "s-1", "/s" }, { "./", "/" },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (spellings); i++)
-    replace (unit, spellings[i][0], spellings[i][1]);
+    g_string_replace (unit, spellings[i][0], spellings[i][1], 0);
   while (unit->len > 0 && strchr (".,;:", unit->str[unit->len - 1]) != NULL)
     g_string_truncate (unit, unit->len - 1);
   for (gsize i = 0; i < G_N_ELEMENTS (units); i++)

@@ -314,10 +314,13 @@ read_samples (Reading *r)
     const char *at = r->lines[i];
     double number;
     gboolean bad = FALSE;
-    if (r->packed && r->points->len >= r->heading.count
-        && count_numbers (r, at, &number) == 0)
-      break;
-    while (!is_passed_over (r->lines[i]) && next_number (r, &at, &number, &bad))
+    if (is_passed_over (at))
+      continue;
+    if (r->packed
+        && (qn_record_is_descriptor (at)
+            || !strchr ("+-.0123456789", at[strspn (at, " ")])))
+      break; /* the end mark, or velocities */
+    while (next_number (r, &at, &number, &bad))
       if (!add_sample (r, i + 1, NAN, number))
         return FALSE;
     if (bad)

@@ -283,20 +283,20 @@ dup_coarse_pairs (const QnModel *model, const QnResult *result)
 {
   int32_t least = 0;
   bool opens = false;
-  if (model->analysis.geometry != QN_GEOMETRY_NONLINEAR)
-    return NULL;
   for (gsize i = 0; i < model->law_count; i++) {
     QnPairRule rule = qn_pair_rule_by_law (&model->contact.pairs, &model->laws[i]);
-    if (model->laws[i].basis != QN_BASIS_CONTACT && rule.placement == QN_PLACEMENT_LOBATTO
-        && rule.count < QN_MOST_LOBATTO_PAIRS && (least == 0 || rule.count < least))
+    if ((model->analysis.geometry == QN_GEOMETRY_NONLINEAR || model->laws[i].tension > 0)
+        && model->laws[i].basis != QN_BASIS_CONTACT
+        && rule.placement == QN_PLACEMENT_LOBATTO && rule.count < QN_MOST_LOBATTO_PAIRS
+        && (least == 0 || rule.count < least))
       least = rule.count;
   }
   for (gsize i = 0; result->pairs != NULL && i < result->pair_count; i++)
     opens |= result->pairs[i].state == QN_PAIR_OPEN;
   return least > 0 && opens
            ? qn_text_printf (_ ("Joints that open far have %d pairs, whose multipliers "
-                                "have been found up to a tenth too high: compare with "
-                                "%d pairs."),
+                                "have been found up to a tenth too high, with brittle "
+                                "bonds up to a quarter: compare with %d pairs."),
                              least, QN_MOST_LOBATTO_PAIRS)
            : NULL;
 }

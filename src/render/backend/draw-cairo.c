@@ -56,21 +56,17 @@ draw_image (const QnScene *scene, const QnCommand *command, const QnCamera *came
   cairo_restore (cr);
 }
 
-static void
-draw_marker (cairo_t *cr, QnMarker marker, double x, double y, double size, double angle,
-             bool mirrored, double unit, QnColor color)
+void
+qn_draw_cairo_marker (cairo_t *cr, QnMarker marker, double x, double y, double size,
+                      double angle, bool mirrored, double unit, QnColor color)
 {
   QnMarkerPath path;
-  double c = cos (angle), s = sin (angle), flip = mirrored ? -1 : 1;
   cairo_set_dash (cr, NULL, 0, 0);
   cairo_set_line_width (cr, QN_RIM_WIDTH * unit);
-  for (int part = 0; qn_marker_path (marker, part, &path); part++) {
+  for (int part = 0; qn_marker_path (marker, part, angle, mirrored, &path); part++) {
     cairo_new_path (cr); /* text leaves a current point behind */
-    for (int i = 0; i < path.count; i++) {
-      QnVec2 p = path.points[i];
-      QnVec2 turned = qn_vec2_rotate (qn_vec2 (p.x, flip * p.y), c, s);
-      cairo_line_to (cr, x + size * turned.x, y - size * turned.y);
-    }
+    for (int i = 0; i < path.count; i++)
+      cairo_line_to (cr, x + size * path.points[i].x, y - size * path.points[i].y);
     if (path.closed)
       cairo_close_path (cr);
     if (path.paint == QN_MARKER_RIM) {
@@ -83,13 +79,6 @@ draw_marker (cairo_t *cr, QnMarker marker, double x, double y, double size, doub
     else
       cairo_stroke (cr);
   }
-}
-
-void
-qn_draw_cairo_marker (cairo_t *cr, QnMarker marker, double x, double y, double size,
-                      double angle, double unit, QnColor color)
-{
-  draw_marker (cr, marker, x, y, size, angle, false, unit, color);
 }
 
 /* ---- labels ---- */
@@ -332,8 +321,9 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
                    qn_command_is_thinned (command) ? line_factor : 1, cr);
       break;
     case QN_COMMAND_MARKER:
-      draw_marker (cr, (QnMarker) command->marker, s.x, s.y, command->size * camera->unit,
-                   command->angle, command->mirrored, camera->unit, command->color);
+      qn_draw_cairo_marker (cr, (QnMarker) command->marker, s.x, s.y,
+                            command->size * camera->unit, command->angle,
+                            command->mirrored, camera->unit, command->color);
       break;
     case QN_COMMAND_TEXT:
       draw_text (cr, command, s, &labels);

@@ -20,7 +20,7 @@ typedef struct QnDrawCounts {
 void qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
                     bool antialias, cairo_t *cr, QnDrawCounts *counts);
 
-/* Draws one marker of `size` px at a place of the page, as legends and plots need it. `angle`
- * is counter-clockwise on the page; `unit` px are a point. */
+/* Draws one marker of `size` px at a place of the page. `angle` is counter-clockwise on the page; `unit`
+ * px are a point. */
 void qn_draw_cairo_marker (cairo_t *cr, QnMarker marker, double x, double y, double size,
-                           double angle, double unit, QnColor color);
+                           double angle, bool mirrored, double unit, QnColor color);

@@ -2,19 +2,23 @@
 
 #include "core/base/integer.h"
 #include "render/backend/gl-batch.h"
-#include "render/backend/gl-target.h"
 #include "render/backend/output.h"
 
 #include <glib/gi18n-lib.h>
 #include <stddef.h>
+#include <string.h>
+
+/* Larger pictures are drawn in tiles, so that no driver's limit and no great memory matters. */
+#define TILE 2048
 
 struct QnGlRenderer {
   const QnGl *gl;
   GLuint program, array, vertices, indices;
   GLint scale, shift, pixel, metric, growth, smoothness, dash;
   QnGlBatch batch;
-  QnGlTarget target; /* for pictures that are read back */
-  uint64_t revision; /* of the scene in the buffers; 0: none */
+  GLuint framebuffer, renderbuffer; /* for pictures that are read back, of this size: */
+  int width, height;                /* px; 0: there is none yet */
+  uint64_t revision;                /* of the scene in the buffers; 0: none */
   unsigned uploads;
   GArray *counts;  /* of GLsizei: indices of each run of visible commands */
   GArray *offsets; /* of const void *: where the run starts, bytes */
@@ -144,12 +148,24 @@ qn_gl_renderer_new (const QnGl *gl, GError **error)
   return r;
 }
 
+static void
+clear_target (QnGlRenderer *r)
+{
+  if (r->framebuffer == 0)
+    return;
+  r->gl->BindFramebuffer (GL_FRAMEBUFFER, 0);
+  r->gl->DeleteFramebuffers (1, &r->framebuffer);
+  r->gl->DeleteRenderbuffers (1, &r->renderbuffer);
+  r->framebuffer = r->renderbuffer = 0;
+  r->width = r->height = 0;
+}
+
 void
 qn_gl_renderer_free (QnGlRenderer *r)
 {
   if (r == NULL)
     return;
-  qn_gl_target_clear (&r->target);
+  clear_target (r);
   r->gl->DeleteProgram (r->program);
   r->gl->DeleteVertexArrays (1, &r->array);
   r->gl->DeleteBuffers (1, &r->vertices);
@@ -158,18 +174,6 @@ qn_gl_renderer_free (QnGlRenderer *r)
   g_array_unref (r->counts);
   g_array_unref (r->offsets);
   g_free (r);
-}
-
-const QnGl *
-qn_gl_renderer_api (const QnGlRenderer *renderer)
-{
-  return renderer->gl;
-}
-
-QnGlTarget *
-qn_gl_renderer_target (QnGlRenderer *renderer)
-{
-  return &renderer->target;
 }
 
 unsigned
@@ -285,4 +289,109 @@ qn_gl_renderer_draw (QnGlRenderer *r, const QnScene *scene, const QnCamera *came
   gl->UseProgram (0);
   if (counts != NULL)
     *counts = tally;
+}
+
+/* ---- images: a framebuffer that is read back tile by tile ---- */
+
+/* Makes a framebuffer of this size unless it is there; false where the driver cannot. */
+static bool
+prepare_target (QnGlRenderer *r, int width, int height)
+{
+  const QnGl *gl = r->gl;
+  if (r->width == width && r->height == height)
+    return true;
+  clear_target (r);
+  gl->GenFramebuffers (1, &r->framebuffer);
+  gl->GenRenderbuffers (1, &r->renderbuffer);
+  gl->BindRenderbuffer (GL_RENDERBUFFER, r->renderbuffer);
+  gl->RenderbufferStorage (GL_RENDERBUFFER, GL_RGBA8, width, height);
+  gl->BindFramebuffer (GL_FRAMEBUFFER, r->framebuffer);
+  gl->FramebufferRenderbuffer (GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                               r->renderbuffer);
+  if (gl->CheckFramebufferStatus (GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    clear_target (r);
+    return false;
+  }
+  r->width = width;
+  r->height = height;
+  return true;
+}
+
+/* Copies what was drawn into the image at (left, top), upside down as GL has it. */
+static void
+read_back (const QnGlRenderer *r, cairo_surface_t *image, int left, int top, int width,
+           int height, guint8 *rows)
+{
+  const QnGl *gl = r->gl;
+  gl->PixelStorei (GL_PACK_ALIGNMENT, 4);
+  /* Cairo's ARGB32 is a native 32-bit word with alpha on top. */
+  gl->ReadPixels (0, r->height - height, width, height, GL_BGRA,
+                  GL_UNSIGNED_INT_8_8_8_8_REV, rows);
+  int stride = cairo_image_surface_get_stride (image);
+  guint8 *data = cairo_image_surface_get_data (image);
+  for (int y = 0; y < height; y++)
+    memcpy (data + (size_t) (top + y) * stride + (size_t) left * 4,
+            rows + (size_t) (height - 1 - y) * width * 4, (size_t) width * 4);
+}
+
+/* The camera that shows one tile of another's viewport. */
+static QnCamera
+tile_camera (const QnCamera *whole, int left, int top, int width, int height)
+{
+  QnCamera tile = *whole;
+  tile.x = tile.y = 0;
+  tile.width = width;
+  tile.height = height;
+  tile.center.x += (left + 0.5 * width - 0.5 * whole->width) / whole->scale;
+  tile.center.y -= (top + 0.5 * height - 0.5 * whole->height) / whole->scale;
+  return tile;
+}
+
+static void
+draw_tiles (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera, bool antialias,
+            cairo_surface_t *image, guint8 *rows, QnDrawCounts *counts)
+{
+  const QnGl *gl = r->gl;
+  int width = cairo_image_surface_get_width (image);
+  int height = cairo_image_surface_get_height (image);
+  for (int top = 0; top < height; top += r->height) {
+    for (int left = 0; left < width; left += r->width) {
+      int w = MIN (r->width, width - left), h = MIN (r->height, height - top);
+      QnCamera tile = tile_camera (camera, left, top, w, h);
+      gl->BindFramebuffer (GL_FRAMEBUFFER, r->framebuffer);
+      gl->Disable (GL_SCISSOR_TEST);
+      gl->ClearColor (0, 0, 0, 0);
+      gl->Clear (GL_COLOR_BUFFER_BIT);
+      qn_gl_renderer_draw (r, scene, &tile, r->height, antialias, counts);
+      read_back (r, image, left, top, w, h, rows);
+    }
+  }
+}
+
+cairo_surface_t *
+qn_gl_renderer_draw_image (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
+                           bool antialias, QnDrawCounts *counts, GError **error)
+{
+  int width = (int) qn_to_integer (ceil (camera->width), 1, G_MAXINT16);
+  int height = (int) qn_to_integer (ceil (camera->height), 1, G_MAXINT16);
+  int tile_width = MIN (width, TILE), tile_height = MIN (height, TILE);
+  cairo_surface_t *image =
+    cairo_image_surface_create (CAIRO_FORMAT_ARGB32, width, height);
+  g_autofree guint8 *rows = g_try_malloc ((gsize) tile_width * tile_height * 4);
+  if (prepare_target (r, tile_width, tile_height) && rows != NULL
+      && cairo_surface_status (image) == CAIRO_STATUS_SUCCESS) {
+    QnCamera whole = *camera;
+    whole.width = width;
+    whole.height = height;
+    whole.center.x += 0.5 * (width - camera->width) / camera->scale;
+    whole.center.y -= 0.5 * (height - camera->height) / camera->scale;
+    cairo_surface_flush (image);
+    draw_tiles (r, scene, &whole, antialias, image, rows, counts);
+    cairo_surface_mark_dirty (image);
+  } else {
+    g_clear_pointer (&image, cairo_surface_destroy);
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
+                         _ ("the OpenGL driver cannot draw a picture of this size"));
+  }
+  return image;
 }

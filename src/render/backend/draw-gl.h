@@ -19,9 +19,6 @@ void qn_gl_renderer_draw (QnGlRenderer *renderer, const QnScene *scene,
                           const QnCamera *camera, int framebuffer_height, bool antialias,
                           QnDrawCounts *counts);
 
-/* The table that the renderer was made with. */
-const QnGl *qn_gl_renderer_api (const QnGlRenderer *renderer);
-
 /* How often a scene was uploaded since the renderer was made. */
 unsigned qn_gl_renderer_uploads (const QnGlRenderer *renderer);
 

@@ -6,17 +6,15 @@
 static void
 add_marker (QnGlBrush brush, const QnScene *scene, const QnCommand *command)
 {
-  double c = cos (command->angle), s = sin (command->angle);
-  double flip = command->mirrored ? -1 : 1;
   QnMarkerPath path;
   brush.at = *qn_scene_points (scene, command);
   brush.in_points = true;
-  for (int part = 0; qn_marker_path ((QnMarker) command->marker, part, &path); part++) {
+  for (int part = 0; qn_marker_path ((QnMarker) command->marker, part, command->angle,
+                                     command->mirrored, &path);
+       part++) {
     uint32_t count = (uint32_t) path.count;
-    for (uint32_t i = 0; i < count; i++) {
-      QnVec2 p = qn_vec2 (path.points[i].x, flip * path.points[i].y);
-      path.points[i] = qn_vec2_scale (command->size, qn_vec2_rotate (p, c, s));
-    }
+    for (uint32_t i = 0; i < count; i++)
+      path.points[i] = qn_vec2_scale (command->size, path.points[i]);
     if (path.paint == QN_MARKER_RIM) {
       QnGlBrush paper = brush;
       paper.color = qn_rgb (0xffffff);

@@ -36,12 +36,37 @@ qn_gl_painter_free (QnGlPainter *painter)
   g_free (painter);
 }
 
-cairo_surface_t *
-qn_gl_painter_draw (QnGlPainter *painter, const QnScene *scene, const QnCamera *camera,
-                    bool antialias, GError **error)
+bool
+qn_scene_draw (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
+               const QnPage *page, GError **error)
 {
-  return qn_gl_renderer_draw_image (painter->renderer, scene, camera, antialias, NULL,
-                                    error);
+  if (page->painter == NULL) {
+    qn_draw_cairo (scene, camera, QN_LAYERS_ALL, page->antialias, cr, NULL);
+    return true;
+  }
+
+  /* The viewport on whole pixels, so that the image is laid down without being resampled. */
+  QnCamera snapped = *camera;
+  snapped.x = floor (camera->x);
+  snapped.y = floor (camera->y);
+  snapped.width = ceil (camera->x + camera->width) - snapped.x;
+  snapped.height = ceil (camera->y + camera->height) - snapped.y;
+  QnVec2 middle = { snapped.x + 0.5 * snapped.width, snapped.y + 0.5 * snapped.height };
+  snapped.center = qn_camera_to_model (camera, middle);
+  cairo_surface_t *image = qn_gl_renderer_draw_image (
+    page->painter->renderer, scene, &snapped, page->antialias, NULL, error);
+  if (image == NULL)
+    return false;
+  qn_draw_cairo (scene, camera, QN_LAYERS_CAIRO_BELOW, page->antialias, cr, NULL);
+  cairo_save (cr);
+  cairo_set_source_surface (cr, image, snapped.x, snapped.y);
+  cairo_pattern_set_filter (cairo_get_source (cr), CAIRO_FILTER_NEAREST);
+  cairo_rectangle (cr, snapped.x, snapped.y, snapped.width, snapped.height);
+  cairo_fill (cr);
+  cairo_restore (cr);
+  cairo_surface_destroy (image);
+  qn_draw_cairo (scene, camera, QN_LAYERS_CAIRO_ABOVE, page->antialias, cr, NULL);
+  return true;
 }
 
 unsigned

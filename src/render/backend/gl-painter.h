@@ -2,6 +2,7 @@
  * an animation. It becomes the current context of its thread. */
 #pragma once
 
+#include "render/backend/output.h"
 #include "render/drawing/scene.h"
 
 typedef struct QnGlPainter QnGlPainter;
@@ -11,11 +12,10 @@ QnGlPainter *qn_gl_painter_new (GError **error);
 void qn_gl_painter_free (QnGlPainter *painter);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC (QnGlPainter, qn_gl_painter_free)
 
-/* Draws the camera's viewport, photos and text left out, into a new image of its size with a
- * transparent ground. NULL with an error. */
-cairo_surface_t *qn_gl_painter_draw (QnGlPainter *painter, const QnScene *scene,
-                                     const QnCamera *camera, bool antialias,
-                                     GError **error);
+/* Draws a scene onto a page. With a painter the picture is drawn off screen, read back and laid onto the page;
+ * labels are always Cairo's. */
+bool qn_scene_draw (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
+                    const QnPage *page, GError **error);
 
 /* How many painters this process has made: contexts are expensive. */
 unsigned qn_gl_painter_count (void);

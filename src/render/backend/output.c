@@ -56,11 +56,9 @@ qn_output_parse_size (QnOutput *output, const char *text, GError **error)
   const char *rest = parse_length (text, &width, &width_mm);
   if (rest != NULL)
     rest = *rest == 'x' ? parse_length (rest + 1, &height, &height_mm) : NULL;
-  if (rest == NULL || *rest != '\0' || width_mm != height_mm) {
-    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                 _ ("size \"%s\" is neither like 1600x1200 nor like 160mmx120mm"), text);
-    return false;
-  }
+  if (rest == NULL || *rest != '\0' || width_mm != height_mm)
+    return qn_render_refuse (
+      error, _ ("size \"%s\" is neither like 1600x1200 nor like 160mmx120mm"), text);
   output->width = width;
   output->height = height;
   output->millimetres = width_mm;
@@ -83,36 +81,27 @@ qn_format_of_path (const char *path, QnFormat *format, GError **error)
       return true;
     }
   }
-  g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-               _ ("%s: a picture's name ends in .png, .svg or .pdf"), path);
-  return false;
+  return qn_render_refuse (error, _ ("%s: a picture's name ends in .png, .svg or .pdf"),
+                           path);
 }
 
 bool
 qn_output_page (const QnOutput *output, QnPage *page, GError **error)
 {
   double dpi = output->dpi;
-  if (dpi < 0 || !isfinite (dpi) || dpi > 1e5) {
-    g_set_error_literal (
-      error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-      _ ("the resolution must be a positive number of dpi, at most 100,000"));
-    return false;
-  }
+  if (dpi < 0 || !isfinite (dpi) || dpi > 1e5)
+    return qn_render_refuse (
+      error, _ ("the resolution must be a positive number of dpi, at most 100,000"));
   if (output->millimetres && !(dpi > 0))
     dpi = 300;
   double factor = output->millimetres ? dpi / MM_PER_INCH : 1;
   double width = round (output->width * factor), height = round (output->height * factor);
-  if (!(width >= 1) || !(height >= 1)) {
-    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                         _ ("the size of the picture must be positive"));
-    return false;
-  }
-  if (width > MAX_SIDE || height > MAX_SIDE || width * height > MAX_AREA) {
-    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                 _ ("a picture of %.0f x %.0f px is larger than the program draws"),
-                 width, height);
-    return false;
-  }
+  if (!(width >= 1) || !(height >= 1))
+    return qn_render_refuse (error, _ ("the size of the picture must be positive"));
+  if (width > MAX_SIDE || height > MAX_SIDE || width * height > MAX_AREA)
+    return qn_render_refuse (
+      error, _ ("a picture of %.0f x %.0f px is larger than the program draws"), width,
+      height);
   *page = (QnPage){
     .width = width,
     .height = height,
@@ -131,6 +120,23 @@ recorded_dpi (const QnOutput *output)
   return output->dpi > 0 ? output->dpi : output->millimetres ? 300 : 96;
 }
 
+cairo_surface_t *
+qn_page_create_image (const QnPage *page)
+{
+  return cairo_image_surface_create (CAIRO_FORMAT_ARGB32,
+                                     (int) qn_to_integer (page->width, 1, G_MAXINT16),
+                                     (int) qn_to_integer (page->height, 1, G_MAXINT16));
+}
+
+bool
+qn_output_succeeded (cairo_status_t status, GError **error)
+{
+  if (status != CAIRO_STATUS_SUCCESS)
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
+                         cairo_status_to_string (status));
+  return status == CAIRO_STATUS_SUCCESS;
+}
+
 static bool
 draw_page (cairo_t *cr, const QnPage *page, QnPageFunc draw, void *data, GError **error)
 {
@@ -138,33 +144,33 @@ draw_page (cairo_t *cr, const QnPage *page, QnPageFunc draw, void *data, GError 
     cairo_set_source_rgb (cr, 1, 1, 1);
     cairo_paint (cr);
   }
-  if (!draw (cr, page, data, error))
-    return false;
-  cairo_status_t status = cairo_status (cr);
-  if (status != CAIRO_STATUS_SUCCESS)
-    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
-                         cairo_status_to_string (status));
-  return status == CAIRO_STATUS_SUCCESS;
+  cairo_set_antialias (cr,
+                       page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
+  return draw (cr, page, data, error) && qn_output_succeeded (cairo_status (cr), error);
 }
 
-static size_t
-describe (const QnMetadata *m, QnPngText texts[5])
+/* What a file says of itself; texts are borrowed. */
+typedef struct Words {
+  QnPngText texts[5];
+  size_t count;
+  char number[G_ASCII_DTOSTR_BUF_SIZE];
+} Words;
+
+static void
+describe (const QnMetadata *m, Words *words)
 {
-  size_t n = 0;
-  if (m->title != NULL)
-    texts[n++] = (QnPngText){ "Title", g_strdup (m->title) };
-  if (m->generator != NULL)
-    texts[n++] = (QnPngText){ "Software", g_strdup (m->generator) };
-  if (m->model != NULL)
-    texts[n++] = (QnPngText){ "Source", g_strdup (m->model) };
-  if (m->model_sha256 != NULL)
-    texts[n++] = (QnPngText){ "Model-SHA256", g_strdup (m->model_sha256) };
-  if (!isnan (m->multiplier)) {
-    char number[G_ASCII_DTOSTR_BUF_SIZE];
-    g_ascii_formatd (number, sizeof number, "%.6g", m->multiplier);
-    texts[n++] = (QnPngText){ "Multiplier", g_strdup (number) };
-  }
-  return n;
+  const char *number = NULL;
+  if (!isnan (m->multiplier))
+    number = g_ascii_formatd (words->number, sizeof words->number, "%.6g", m->multiplier);
+  const QnPngText all[] = { { "Title", m->title },
+                            { "Software", m->generator },
+                            { "Source", m->model },
+                            { "Model-SHA256", m->model_sha256 },
+                            { "Multiplier", number } };
+  words->count = 0;
+  for (size_t i = 0; i < G_N_ELEMENTS (all); i++)
+    if (all[i].text != NULL)
+      words->texts[words->count++] = all[i];
 }
 
 cairo_status_t
@@ -177,18 +183,17 @@ qn_output_append (void *bytes, const unsigned char *data, unsigned int length)
 void
 qn_output_describe_pdf (cairo_surface_t *surface, const QnMetadata *metadata)
 {
-  QnPngText texts[5];
-  size_t count = describe (metadata, texts);
+  Words words;
   g_autoptr (GString) keywords = g_string_new (NULL);
-  for (size_t i = 0; i < count; i++) {
-    if (strcmp (texts[i].key, "Title") == 0)
-      cairo_pdf_surface_set_metadata (surface, CAIRO_PDF_METADATA_TITLE, texts[i].text);
-    else if (strcmp (texts[i].key, "Software") == 0)
-      cairo_pdf_surface_set_metadata (surface, CAIRO_PDF_METADATA_CREATOR, texts[i].text);
+  describe (metadata, &words);
+  for (const QnPngText *text = words.texts; text < words.texts + words.count; text++) {
+    if (strcmp (text->key, "Title") == 0)
+      cairo_pdf_surface_set_metadata (surface, CAIRO_PDF_METADATA_TITLE, text->text);
+    else if (strcmp (text->key, "Software") == 0)
+      cairo_pdf_surface_set_metadata (surface, CAIRO_PDF_METADATA_CREATOR, text->text);
     else
       g_string_append_printf (keywords, "%s%s: %s", keywords->len > 0 ? ", " : "",
-                              texts[i].key, texts[i].text);
-    g_free (texts[i].text);
+                              text->key, text->text);
   }
   if (keywords->len > 0)
     cairo_pdf_surface_set_metadata (surface, CAIRO_PDF_METADATA_KEYWORDS, keywords->str);
@@ -201,31 +206,23 @@ qn_output_describe_pdf (cairo_surface_t *surface, const QnMetadata *metadata)
 static void
 renumber_surfaces (GString *svg)
 {
-  g_autoptr (GHashTable) seen =
-    g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
+  g_autoptr (GHashTable) seen = g_hash_table_new (NULL, NULL);
   g_autoptr (GString) out = g_string_sized_new (svg->len);
   const char *at = svg->str, *hit;
   while ((hit = strstr (at, "surface")) != NULL) {
-    const char *end = hit + strlen ("surface");
-    while (g_ascii_isdigit (*end))
-      end++;
-    g_string_append_len (out, at, hit - at);
-    char *name = g_strndup (hit, (gsize) (end - hit));
-    bool is_id = end - hit > 7 && (hit[-1] == '"' || hit[-1] == '#');
-    if (!is_id) {
-      g_string_append (out, name);
-      g_free (name);
-    } else {
-      gpointer number = g_hash_table_lookup (seen, name);
-      if (number == NULL) {
+    const char *digits = hit + strlen ("surface");
+    char *end = (char *) digits;
+    guint64 name = g_ascii_isdigit (*digits) ? g_ascii_strtoull (digits, &end, 10) : 0;
+    g_string_append_len (out, at, digits - at);
+    if (end > digits && (hit[-1] == '"' || hit[-1] == '#')) {
+      gpointer key = GSIZE_TO_POINTER (name), number = g_hash_table_lookup (seen, key);
+      if (number == NULL)
         number = GUINT_TO_POINTER (g_hash_table_size (seen) + 1);
-        g_hash_table_insert (seen, name, number);
-      } else {
-        g_free (name);
-      }
-      g_string_append_printf (out, "surface%u", GPOINTER_TO_UINT (number));
+      g_hash_table_insert (seen, key, number);
+      g_string_append_printf (out, "%u", GPOINTER_TO_UINT (number));
+      digits = end;
     }
-    at = end;
+    at = digits;
   }
   g_string_append (out, at);
   g_string_assign (svg, out->str);
@@ -235,18 +232,17 @@ renumber_surfaces (GString *svg)
 static void
 describe_svg (GString *svg, const QnMetadata *metadata)
 {
-  QnPngText texts[5];
-  size_t count = describe (metadata, texts);
+  Words words;
   g_autoptr (GString) head = g_string_new (NULL);
+  describe (metadata, &words);
   if (metadata->title != NULL) {
     g_autofree char *title = qn_xml_dup_text (metadata->title);
     g_string_append_printf (head, "<title>%s</title>\n", title);
   }
   g_string_append (head, "<metadata>\n");
-  for (size_t i = 0; i < count; i++) {
-    g_autofree char *text = qn_xml_dup_text (texts[i].text);
-    g_string_append_printf (head, "%s: %s\n", texts[i].key, text);
-    g_free (texts[i].text);
+  for (size_t i = 0; i < words.count; i++) {
+    g_autofree char *text = qn_xml_dup_text (words.texts[i].text);
+    g_string_append_printf (head, "%s: %s\n", words.texts[i].key, text);
   }
   g_string_append (head, "</metadata>\n");
   const char *root = strstr (svg->str, "<svg");
@@ -299,17 +295,14 @@ qn_page_encode (QnFormat format, const QnOutput *output, const QnMetadata *metad
     if (output->backend == QN_BACKEND_GL && (painter = qn_gl_painter_new (error)) == NULL)
       return NULL;
     page.painter = painter;
-    cairo_surface_t *surface = cairo_image_surface_create (
-      CAIRO_FORMAT_ARGB32, (int) qn_to_integer (page.width, 1, G_MAXINT16),
-      (int) qn_to_integer (page.height, 1, G_MAXINT16));
+    cairo_surface_t *surface = qn_page_create_image (&page);
     cairo_t *cr = cairo_create (surface);
     GBytes *bytes = NULL;
     if (draw_page (cr, &page, draw, data, error)) {
-      QnPngText texts[5];
-      size_t count = describe (metadata, texts);
-      bytes = qn_png_encode (surface, recorded_dpi (output), texts, count, error);
-      for (size_t i = 0; i < count; i++)
-        g_free (texts[i].text);
+      Words words;
+      describe (metadata, &words);
+      bytes =
+        qn_png_encode (surface, recorded_dpi (output), words.texts, words.count, error);
     }
     cairo_destroy (cr);
     cairo_surface_destroy (surface);

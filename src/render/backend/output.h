@@ -60,7 +60,13 @@ bool qn_format_of_path (const char *path, QnFormat *format, GError **error);
  * on a side or 2^28 px in all. */
 bool qn_output_page (const QnOutput *output, QnPage *page, GError **error);
 
-/* Draws one page; false with an error to give up. */
+/* An image of the page's size. */
+cairo_surface_t *qn_page_create_image (const QnPage *page);
+
+/* Whether Cairo has done what it should; else an error (FAILED). */
+bool qn_output_succeeded (cairo_status_t status, GError **error);
+
+/* Draws one page, with its antialiasing set; false with an error to give up. */
 typedef bool (*QnPageFunc) (cairo_t *cr, const QnPage *page, void *data, GError **error);
 
 /* Draws, encodes and writes, whole or not at all; "-" writes to standard output. False with an

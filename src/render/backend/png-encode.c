@@ -2,6 +2,7 @@
 
 #include "core/base/integer.h"
 #include "render/backend/output.h"
+#include "render/drawing/paint.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -43,10 +44,8 @@ is_opaque (cairo_surface_t *surface)
 {
   int width = cairo_image_surface_get_width (surface);
   int height = cairo_image_surface_get_height (surface);
-  int stride = cairo_image_surface_get_stride (surface);
-  const unsigned char *data = cairo_image_surface_get_data (surface);
   for (int y = 0; y < height; y++) {
-    const uint32_t *row = (const uint32_t *) (const void *) (data + (size_t) y * stride);
+    const uint32_t *row = qn_image_row (surface, y);
     for (int x = 0; x < width; x++)
       if (row[x] >> 24 != 255)
         return false;
@@ -78,8 +77,6 @@ write_image (png_structp png, png_infop info, cairo_surface_t *surface, double d
 
   int width = cairo_image_surface_get_width (surface);
   int height = cairo_image_surface_get_height (surface);
-  int stride = cairo_image_surface_get_stride (surface);
-  const unsigned char *data = cairo_image_surface_get_data (surface);
   bool opaque = is_opaque (surface);
   png_set_IHDR (png, info, (png_uint_32) width, (png_uint_32) height, 8,
                 opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
@@ -96,7 +93,7 @@ write_image (png_structp png, png_infop info, cairo_surface_t *surface, double d
     png_text chunk = { .compression =
                          plain ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE };
     chunk.key = (png_charp) texts[i].key;
-    chunk.text = texts[i].text;
+    chunk.text = (png_charp) texts[i].text;
     if (plain)
       chunk.text_length = strlen (texts[i].text);
     else
@@ -105,8 +102,7 @@ write_image (png_structp png, png_infop info, cairo_surface_t *surface, double d
   }
   png_write_info (png, info);
   for (int y = 0; y < height; y++) {
-    convert_row ((const uint32_t *) (const void *) (data + (size_t) y * stride), width,
-                 opaque, row);
+    convert_row (qn_image_row (surface, y), width, opaque, row);
     png_write_row (png, row);
   }
   png_write_end (png, NULL);

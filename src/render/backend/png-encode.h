@@ -5,8 +5,8 @@
 #include <glib.h>
 
 typedef struct QnPngText {
-  const char *key; /* "Title", "Software", … or a private one, Latin-1 */
-  char *text;      /* UTF-8 */
+  const char *key;  /* "Title", "Software", … or a private one, Latin-1 */
+  const char *text; /* UTF-8 */
 } QnPngText;
 
 /* Encodes an ARGB32 image surface. `dpi` <= 0: no resolution chunk. An image without any

@@ -1,5 +1,4 @@
-/* The shapes of markers, once for every back end: paths in units of the marker's size, x along
- * its angle, y to the left of it. */
+/* The shapes of markers, once for every back end: paths in units of the marker's size. */
 #pragma once
 
 #include "render/drawing/scene.h"
@@ -22,5 +21,7 @@ typedef struct QnMarkerPath {
   QnVec2 points[QN_MARKER_POINTS];
 } QnMarkerPath;
 
-/* The `part`-th path of a marker, from 0; false when there are no more. */
-bool qn_marker_path (QnMarker marker, int part, QnMarkerPath *path);
+/* The `part`-th path of a marker, from 0, turned counter-clockwise by an angle; mirrored about its axis before.
+ * False when there are no more. */
+bool qn_marker_path (QnMarker marker, int part, double angle, bool mirrored,
+                     QnMarkerPath *path);

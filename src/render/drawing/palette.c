@@ -1,5 +1,7 @@
 #include "render/drawing/palette.h"
 
+#include "render/drawing/paint.h"
+
 #include <glib.h>
 #include <math.h>
 #include <string.h>
@@ -7,10 +9,6 @@
 /* Colours are counted in cells of five bits a channel; each cell keeps the sum of its colours,
  * so that a flat area is met exactly. */
 enum { CELLS = 1 << 15 };
-
-typedef struct Cell {
-  uint64_t count, sums[3];
-} Cell;
 
 typedef struct Box {
   int first, last; /* of the list of used cells */
@@ -31,7 +29,7 @@ cell_level (int cell, int axis)
 }
 
 static void
-measure_box (Box *box, const int *used, const Cell *cells)
+measure_box (Box *box, const int *used, const QnPaletteCell *cells)
 {
   int low[3] = { 31, 31, 31 }, high[3] = { 0, 0, 0 };
   uint64_t population = 0;
@@ -62,7 +60,7 @@ compare_levels (gconstpointer a, gconstpointer b, gpointer data)
 
 /* Cuts a box where half of its population lies on either side. */
 static Box
-cut_box (Box *box, int *used, const Cell *cells)
+cut_box (Box *box, int *used, const QnPaletteCell *cells)
 {
   uint64_t population = 0, half = 0;
   qsort_r (used + box->first, (size_t) (box->last - box->first), sizeof *used,
@@ -80,34 +78,40 @@ cut_box (Box *box, int *used, const Cell *cells)
   return upper;
 }
 
-void
-qn_palette_init (QnPalette *palette, cairo_surface_t *const *images, int image_count)
+QnPalette *
+qn_palette_new (void)
 {
-  g_autofree Cell *cells = g_new0 (Cell, CELLS);
+  QnPalette *palette = g_new0 (QnPalette, 1);
+  palette->cells = g_new0 (QnPaletteCell, CELLS);
+  palette->nearest = g_new (int16_t, CELLS);
+  memset (palette->nearest, -1, CELLS * sizeof *palette->nearest);
+  return palette;
+}
+
+void
+qn_palette_look (QnPalette *palette, cairo_surface_t *image)
+{
+  int width = cairo_image_surface_get_width (image);
+  int height = cairo_image_surface_get_height (image);
+  for (int y = 0; y < height; y++) {
+    const uint32_t *row = qn_image_row (image, y);
+    for (int x = 0; x < width; x++) {
+      QnPaletteCell *cell = &palette->cells[cell_of (row[x])];
+      cell->count++;
+      cell->sums[0] += row[x] >> 16 & 255;
+      cell->sums[1] += row[x] >> 8 & 255;
+      cell->sums[2] += row[x] & 255;
+    }
+  }
+}
+
+void
+qn_palette_choose (QnPalette *palette)
+{
+  const QnPaletteCell *cells = palette->cells;
   g_autofree int *used = g_new (int, CELLS);
   Box boxes[QN_PALETTE_MAX] = { { 0 } };
   int box_count = 1;
-  *palette = (QnPalette){ .nearest = g_new (int16_t, CELLS) };
-  memset (palette->nearest, -1, CELLS * sizeof *palette->nearest);
-
-  for (int i = 0; i < image_count; i++) {
-    cairo_surface_t *image = images[i];
-    int width = cairo_image_surface_get_width (image);
-    int height = cairo_image_surface_get_height (image);
-    int stride = cairo_image_surface_get_stride (image);
-    const unsigned char *data = cairo_image_surface_get_data (image);
-    for (int y = 0; y < height; y++) {
-      const uint32_t *row =
-        (const uint32_t *) (const void *) (data + (size_t) y * stride);
-      for (int x = 0; x < width; x++) {
-        Cell *cell = &cells[cell_of (row[x])];
-        cell->count++;
-        cell->sums[0] += row[x] >> 16 & 255;
-        cell->sums[1] += row[x] >> 8 & 255;
-        cell->sums[2] += row[x] & 255;
-      }
-    }
-  }
   for (int i = 0; i < CELLS; i++)
     if (cells[i].count > 0)
       used[boxes[0].last++] = i;
@@ -137,10 +141,11 @@ qn_palette_init (QnPalette *palette, cairo_surface_t *const *images, int image_c
 }
 
 void
-qn_palette_clear (QnPalette *palette)
+qn_palette_free (QnPalette *palette)
 {
+  g_free (palette->cells);
   g_free (palette->nearest);
-  *palette = (QnPalette){ 0 };
+  g_free (palette);
 }
 
 uint8_t

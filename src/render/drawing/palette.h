@@ -6,16 +6,22 @@
 
 #define QN_PALETTE_MAX 256
 
+typedef struct QnPaletteCell {
+  uint64_t count, sums[3];
+} QnPaletteCell;
+
 typedef struct QnPalette {
   int count;
   uint8_t colors[QN_PALETTE_MAX][3];
-  int16_t *nearest; /* index for every colour of five bits a channel, -1: not yet asked */
+  QnPaletteCell *cells; /* of every colour of five bits a channel: what was looked at */
+  int16_t *nearest;     /* index for the same, -1: not yet asked */
 } QnPalette;
 
-/* Chooses colours for these ARGB32 images. Large areas keep their exact colours. */
-void qn_palette_init (QnPalette *palette, cairo_surface_t *const *images,
-                      int image_count);
-void qn_palette_clear (QnPalette *palette);
+/* Looks at ARGB32 images, then chooses colours for them. Large areas keep their exact colours. */
+QnPalette *qn_palette_new (void);
+void qn_palette_free (QnPalette *palette);
+void qn_palette_look (QnPalette *palette, cairo_surface_t *image);
+void qn_palette_choose (QnPalette *palette);
 
 /* Index of the nearest colour to an ARGB pixel. */
 uint8_t qn_palette_find (QnPalette *palette, uint32_t pixel);

@@ -1,5 +1,6 @@
 #include "render/drawing/photo.h"
 
+#include "render/drawing/paint.h"
 #include "render/drawing/render-error.h"
 
 #include <gdk-pixbuf/gdk-pixbuf.h>
@@ -47,12 +48,9 @@ qn_photo_load (const char *path, GError **error)
     return NULL;
   }
   const guint8 *in = gdk_pixbuf_read_pixels (photo);
-  guint8 *out = cairo_image_surface_get_data (image);
   for (int y = 0; y < height; y++)
-    convert_row (
-      in + (gsize) y * gdk_pixbuf_get_rowstride (photo), width,
-      gdk_pixbuf_get_n_channels (photo),
-      (guint32 *) (void *) (out + (gsize) y * cairo_image_surface_get_stride (image)));
+    convert_row (in + (gsize) y * gdk_pixbuf_get_rowstride (photo), width,
+                 gdk_pixbuf_get_n_channels (photo), qn_image_row (image, y));
   cairo_surface_mark_dirty (image);
   return image;
 }

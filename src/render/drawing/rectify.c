@@ -1,5 +1,7 @@
 #include "render/drawing/rectify.h"
 
+#include "render/drawing/paint.h"
+
 #include <math.h>
 
 /* Areas below are none: of a photo of 60 million pixels they hold less than one. */
@@ -122,16 +124,6 @@ find_seen (const QnVec2 points[4], double margin)
   return box;
 }
 
-static const guint32 *
-row_of (cairo_surface_t *image, int row)
-{
-  const guint8 *data = cairo_image_surface_get_data (image);
-  return (const guint32 *) (const void *) (data
-                                           + (gsize) row
-                                               * (gsize) cairo_image_surface_get_stride (
-                                                 image));
-}
-
 /* Bilinear between the middles of four pixels; clear beyond the photo's edge. */
 static guint32
 sample (cairo_surface_t *photo, double x, double y)
@@ -144,7 +136,7 @@ sample (cairo_surface_t *photo, double x, double y)
   int left = (int) u, top = (int) v;
   int right = MIN (left + 1, columns - 1), low = MIN (top + 1, rows - 1);
   double a = u - left, b = v - top;
-  const guint32 *upper = row_of (photo, top), *lower = row_of (photo, low);
+  const guint32 *upper = qn_image_row (photo, top), *lower = qn_image_row (photo, low);
   guint32 pixel = 0;
   for (int shift = 0; shift < 32; shift += 8) {
     double above =
@@ -189,9 +181,7 @@ qn_rectify (cairo_surface_t *photo, const QnVec2 points[4], double margin, QnBox
   double photo_columns = cairo_image_surface_get_width (photo);
   double photo_rows = cairo_image_surface_get_height (photo);
   for (int y = 0; y < rows; y++) {
-    guint32 *out =
-      (guint32 *) (void *) (cairo_image_surface_get_data (image)
-                            + (gsize) y * (gsize) cairo_image_surface_get_stride (image));
+    guint32 *out = qn_image_row (image, y);
     for (int x = 0; x < columns; x++) {
       QnVec2 at, plane = { seen->min.x + size.x * (x + 0.5) / columns,
                            seen->max.y - size.y * (y + 0.5) / rows };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glib.h>
+#include <stdbool.h>
 
 #define QN_RENDER_ERROR (qn_render_error_quark ())
 
@@ -14,6 +15,9 @@ typedef enum {
 } QnRenderError;
 
 GQuark qn_render_error_quark (void);
+
+/* What is asked for makes no sense (USAGE), for the reason given; false. */
+bool qn_render_refuse (GError **error, const char *format, ...) G_GNUC_PRINTF (2, 3);
 
 /* The file ("-": standard output) cannot be written; an errno says why. */
 void qn_render_error_set_unwritten (GError **error, const char *path, int trouble);

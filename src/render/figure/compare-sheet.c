@@ -294,8 +294,6 @@ draw_sheet_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
     }
     g_ptr_array_add (scenes, scene);
   }
-  cairo_set_antialias (cr,
-                       page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
   g_autoptr (QnScene) legend = merge_legends (scenes);
   g_autofree QnId *groups = g_new (QnId, sheet->count);
   if (!qn_compare_sheet_groups (sheet->figures, sheet->count, groups)) {
@@ -317,11 +315,8 @@ qn_compare_sheet_export (const QnCompareSheet *sheet, const char *path,
                          const QnOutput *output, const QnMetadata *metadata,
                          GError **error)
 {
-  if (sheet->count == 0) {
-    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                         _ ("there is nothing to compare"));
-    return false;
-  }
+  if (sheet->count == 0)
+    return qn_render_refuse (error, _ ("there is nothing to compare"));
   QnMetadata full = *metadata;
   if (full.title == NULL)
     full.title = sheet->title;

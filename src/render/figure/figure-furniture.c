@@ -272,11 +272,11 @@ draw_sample_marker (cairo_t *cr, const QnLegendEntry *entry, double x, double mi
     cairo_line_to (cr, x + SAMPLE_WIDTH * u - 0.5 * head, middle);
     cairo_stroke (cr);
     qn_draw_cairo_marker (cr, QN_MARKER_ARROW_HEAD, x + SAMPLE_WIDTH * u, middle, head, 0,
-                          u, entry->color);
+                          false, u, entry->color);
     return;
   }
   qn_draw_cairo_marker (cr, (QnMarker) entry->marker, x + 0.5 * SAMPLE_WIDTH * u, middle,
-                        entry->size * u, 0, u, entry->color);
+                        entry->size * u, 0, false, u, entry->color);
 }
 
 static void

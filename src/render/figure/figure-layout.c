@@ -1,6 +1,6 @@
 #include "render/figure/figure-layout.h"
 
-#include "render/backend/draw-scene.h"
+#include "render/backend/gl-painter.h"
 #include "render/drawing/scene-fit.h"
 #include "render/drawing/text.h"
 
@@ -81,8 +81,6 @@ qn_figure_layout_init (QnFigureLayout *layout, const QnFigure *figure,
                        const QnScene *scene, cairo_t *cr, const QnPage *page,
                        const QnFrame *frame)
 {
-  cairo_set_antialias (cr,
-                       page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
   double titles = draw_titles (figure, scene, cr, page, frame, false);
   *layout = (QnFigureLayout){ .frame = *frame,
                               .titles = titles <= (1 - LEAST_SHARE) * frame->height };
@@ -99,7 +97,7 @@ qn_figure_layout_init (QnFigureLayout *layout, const QnFigure *figure,
     layout->as_column =
       place_furniture (&layout->furniture, &layout->camera, scene, page->unit);
   }
-  qn_scene_fit (&layout->camera, scene, cr, frame->scale);
+  qn_scene_fit (&layout->camera, scene, cr, 0);
 }
 
 bool
@@ -107,8 +105,6 @@ qn_figure_layout_draw (const QnFigureLayout *layout, const QnFigure *figure,
                        const QnScene *scene, cairo_t *cr, const QnPage *page,
                        GError **error)
 {
-  cairo_set_antialias (cr,
-                       page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
   if (layout->titles)
     draw_titles (figure, scene, cr, page, &layout->frame, true);
   if (!qn_scene_draw (scene, &layout->camera, cr, page, error))

@@ -42,7 +42,6 @@ char *qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool 
 /* One figure within a rectangle of a page. */
 typedef struct QnFrame {
   double x, y, width, height; /* px */
-  double scale;               /* px per m wanted; 0: as large as fits */
 } QnFrame;
 
 /* The page less a margin of so many points, at most a tenth of its smaller side. */

@@ -153,9 +153,9 @@ qn_joint_plot_draw (const QnJointPlot *joint, cairo_t *cr, double width, double 
                     double unit)
 {
   const double margin = JOINT_MARGIN * unit, upper = UPPER_SHARE * (height - 3 * margin);
-  const QnFrame frames[] = { { margin, margin, width - 2 * margin, upper, 0 },
+  const QnFrame frames[] = { { margin, margin, width - 2 * margin, upper },
                              { margin, 2 * margin + upper, width - 2 * margin,
-                               height - upper - 3 * margin, 0 } };
+                               height - upper - 3 * margin } };
   QnPlot *cone = qn_plot_new (joint->normal_label, joint->shear_label);
   QnPlot *along = qn_plot_new (joint->along_label, joint->normal_label);
   double *x = qn_plot_keep (cone, g_new (double, 3 * joint->count));

@@ -471,7 +471,7 @@ qn_pages_plot (QnPages *pages, const QnPlot *plot, double share)
 {
   double height = share * (bottom (pages) - MARGIN);
   begin (pages, height);
-  const QnFrame frame = { MARGIN, pages->y, text_width (pages), height, 0 };
+  const QnFrame frame = { MARGIN, pages->y, text_width (pages), height };
   QnPlot numbered = *plot;
   g_autofree char *caption = dup_caption (pages, plot->title);
   numbered.title = caption;
@@ -495,10 +495,7 @@ qn_pages_finish (QnPages *pages, GError **error)
   GBytes *bytes = g_byte_array_free_to_bytes (pages->bytes);
   g_free (pages->footer);
   g_free (pages);
-  if (status == CAIRO_STATUS_SUCCESS)
-    return bytes;
-  g_bytes_unref (bytes);
-  g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
-                       cairo_status_to_string (status));
-  return NULL;
+  if (!qn_output_succeeded (status, error))
+    g_clear_pointer (&bytes, g_bytes_unref);
+  return bytes;
 }

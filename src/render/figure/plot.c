@@ -214,7 +214,7 @@ draw_points (const Drawing *d, const QnMarks *m)
   for (size_t i = 0; i < m->count; i++)
     if (is_placed (d, m, i))
       qn_draw_cairo_marker (d->cr, m->marker, px (d, m->x[i]) + ahead, py (d, m->y[i]),
-                            size * d->unit, m->angle, d->unit, color_of (d, m, i));
+                            size * d->unit, m->angle, false, d->unit, color_of (d, m, i));
 }
 
 static void
@@ -420,8 +420,6 @@ draw_page (cairo_t *cr, const QnPage *page, void *plot, GError **error)
 {
   QnFrame frame = qn_page_frame (page, PLOT_MARGIN);
   (void) error;
-  cairo_set_antialias (cr,
-                       page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
   qn_plot_draw (plot, cr, page->unit, &frame, NULL);
   return true;
 }

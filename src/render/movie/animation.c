@@ -14,7 +14,7 @@
 /* Share of the page that the curve takes. */
 #define CURVE_SHARE 0.38
 
-/* Frames looked at before the first is written, to choose the colours of a GIF. */
+/* Frames over the whole run, the fullest among them, that a format looks at before the first. */
 #define SAMPLES 4
 
 typedef struct Player {
@@ -63,15 +63,13 @@ qn_animation_set_speed (QnAnimation *animation, double speed, GError **error)
     return true;
   }
   if (frames == 0)
-    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                         _ ("--speed: the result is not one of an analysis in time"));
-  else
-    g_set_error (
-      error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-      _ ("--speed: these are %.0f pictures; at most %d can be written: choose a "
-         "lower --rate or a higher speed"),
-      frames, QN_MAX_FRAMES);
-  return false;
+    return qn_render_refuse (error,
+                             _ ("--speed: the result is not one of an analysis in time"));
+  return qn_render_refuse (
+    error,
+    _ ("--speed: these are %.0f pictures; at most %d can be written: choose a "
+       "lower --rate or a higher speed"),
+    frames, QN_MAX_FRAMES);
 }
 
 double
@@ -193,11 +191,8 @@ player_init (Player *player, const QnAnimation *animation, const QnPage *page,
   if (player->along_steps) {
     if (animation->figure.options.view == QN_VIEW_MODEL)
       player->figure.options.view = QN_VIEW_DEFORMED;
-    if (result == NULL || result->step_count == 0) {
-      g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                           _ ("the result has no steps"));
-      return false;
-    }
+    if (result == NULL || result->step_count == 0)
+      return qn_render_refuse (error, _ ("the result has no steps"));
     qn_curve_from_result (&player->curve, animation->figure.model, result,
                           qn_result_curve_motion (animation->figure.model, result));
     player->steps = choose_steps (&player->curve, animation->frames);
@@ -244,31 +239,7 @@ draw_frame (Player *player, cairo_t *cr, int k, GError **error)
     qn_plot_draw (plot, cr, player->page->unit, &player->plot, NULL);
   }
   cairo_surface_flush (cairo_get_target (cr));
-  cairo_status_t status = cairo_status (cr);
-  if (status != CAIRO_STATUS_SUCCESS)
-    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
-                         cairo_status_to_string (status));
-  return status == CAIRO_STATUS_SUCCESS;
-}
-
-/* Draws a few frames over the whole run, the fullest among them. */
-static int
-draw_samples (Player *player, cairo_surface_t **samples, GError **error)
-{
-  int frames = player->animation->frames, count = 0;
-  for (int i = 0; i < SAMPLES; i++) {
-    samples[i] = cairo_image_surface_create (
-      CAIRO_FORMAT_ARGB32, (int) qn_to_integer (player->page->width, 1, G_MAXINT16),
-      (int) qn_to_integer (player->page->height, 1, G_MAXINT16));
-    count++;
-    cairo_t *cr = cairo_create (samples[i]);
-    int last = player->along_steps || player->animation->once ? frames - 1 : frames / 2;
-    bool done = draw_frame (player, cr, last * i / (SAMPLES - 1), error);
-    cairo_destroy (cr);
-    if (!done)
-      return -count;
-  }
-  return count;
+  return qn_output_succeeded (cairo_status (cr), error);
 }
 
 static bool
@@ -294,21 +265,21 @@ static bool
 play (Player *player, cairo_t *cr, const QnMovieFormat *format, const char *path,
       const QnMetadata *metadata, GError **error)
 {
-  cairo_surface_t *samples[SAMPLES] = { NULL };
-  int count = draw_samples (player, samples, error);
-  void *movie = NULL;
-  if (count > 0)
-    movie = format->open (path, player->page, player->animation->rate, metadata, samples,
-                          count, error);
-  for (int i = 0; i < SAMPLES; i++)
-    g_clear_pointer (&samples[i], cairo_surface_destroy);
-  if (movie == NULL)
-    return false;
-  if (!add_frames (player, cr, format, movie, error)) {
-    format->abandon (movie);
-    return false;
+  const QnAnimation *animation = player->animation;
+  int frames = animation->frames;
+  int last = player->along_steps || animation->once ? frames - 1 : frames / 2;
+  void *movie = format->open (path, player->page, animation->rate, metadata, error);
+  bool done = movie != NULL;
+  for (int i = 0; i < SAMPLES && done && format->look != NULL; i++) {
+    done = draw_frame (player, cr, last * i / (SAMPLES - 1), error);
+    if (done)
+      format->look (movie, cairo_get_target (cr));
   }
-  return format->finish (movie, error);
+  if (done && add_frames (player, cr, format, movie, error))
+    return format->finish (movie, error);
+  if (movie != NULL)
+    format->abandon (movie);
+  return false;
 }
 
 /* ---- export ---------------------------------------------------------------------------- */
@@ -344,22 +315,19 @@ qn_animation_export (const QnAnimation *animation, const char *path,
   if (format == NULL || !qn_output_page (output, &page, error))
     return false;
   if (animation->frames < 2 || animation->frames > QN_MAX_FRAMES
-      || !(animation->rate >= 1 && animation->rate <= 60)) {
-    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                 _ ("an animation has 2 to %d frames, 1 to 60 in a second"),
-                 QN_MAX_FRAMES);
-    return false;
-  }
+      || !(animation->rate >= 1 && animation->rate <= 60))
+    return qn_render_refuse (
+      error, _ ("an animation has 2 to %d frames, 1 to 60 in a second"), QN_MAX_FRAMES);
   g_autoptr (QnGlPainter) painter = NULL;
   if (output->backend == QN_BACKEND_GL && (painter = qn_gl_painter_new (error)) == NULL)
     return false;
   page.painter = painter;
   QnMetadata full = qn_figure_metadata (&animation->figure, metadata);
 
-  cairo_surface_t *surface = cairo_image_surface_create (
-    CAIRO_FORMAT_ARGB32, (int) qn_to_integer (page.width, 1, G_MAXINT16),
-    (int) qn_to_integer (page.height, 1, G_MAXINT16));
+  cairo_surface_t *surface = qn_page_create_image (&page);
   cairo_t *cr = cairo_create (surface);
+  cairo_set_antialias (cr,
+                       page.antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
   Player player;
   bool done = player_init (&player, animation, &page, cr, error)
               && play (&player, cr, format, path, &full, error);

@@ -36,13 +36,10 @@ frames_abandon (void *state)
 
 static void *
 frames_open (const char *path, const QnPage *page, double rate,
-             const QnMetadata *metadata, cairo_surface_t *const *samples,
-             int sample_count, GError **error)
+             const QnMetadata *metadata, GError **error)
 {
   (void) page;
   (void) rate;
-  (void) samples;
-  (void) sample_count;
   bool exists = g_file_test (path, G_FILE_TEST_IS_DIR);
   if (!exists && g_mkdir (path, 0777) != 0) {
     g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,

@@ -1,6 +1,7 @@
 /* Animated GIF through giflib: one palette for all frames, and of every frame only the
  * rectangle that changed. */
 #include "core/base/integer.h"
+#include "render/drawing/paint.h"
 #include "render/drawing/palette.h"
 #include "render/movie/movie.h"
 
@@ -11,9 +12,10 @@
 
 typedef struct GifMovie {
   char *path;
+  GString *comment; /* who made it */
   GByteArray *bytes;
   GifFileType *gif;
-  QnPalette palette;
+  QnPalette *palette;
   int width, height, delay; /* delay in hundredths of a second */
   uint8_t *previous, *current;
   bool first;
@@ -33,8 +35,9 @@ gif_free (void *state)
   int code;
   if (movie->gif != NULL)
     EGifCloseFile (movie->gif, &code);
-  qn_palette_clear (&movie->palette);
+  qn_palette_free (movie->palette);
   g_byte_array_unref (movie->bytes);
+  g_string_free (movie->comment, TRUE);
   g_free (movie->path);
   g_free (movie->previous);
   g_free (movie->current);
@@ -64,11 +67,12 @@ make_color_map (const QnPalette *palette)
 
 /* Screen, endless loop, and who made it. */
 static bool
-put_header (GifMovie *movie, const QnMetadata *metadata)
+put_header (GifMovie *movie)
 {
   static const GifByteType loop[3] = { 1, 0, 0 };
   GifFileType *gif = movie->gif;
-  ColorMapObject *map = make_color_map (&movie->palette);
+  qn_palette_choose (movie->palette);
+  ColorMapObject *map = make_color_map (movie->palette);
   EGifSetGifVersion (gif, true);
   bool done = map != NULL
               && EGifPutScreenDesc (gif, movie->width, movie->height, 8, 0, map) == GIF_OK
@@ -77,7 +81,15 @@ put_header (GifMovie *movie, const QnMetadata *metadata)
               && EGifPutExtensionBlock (gif, sizeof loop, loop) == GIF_OK
               && EGifPutExtensionTrailer (gif) == GIF_OK;
   GifFreeMapObject (map);
-  g_autoptr (GString) comment = g_string_new (metadata->generator);
+  return done
+         && (movie->comment->len == 0
+             || EGifPutComment (gif, movie->comment->str) == GIF_OK);
+}
+
+static GString *
+describe (const QnMetadata *metadata)
+{
+  GString *comment = g_string_new (metadata->generator);
   if (metadata->title != NULL)
     g_string_append_printf (comment, "; %s", metadata->title);
   if (!isnan (metadata->multiplier)) {
@@ -89,12 +101,12 @@ put_header (GifMovie *movie, const QnMetadata *metadata)
     g_string_append_printf (comment, "; %s", metadata->model);
   if (metadata->model_sha256 != NULL)
     g_string_append_printf (comment, "; sha256 %s", metadata->model_sha256);
-  return done && (comment->len == 0 || EGifPutComment (gif, comment->str) == GIF_OK);
+  return comment;
 }
 
 static void *
 gif_open (const char *path, const QnPage *page, double rate, const QnMetadata *metadata,
-          cairo_surface_t *const *samples, int sample_count, GError **error)
+          GError **error)
 {
   int code;
   GifMovie *movie = g_new0 (GifMovie, 1);
@@ -105,12 +117,12 @@ gif_open (const char *path, const QnPage *page, double rate, const QnMetadata *m
   /* Viewers slow down what is faster than fifty frames a second. */
   movie->delay = (int) qn_to_integer (round (100 / rate), 2, G_MAXUINT16);
   movie->first = true;
-  qn_palette_init (&movie->palette, samples, sample_count);
+  movie->palette = qn_palette_new ();
+  movie->comment = describe (metadata);
   movie->previous = g_try_malloc ((gsize) movie->width * movie->height);
   movie->current = g_try_malloc ((gsize) movie->width * movie->height);
   movie->gif = EGifOpen (movie->bytes, append_bytes, &code);
-  if (movie->previous == NULL || movie->current == NULL || movie->gif == NULL
-      || !put_header (movie, metadata)) {
+  if (movie->previous == NULL || movie->current == NULL || movie->gif == NULL) {
     gif_free (movie);
     set_failed (error);
     return NULL;
@@ -119,15 +131,19 @@ gif_open (const char *path, const QnPage *page, double rate, const QnMetadata *m
 }
 
 static void
+gif_look (void *state, cairo_surface_t *frame)
+{
+  qn_palette_look (((GifMovie *) state)->palette, frame);
+}
+
+static void
 index_frame (GifMovie *movie, cairo_surface_t *frame)
 {
-  int stride = cairo_image_surface_get_stride (frame);
-  const unsigned char *data = cairo_image_surface_get_data (frame);
   uint8_t *out = movie->current;
   for (int y = 0; y < movie->height; y++) {
-    const uint32_t *row = (const uint32_t *) (const void *) (data + (size_t) y * stride);
+    const uint32_t *row = qn_image_row (frame, y);
     for (int x = 0; x < movie->width; x++)
-      *out++ = qn_palette_find (&movie->palette, row[x]);
+      *out++ = qn_palette_find (movie->palette, row[x]);
   }
 }
 
@@ -162,18 +178,19 @@ gif_add (void *state, cairo_surface_t *frame, GError **error)
 {
   GifMovie *movie = state;
   int left = 0, top = 0, right = movie->width, bottom = movie->height;
-  index_frame (movie, frame);
-  if (!movie->first)
-    find_change (movie, &left, &top, &right, &bottom);
+  bool first = movie->first, done = !first || put_header (movie);
   movie->first = false;
+  index_frame (movie, frame);
+  if (!first)
+    find_change (movie, &left, &top, &right, &bottom);
 
   GraphicsControlBlock control = { .DisposalMode = DISPOSE_DO_NOT,
                                    .DelayTime = movie->delay,
                                    .TransparentColor = NO_TRANSPARENT_COLOR };
   GifByteType block[4];
   EGifGCBToExtension (&control, block);
-  bool done =
-    EGifPutExtension (movie->gif, GRAPHICS_EXT_FUNC_CODE, 4, block) == GIF_OK
+  done =
+    done && EGifPutExtension (movie->gif, GRAPHICS_EXT_FUNC_CODE, 4, block) == GIF_OK
     && EGifPutImageDesc (movie->gif, left, top, right - left, bottom - top, false, NULL)
          == GIF_OK;
   for (int y = top; done && y < bottom; y++)
@@ -205,6 +222,7 @@ gif_finish (void *state, GError **error)
 
 const QnMovieFormat qn_movie_gif = {
   .open = gif_open,
+  .look = gif_look,
   .add = gif_add,
   .finish = gif_finish,
   .abandon = gif_free,

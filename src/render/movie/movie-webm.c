@@ -7,6 +7,7 @@
 #ifdef QN_HAVE_GSTREAMER
 
 #include "disk/whole-file.h"
+#include "render/drawing/paint.h"
 
 #include <gst/app/gstappsrc.h>
 #include <gst/gst.h>
@@ -104,10 +105,8 @@ set_pipeline_error (WebmMovie *movie, GError **error)
 
 static void *
 webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *metadata,
-           cairo_surface_t *const *samples, int sample_count, GError **error)
+           GError **error)
 {
-  (void) samples;
-  (void) sample_count;
   if (page->width < LEAST_SIDE || page->height < LEAST_SIDE) {
     g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
                  _ ("%s: pictures of a WebM file have at least %d pixels each way"), path,
@@ -179,10 +178,8 @@ webm_add (void *state, cairo_surface_t *frame, GError **error)
   }
   gsize row = (gsize) movie->width * 4, length = row * movie->height;
   GstBuffer *buffer = gst_buffer_new_allocate (NULL, length, NULL);
-  int stride = cairo_image_surface_get_stride (frame);
-  const unsigned char *data = cairo_image_surface_get_data (frame);
   for (int y = 0; y < movie->height; y++)
-    gst_buffer_fill (buffer, (gsize) y * row, data + (size_t) y * stride, row);
+    gst_buffer_fill (buffer, (gsize) y * row, qn_image_row (frame, y), row);
   GST_BUFFER_PTS (buffer) = movie->time;
   GST_BUFFER_DURATION (buffer) = movie->frame_time;
   movie->time += movie->frame_time;

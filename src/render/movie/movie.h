@@ -5,11 +5,11 @@
 #include "render/backend/output.h"
 
 typedef struct QnMovieFormat {
-  /* Returns the state that the others take, or NULL. `samples` are a few frames typical of the
-   * whole, for choosing colours. */
+  /* Returns the state that the others take, or NULL. */
   void *(*open) (const char *path, const QnPage *page, double rate,
-                 const QnMetadata *metadata, cairo_surface_t *const *samples,
-                 int sample_count, GError **error);
+                 const QnMetadata *metadata, GError **error);
+  /* Is shown a few frames typical of the whole, before the first; or NULL. */
+  void (*look) (void *state, cairo_surface_t *frame);
   bool (*add) (void *state, cairo_surface_t *frame, GError **error);
   bool (*finish) (void *state, GError **error); /* writes; closes in any case */
   void (*abandon) (void *state);

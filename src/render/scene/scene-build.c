@@ -9,23 +9,14 @@
 static bool
 result_fits (const QnSceneBuilder *b, const QnResult *result, GError **error)
 {
-  if (result->block_count != b->model->block_count) {
-    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                 _ ("the result has %zu blocks, the model %zu"), result->block_count,
-                 b->model->block_count);
-    return false;
-  }
+  if (result->block_count != b->model->block_count)
+    return qn_render_refuse (error, _ ("the result has %zu blocks, the model %zu"),
+                             result->block_count, b->model->block_count);
   bool bodies = b->options->field == QN_FIELD_BODIES;
-  if ((b->options->view == QN_VIEW_MECHANISM || bodies) && result->mechanism == NULL) {
-    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                         _ ("the result has no mechanism"));
-    return false;
-  }
-  if (b->options->view != QN_VIEW_MECHANISM && result->step_count == 0) {
-    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                         _ ("the result has no steps"));
-    return false;
-  }
+  if ((b->options->view == QN_VIEW_MECHANISM || bodies) && result->mechanism == NULL)
+    return qn_render_refuse (error, _ ("the result has no mechanism"));
+  if (b->options->view != QN_VIEW_MECHANISM && result->step_count == 0)
+    return qn_render_refuse (error, _ ("the result has no steps"));
   return true;
 }
 
@@ -38,20 +29,14 @@ forces_fit (const QnSceneBuilder *b, GError **error)
   if (!wanted)
     return true;
   if (b->contacts == NULL || b->result->pair_count == 0
-      || b->result->pair_count != b->contacts->pair_count) {
-    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                         _ ("the result has no contact forces of this model"));
-    return false;
-  }
-  if (!qn_result_has_forces (b->result, b->step)) {
-    g_set_error_literal (
-      error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-      b->result->limit.given
-        ? _ ("limit analysis has contact forces at its last step only")
-        : _ ("the result has the contact forces of its last step alone; "
-             "solve --detail steps keeps all"));
-    return false;
-  }
+      || b->result->pair_count != b->contacts->pair_count)
+    return qn_render_refuse (error, _ ("the result has no contact forces of this model"));
+  if (!qn_result_has_forces (b->result, b->step))
+    return qn_render_refuse (
+      error, b->result->limit.given
+               ? _ ("limit analysis has contact forces at its last step only")
+               : _ ("the result has the contact forces of its last step alone; "
+                    "solve --detail steps keeps all"));
   return true;
 }
 
@@ -65,12 +50,9 @@ choose_step (QnSceneBuilder *b, GError **error)
     b->step = b->result->step_count - 1;
     return true;
   }
-  if (options->step < 0 || (size_t) options->step >= b->result->step_count) {
-    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                 _ ("the result has no step %d (0 to %zu)"), options->step,
-                 b->result->step_count - 1);
-    return false;
-  }
+  if (options->step < 0 || (size_t) options->step >= b->result->step_count)
+    return qn_render_refuse (error, _ ("the result has no step %d (0 to %zu)"),
+                             options->step, b->result->step_count - 1);
   b->step = (size_t) options->step;
   return true;
 }
@@ -81,33 +63,25 @@ check (QnSceneBuilder *b, GError **error)
   const QnViewOptions *options = b->options;
   bool wants_result =
     qn_view_needs_result (options->view) || options->field != QN_FIELD_NONE;
-  if (wants_result && b->result == NULL) {
-    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                 _ ("the view \"%s\" needs a result"), qn_view_names[options->view]);
-    return false;
-  }
+  if (wants_result && b->result == NULL)
+    return qn_render_refuse (error, _ ("the view \"%s\" needs a result"),
+                             qn_view_names[options->view]);
   bool wants_contacts =
     options->view == QN_VIEW_CONTACTS || options->field == QN_FIELD_OPENING
     || options->field == QN_FIELD_SLIDING || options->field == QN_FIELD_BODIES;
-  if (wants_contacts && b->contacts == NULL) {
-    g_set_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                 _ ("the view \"%s\" needs contacts"), qn_view_names[options->view]);
-    return false;
-  }
-  if (!isfinite (options->scale) || options->scale < 0 || !isfinite (options->phase)) {
-    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                         _ ("the scale of displacements must be a positive number"));
-    return false;
-  }
+  if (wants_contacts && b->contacts == NULL)
+    return qn_render_refuse (error, _ ("the view \"%s\" needs contacts"),
+                             qn_view_names[options->view]);
+  if (!isfinite (options->scale) || options->scale < 0 || !isfinite (options->phase))
+    return qn_render_refuse (error,
+                             _ ("the scale of displacements must be a positive number"));
   if (wants_result && !result_fits (b, b->result, error))
     return false;
   if (options->onion != NULL && !result_fits (b, options->onion, error))
     return false;
-  if (options->view == QN_VIEW_DIAGRAMS && b->result->beam_forces == NULL) {
-    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                         _ ("diagrams need beams and a result that holds their forces"));
-    return false;
-  }
+  if (options->view == QN_VIEW_DIAGRAMS && b->result->beam_forces == NULL)
+    return qn_render_refuse (
+      error, _ ("diagrams need beams and a result that holds their forces"));
   return choose_step (b, error) && (!wants_result || forces_fit (b, error));
 }
 
@@ -171,12 +145,13 @@ qn_scene_motion (const QnScene *scene, const QnModel *model, const QnResult *res
 static void
 find_pairs (QnSceneBuilder *b)
 {
+  bool steps = b->result != NULL && b->result->step_count > 0;
   if (b->result != NULL && b->contacts != NULL)
     b->pairs = qn_step_pairs (b->contacts, b->result, b->step);
-  if (b->result == NULL || b->contacts == NULL || b->result->step_count == 0)
-    return;
-  b->left = qn_step_left (b->contacts, b->result, b->step);
-  b->touches = qn_step_touches (b->model, b->result, b->step, &b->touch_count);
+  if (steps && b->contacts != NULL)
+    b->left = qn_step_left (b->contacts, b->result, b->step);
+  if (steps && (b->contacts != NULL || b->options->view == QN_VIEW_DEFORMED))
+    b->touches = qn_step_touches (b->model, b->result, b->step, &b->touch_count);
 }
 
 /* Where the analysis does not state the states of joints, they follow from the motion. */

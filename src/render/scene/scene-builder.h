@@ -87,16 +87,9 @@ void qn_build_findings (QnSceneBuilder *builder);
 /* scene-joints.c */
 void qn_build_joints (QnSceneBuilder *builder);
 
-/* scene-found.c: contacts that blocks found on their way, where they carry something at the step; and
- * their forces, drawn with so many metres for a newton. */
-void qn_build_found (QnSceneBuilder *builder);
-void qn_build_found_forces (QnSceneBuilder *builder, double per_newton, double largest);
-double qn_largest_found_force (const QnSceneBuilder *builder);
-
-/* scene-forces.c; and one arrow: its middle at a place, the thicker the nearer to the largest, N. */
+/* scene-forces.c; and contacts that blocks found on their way, where they carry something at the step. */
 void qn_build_forces (QnSceneBuilder *builder);
-void qn_build_resultant (QnSceneBuilder *builder, QnVec2 force, QnVec2 at,
-                         double per_newton, double largest, QnPickKind pick, QnId id);
+void qn_build_found (QnSceneBuilder *builder);
 
 /* scene-beams.c */
 void qn_build_beams (QnSceneBuilder *builder);
@@ -104,9 +97,8 @@ void qn_build_beams (QnSceneBuilder *builder);
 /* scene-bars.c */
 void qn_build_bars (QnSceneBuilder *builder);
 
-/* scene-ties.c; and an end as it is drawn. */
+/* scene-ties.c */
 void qn_build_ties (QnSceneBuilder *builder);
-QnVec2 qn_builder_place_tie_end (const QnSceneBuilder *builder, const QnTieEnd *end);
 
 /* scene-diagrams.c */
 void qn_build_diagrams (QnSceneBuilder *builder);

@@ -20,16 +20,10 @@ value_at (const QnBeamDrawing *drawing, QnId element, double s)
 {
   QnBeamProperties p = qn_beam_properties (drawing->builder->model, element);
   QnBeamPoint at = qn_beam_forces_at (&drawing->forces[element], p.length, s);
-  switch (drawing->builder->options->diagram) {
-  case QN_DIAGRAM_NORMAL:
-    return at.normal;
-  case QN_DIAGRAM_SHEAR:
-    return at.shear;
-  case QN_DIAGRAM_MOMENT:
-  case QN_DIAGRAM_COUNT:
-    break;
-  }
-  return at.moment;
+  QnDiagram diagram = drawing->builder->options->diagram;
+  return diagram == QN_DIAGRAM_NORMAL  ? at.normal
+         : diagram == QN_DIAGRAM_SHEAR ? at.shear
+                                       : at.moment;
 }
 
 static double

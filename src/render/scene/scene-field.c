@@ -103,32 +103,12 @@ block_values (const QnSceneBuilder *b, double *values)
     return;
   }
   const double *u = field_displacements (b);
-  for (size_t i = 0; i < b->model->block_count; i++, u += QN_DOF_COUNT) {
-    switch (b->options->field) {
-    case QN_FIELD_DISPLACEMENT_X:
-      values[i] = u[QN_DOF_UX];
-      break;
-    case QN_FIELD_DISPLACEMENT_Y:
-      values[i] = u[QN_DOF_UY];
-      break;
-    case QN_FIELD_ROTATION:
-      values[i] = u[QN_DOF_RZ];
-      break;
-    case QN_FIELD_NONE:
-    case QN_FIELD_DISPLACEMENT:
-    case QN_FIELD_STRESS:
-    case QN_FIELD_STRESS_X:
-    case QN_FIELD_STRESS_Y:
-    case QN_FIELD_STRESS_XY:
-    case QN_FIELD_PRINCIPAL:
-    case QN_FIELD_OPENING:
-    case QN_FIELD_SLIDING:
-    case QN_FIELD_CRACK:
-    case QN_FIELD_BODIES:
-    case QN_FIELD_COUNT:
-      values[i] = hypot (u[QN_DOF_UX], u[QN_DOF_UY]);
-    }
-  }
+  const QnField field = b->options->field;
+  for (size_t i = 0; i < b->model->block_count; i++, u += QN_DOF_COUNT)
+    values[i] = field == QN_FIELD_DISPLACEMENT_X   ? u[QN_DOF_UX]
+                : field == QN_FIELD_DISPLACEMENT_Y ? u[QN_DOF_UY]
+                : field == QN_FIELD_ROTATION       ? u[QN_DOF_RZ]
+                                                   : hypot (u[QN_DOF_UX], u[QN_DOF_UY]);
 }
 
 static void

@@ -1,5 +1,5 @@
-/* Contact forces: a thin arrow for every pair, the resultant of every face as an arrow on its line of
- * action, and the line of thrust where there is one (thrust.h), with the force and the kern at each
+/* Contact forces: a thin arrow for every pair, the resultant of every face and of every contact found on
+ * the way (core/contact/contact-follow.h) as an arrow on its line of action, and the line of thrust where there is one (thrust.h), with the force and the kern at each
  * of its joints. In nonlinear geometry all of it is drawn where the blocks have moved to, at
  * factor 1. */
 #include "core/base/integer.h"
@@ -13,8 +13,12 @@
 /* Length of the largest resultant in block sizes. */
 #define LARGEST_BAR 1.5
 
-/* Forces below this share of the largest are not drawn. */
-#define LEAST_SHARE QN_THRUST_LEAST_SHARE
+/* Forces below this share of the largest are not drawn; of contacts found on the way. */
+#define LEAST_SHARE       QN_THRUST_LEAST_SHARE
+#define LEAST_FOUND_SHARE 1e-3
+
+/* Of the dot where a corner lies on the side that it has found, pt. */
+#define FOUND_SIZE 4.6F
 
 /* Joints of the line of thrust that are closer on paper have no numbers, pt: above each other, and
  * beside each other, where numbers need their width. */
@@ -70,10 +74,11 @@ add_pair_forces (QnSceneBuilder *b, const QnContactFace *face, double per_newton
   }
 }
 
-/* As arrows that point down, with the weight, along a line of thrust all the same way. */
-void
-qn_build_resultant (QnSceneBuilder *b, QnVec2 force, QnVec2 at, double per_newton,
-                    double largest, QnPickKind pick, QnId id)
+/* As arrows that point down, with the weight, along a line of thrust all the same way: the middle at a
+ * place, the thicker the nearer to the largest, N. */
+static void
+add_resultant (QnSceneBuilder *b, QnVec2 force, QnVec2 at, double per_newton,
+               double largest, QnPickKind pick, QnId id)
 {
   QnColor color = qn_builder_ink (b, QN_INK_FORCE);
   double size = qn_vec2_length (force), share = size / largest;
@@ -81,6 +86,43 @@ qn_build_resultant (QnSceneBuilder *b, QnVec2 force, QnVec2 at, double per_newto
   qn_scene_arrow (b->scene, QN_LAYER_FORCES, qn_vec2_add_scaled (at, -half, force),
                   qn_vec2_add_scaled (at, half, force), 0.5 + 1.2 * share, color, pick,
                   id, size * per_newton);
+}
+
+/* ---- contacts found on the way ---- */
+
+static QnVec2
+found_place (const QnSceneBuilder *b, const QnTouch *touch)
+{
+  return qn_builder_place (b, touch->block[1], touch->at[1]);
+}
+
+void
+qn_build_found (QnSceneBuilder *b)
+{
+  QnColor color = qn_builder_ink (b, QN_INK_FACE);
+  for (size_t i = 0; i < b->touch_count; i++) {
+    QnCommand *command =
+      qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_DOT,
+                       found_place (b, &b->touches[i]), FOUND_SIZE, 0, color);
+    qn_command_set_pick (command, QN_PICK_FOUND, b->touches[i].found);
+  }
+  if (b->touch_count > 0)
+    qn_scene_legend_marker (b->scene, QN_MARKER_DOT, FOUND_SIZE, color, "%s",
+                            _ ("contact found during the motion"));
+}
+
+static void
+add_found_forces (QnSceneBuilder *b, double per_newton, double largest)
+{
+  const double *u = b->motion.displacements;
+  for (size_t i = 0; i < b->touch_count; i++) {
+    const QnTouch *touch = &b->touches[i];
+    double turn = u != NULL ? u[(size_t) touch->block[0] * QN_DOF_COUNT + QN_DOF_RZ] : 0;
+    if (hypot (touch->force, touch->shear) >= LEAST_FOUND_SHARE * largest)
+      add_resultant (b, qn_vec2_rotate (touch->on[0], cos (turn), sin (turn)),
+                     found_place (b, touch), per_newton, largest, QN_PICK_FOUND,
+                     touch->found);
+  }
 }
 
 /* ---- the line of thrust ---- */
@@ -375,7 +417,8 @@ qn_build_forces (QnSceneBuilder *b)
   /* In bending the pairs carry more than their resultant. */
   for (size_t p = 0; p < contacts->pair_count && b->options->symbols; p++)
     longest = fmax (longest, hypot (b->pairs[p].normal_force, b->pairs[p].shear_force));
-  largest = fmax (largest, qn_largest_found_force (b));
+  for (size_t i = 0; i < b->touch_count; i++)
+    largest = fmax (largest, hypot (b->touches[i].force, b->touches[i].shear));
   if (!(largest > 0))
     return;
   double per_newton = LARGEST_BAR * b->block_size / fmax (largest, longest);
@@ -383,10 +426,10 @@ qn_build_forces (QnSceneBuilder *b)
     if (b->options->symbols)
       add_pair_forces (b, &contacts->faces[f], per_newton, LEAST_SHARE * largest);
     if (qn_vec2_length (resultants[f].force) >= LEAST_SHARE * largest)
-      qn_build_resultant (b, resultants[f].force, resultants[f].at, per_newton, largest,
-                          QN_PICK_FACE, (QnId) f);
+      add_resultant (b, resultants[f].force, resultants[f].at, per_newton, largest,
+                     QN_PICK_FACE, (QnId) f);
   }
-  qn_build_found_forces (b, per_newton, largest);
+  add_found_forces (b, per_newton, largest);
   g_autofree char *number = qn_label_number ("%.4g", largest / 1000);
   qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_FORCE),
                    _ ("resultant of a joint, largest %s kN"), number)

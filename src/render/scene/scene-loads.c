@@ -135,16 +135,24 @@ add_force_load (QnSceneBuilder *b, const QnLoad *load, double largest, QnPickKin
   }
 }
 
+/* A row of arrows that reach from tails to ends, so many and one more, joined at their tails. */
 static void
-add_tails (QnSceneBuilder *b, const QnVec2 tails[2], QnPickKind pick, QnId index,
-           QnColor color)
+add_arrows (QnSceneBuilder *b, const QnVec2 tails[2], const QnVec2 ends[2], int count,
+            QnPickKind pick, QnId index, QnColor color)
 {
+  for (int i = 0; i <= count; i++) {
+    double s = (double) i / count;
+    QnVec2 from = qn_vec2_lerp (tails[0], tails[1], s);
+    QnVec2 to = qn_vec2_lerp (ends[0], ends[1], s);
+    if (from.x != to.x || from.y != to.y)
+      qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, to, QN_WIDTH_ARROW, color, pick,
+                      index, 0);
+  }
   QnCommand *line =
     qn_scene_stroke (b->scene, QN_LAYER_LOADS, tails, 2, false, QN_WIDTH_ARROW, color);
   qn_command_set_pick (line, pick, index);
 }
 
-/* A row of arrows that reach the beam, joined at their tails. */
 static void
 add_line_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
                QnColor color)
@@ -157,13 +165,7 @@ add_line_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId inde
     return;
   QnVec2 arrow = qn_vec2_scale (0.6 * b->block_size / force, load->vector);
   QnVec2 tails[2] = { qn_vec2_sub (ends[0], arrow), qn_vec2_sub (ends[1], arrow) };
-  for (int i = 0; i <= LINE_ARROWS; i++) {
-    double s = (double) i / LINE_ARROWS;
-    qn_scene_arrow (b->scene, QN_LAYER_LOADS, qn_vec2_lerp (tails[0], tails[1], s),
-                    qn_vec2_lerp (ends[0], ends[1], s), QN_WIDTH_ARROW, color, pick,
-                    index, 0);
-  }
-  add_tails (b, tails, pick, index, color);
+  add_arrows (b, tails, ends, LINE_ARROWS, pick, index, color);
   add_size (b, load, qn_vec2_lerp (tails[0], tails[1], 0.5), force / 1000, " kN/m", color)
     ->align_y = load->vector.y > 0 ? 1.2f : -0.2f;
 }
@@ -179,7 +181,7 @@ largest_intensity (const QnModel *model)
   return largest;
 }
 
-/* A row of arrows that reach the edge, as long as the load is large there, joined at their tails. */
+/* Arrows as long as the load is large at the edge. */
 static void
 add_edge_force (QnSceneBuilder *b, const QnEdgeForce *force, double scale,
                 QnPickKind pick, QnId index, QnColor color)
@@ -192,15 +194,7 @@ add_edge_force (QnSceneBuilder *b, const QnEdgeForce *force, double scale,
   double length = qn_vec2_length (qn_vec2_sub (ends[1], ends[0]));
   int count =
     (int) qn_to_integer (length / (EDGE_SPACING * b->block_size), 1, MAX_EDGE_ARROWS);
-  for (int i = 0; i <= count; i++) {
-    double s = (double) i / count;
-    QnVec2 from = qn_vec2_lerp (tails[0], tails[1], s);
-    QnVec2 to = qn_vec2_lerp (ends[0], ends[1], s);
-    if (from.x != to.x || from.y != to.y)
-      qn_scene_arrow (b->scene, QN_LAYER_LOADS, from, to, QN_WIDTH_ARROW, color, pick,
-                      index, 0);
-  }
-  add_tails (b, tails, pick, index, color);
+  add_arrows (b, tails, ends, count, pick, index, color);
 }
 
 /* By which the pressure of a surcharge or backfill was multiplied: the thickness, and of a load
@@ -301,9 +295,9 @@ add_axles (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
   const QnModel *model = b->model;
   const QnVehicle *vehicle = &model->vehicles[load->vehicle];
   const double r = 0.25 * b->block_size;
-  QnSeenEdges top = { 0 };
-  if (!qn_model_find_seen_edges (model, QN_BLOCK_SIDE_TOP, &top))
-    return;
+  QnSeenEdges top;
+  QnPool room = { 0 };
+  qn_model_find_seen_edges (model, QN_BLOCK_SIDE_TOP, &top, &room);
   for (int32_t n = 0; n < load->convoy; n++)
     for (int32_t i = 0; i < vehicle->axle_count; i++) {
       double x = qn_load_behind_front (model, load, n, vehicle->axles[i].at);
@@ -324,7 +318,7 @@ add_axles (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId index,
       label->align_y = -0.2F;
       qn_command_set_pick (label, pick, index);
     }
-  free (top.items);
+  qn_pool_clear (&room);
 }
 
 static void

@@ -5,7 +5,6 @@
 #include "render/scene/scene-builder.h"
 
 #include <glib/gi18n-lib.h>
-#include <stdlib.h>
 
 /* Of the largest arrow, in sizes of blocks. */
 #define ARROW 1.2
@@ -46,12 +45,13 @@ qn_build_soil (QnSceneBuilder *b)
   const QnModel *model = b->model;
   const QnColor color = qn_builder_ink (b, QN_INK_SOIL);
   QnSeenEdges top = { 0 };
+  QnPool room = { 0 };
   for (size_t i = 0; i < model->dead_load_count; i++) {
     const QnLoad *load = &model->dead_loads[i];
-    if (load->kind != QN_LOAD_FILL
-        || (top.items == NULL
-            && !qn_model_find_seen_edges (model, QN_BLOCK_SIDE_TOP, &top)))
+    if (load->kind != QN_LOAD_FILL)
       continue;
+    if (top.items == NULL)
+      qn_model_find_seen_edges (model, QN_BLOCK_SIDE_TOP, &top, &room);
     g_autoptr (GArray) outline = g_array_new (FALSE, FALSE, sizeof (QnVec2));
     g_array_append_vals (outline, load->surface, (guint) load->surface_count);
     add_bottom (outline, &top, load, b->box.min.y);
@@ -63,7 +63,7 @@ qn_build_soil (QnSceneBuilder *b)
                      qn_builder_ink (b, QN_INK_DEAD_LOAD));
     qn_scene_legend (b->scene, QN_COMMAND_FILL, color, "%s", _ ("fill"));
   }
-  free (top.items);
+  qn_pool_clear (&room);
 }
 
 void

@@ -37,20 +37,18 @@ color_of (const QnSceneBuilder *b, QnTieState state)
                                                       : QN_INK_OPEN);
 }
 
-QnVec2
-qn_builder_place_tie_end (const QnSceneBuilder *b, const QnTieEnd *end)
-{
-  return end->block != QN_NONE ? qn_builder_place (b, end->block, end->at) : end->at;
-}
-
 static void
 add_tie (QnSceneBuilder *b, const QnTie *tie, const QnTieResult *result)
 {
   const QnTieState state = result != NULL ? result->state : QN_TIE_ELASTIC;
   const QnColor color = color_of (b, state);
   QnVec2 line[2];
-  for (int end = 0; end < 2; end++)
-    line[end] = qn_builder_place_tie_end (b, &tie->ends[end]);
+  for (int end = 0; end < 2; end++) {
+    QnId block = tie->ends[end].block;
+    line[end] = tie->ends[end].at;
+    if (block != QN_NONE)
+      line[end] = qn_builder_place (b, block, line[end]);
+  }
   QnVec2 along = qn_vec2_sub (line[1], line[0]);
   QnVec2 across = qn_vec2_scale (
     PLATE * qn_box_diagonal (b->box) / qn_vec2_length (along), qn_vec2_perp (along));

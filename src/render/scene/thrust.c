@@ -1,6 +1,6 @@
 #include "render/scene/thrust.h"
 
-#include "core/base/integer.h"
+#include "core/base/box-tree.h"
 #include "core/base/union-find.h"
 #include "core/model/support.h"
 
@@ -11,9 +11,6 @@
 #define GAP_SHARE    0.1
 #define OFFSET_SHARE 1e-3
 
-/* Farther from the origin faces share a cell. */
-#define MOST_CELLS 1000000000
-
 /* Sine of the angle between faces of one line. */
 #define STRAIGHT 1e-3
 
@@ -23,8 +20,8 @@ typedef struct Search {
   const QnPairResult *pairs;
   double size;  /* m, of a block */
   QnId *cut_of; /* by face; the thrust's */
-  QnId *first;  /* block_count + 1: where its faces begin in `faces` */
-  QnId *faces;  /* of every block */
+  /* Lists of sides of faces by block, 2 f of face f that of a and 2 f + 1 that of b; and of faces by cut. */
+  QnId *of_block, *next_side, *of_cut, *next_face;
   QnThrust *thrust;
 } Search;
 
@@ -43,38 +40,24 @@ follow_each_other (const Search *s, const QnContactFace *f, const QnContactFace 
          && fabs (along - 0.5 * (f->length + g->length)) < GAP_SHARE * s->size;
 }
 
-/* Ends that meet are in the same cell of a grid, or in cells beside each other. */
-static guint
-cell_hash (gint64 x, gint64 y)
-{
-  gint64 key = x * 73856093 ^ y * 19349663;
-  return g_int64_hash (&key);
-}
-
 static void
 join_faces (const Search *s, QnId *parent)
 {
-  size_t count = s->contacts->face_count, buckets = 4 * count + 1;
-  double cell = 2 * GAP_SHARE * s->size;
-  g_autofree QnId *head = g_new (QnId, buckets);
-  g_autofree QnId *next = g_new (QnId, 2 * count + 1);
-  for (size_t i = 0; i < buckets; i++)
-    head[i] = QN_NONE;
-  for (size_t i = 0; i < 2 * count; i++) {
-    const QnContactFace *face = &s->contacts->faces[i / 2];
-    QnVec2 p = i % 2 == 0 ? face->start : face->end;
-    gint64 x = qn_to_integer (floor (p.x / cell), -MOST_CELLS, MOST_CELLS);
-    gint64 y = qn_to_integer (floor (p.y / cell), -MOST_CELLS, MOST_CELLS);
-    for (gint64 dx = -1; dx <= 1; dx++)
-      for (gint64 dy = -1; dy <= 1; dy++)
-        for (QnId k = head[cell_hash (x + dx, y + dy) % buckets]; k != QN_NONE;
-             k = next[k])
-          if (follow_each_other (s, face, &s->contacts->faces[k / 2]))
-            qn_sets_join (parent, k / 2, (QnId) i / 2);
-    size_t bucket = cell_hash (x, y) % buckets;
-    next[i] = head[bucket];
-    head[bucket] = (QnId) i;
-  }
+  size_t count = s->contacts->face_count;
+  g_autofree QnBox *boxes = g_new (QnBox, count + 1);
+  QnPool pool = { 0 };
+  QnBoxTree tree;
+  QnBoxPairs near = { 0 };
+  for (size_t f = 0; f < count; f++)
+    boxes[f] = qn_box_of_segment (s->contacts->faces[f].start, s->contacts->faces[f].end);
+  qn_box_tree_init (&tree, boxes, count, &pool);
+  if (qn_box_tree_pairs (&tree, 2 * GAP_SHARE * s->size, SIZE_MAX, &near))
+    for (size_t i = 0; i < near.count; i++)
+      if (follow_each_other (s, &s->contacts->faces[near.items[i][0]],
+                             &s->contacts->faces[near.items[i][1]]))
+        qn_sets_join (parent, near.items[i][0], near.items[i][1]);
+  qn_box_pairs_clear (&near);
+  qn_pool_clear (&pool);
 }
 
 /* ---- forces of cuts ---- */
@@ -150,22 +133,21 @@ find_faces (const Search *s)
 
 /* ---- neighbours ---- */
 
+/* Puts an item before those of its list. */
 static void
-list_faces (Search *s)
+prepend (QnId *lists, QnId *next, QnId list, size_t item)
 {
-  size_t blocks = s->model->block_count;
-  s->first = g_new0 (QnId, blocks + 2);
-  s->faces = g_new (QnId, 2 * s->contacts->face_count + 1);
-  for (size_t f = 0; f < s->contacts->face_count; f++) {
-    s->first[s->contacts->faces[f].a + 2]++;
-    s->first[s->contacts->faces[f].b + 2]++;
-  }
-  for (size_t i = 2; i < blocks + 2; i++)
-    s->first[i] += s->first[i - 1];
-  for (size_t f = 0; f < s->contacts->face_count; f++) {
-    s->faces[s->first[s->contacts->faces[f].a + 1]++] = (QnId) f;
-    s->faces[s->first[s->contacts->faces[f].b + 1]++] = (QnId) f;
-  }
+  next[item] = lists[list];
+  lists[list] = (QnId) item;
+}
+
+static QnId *
+new_lists (size_t count)
+{
+  QnId *lists = g_new (QnId, count + 1);
+  for (size_t i = 0; i < count; i++)
+    lists[i] = QN_NONE;
+  return lists;
 }
 
 static bool
@@ -191,24 +173,23 @@ block_on_side (const Search *s, QnId face, int side)
   return aligned == (side == 0) ? f->a : f->b;
 }
 
-/* The only other loaded cut at the blocks on a side of this one, whose faces are given; or
- * QN_NONE. `layer` has the cut and side that a block was last seen at. */
+/* The only other loaded cut at the blocks on a side of this one, or QN_NONE. `layer` has the cut and side that
+ * a block was last seen at. */
 static QnId
-find_next (const Search *s, const QnId *faces, gsize count, int side, QnId *layer,
-           QnId mark)
+find_next (const Search *s, QnId cut, int side, QnId *layer)
 {
-  QnId cut = s->cut_of[faces[0]], found = QN_NONE;
-  for (gsize i = 0; i < count; i++) {
-    QnId block = block_on_side (s, faces[i], side);
+  QnId found = QN_NONE, mark = 2 * cut + side;
+  for (QnId f = s->of_cut[cut]; f != QN_NONE; f = s->next_face[f]) {
+    QnId block = block_on_side (s, f, side);
     if (qn_support_is_any (s->model->blocks[block].support))
       return QN_NONE;
     layer[block] = mark;
   }
-  for (gsize i = 0; i < count; i++) {
-    QnId block = block_on_side (s, faces[i], side);
-    for (QnId k = s->first[block]; k < s->first[block + 1]; k++) {
-      const QnContactFace *face = &s->contacts->faces[s->faces[k]];
-      QnId other = s->cut_of[s->faces[k]];
+  for (QnId f = s->of_cut[cut]; f != QN_NONE; f = s->next_face[f]) {
+    QnId block = block_on_side (s, f, side);
+    for (QnId k = s->of_block[block]; k != QN_NONE; k = s->next_side[k]) {
+      const QnContactFace *face = &s->contacts->faces[k / 2];
+      QnId other = s->cut_of[k / 2];
       if (other == cut || other == found || !is_loaded (s, other)
           || (layer[face->a] == mark && layer[face->b] == mark))
         continue;
@@ -224,22 +205,19 @@ static void
 link_cuts (Search *s)
 {
   size_t cuts = s->thrust->count, faces = s->contacts->face_count;
-  g_autofree QnId *begin = g_new0 (QnId, cuts + 2);
-  g_autofree QnId *of_cut = g_new (QnId, faces + 1);
-  g_autofree QnId *layer = g_new (QnId, s->model->block_count + 1);
-  for (size_t i = 0; i < s->model->block_count; i++)
-    layer[i] = QN_NONE;
-  for (size_t f = 0; f < faces; f++)
-    begin[s->cut_of[f] + 2]++;
-  for (size_t i = 2; i < cuts + 2; i++)
-    begin[i] += begin[i - 1];
-  for (size_t f = 0; f < faces; f++)
-    of_cut[begin[s->cut_of[f] + 1]++] = (QnId) f;
+  g_autofree QnId *of_block = s->of_block = new_lists (s->model->block_count);
+  g_autofree QnId *next_side = s->next_side = g_new (QnId, 2 * faces + 1);
+  g_autofree QnId *of_cut = s->of_cut = new_lists (cuts);
+  g_autofree QnId *next_face = s->next_face = g_new (QnId, faces + 1);
+  g_autofree QnId *layer = new_lists (s->model->block_count);
+  for (size_t f = faces; f-- > 0;) {
+    prepend (of_block, next_side, s->contacts->faces[f].b, 2 * f + 1);
+    prepend (of_block, next_side, s->contacts->faces[f].a, 2 * f);
+    prepend (of_cut, next_face, s->cut_of[f], f);
+  }
   for (size_t c = 0; c < cuts; c++)
     for (int side = 0; side < 2 && is_loaded (s, (QnId) c); side++)
-      s->thrust->cuts[c].next[side] =
-        find_next (s, of_cut + begin[c], (gsize) (begin[c + 1] - begin[c]), side, layer,
-                   (QnId) (2 * c) + side);
+      s->thrust->cuts[c].next[side] = find_next (s, (QnId) c, side, layer);
   /* The way leads from pressure to pressure, and both ways, or none. */
   for (size_t c = 0; c < cuts; c++)
     for (int side = 0; side < 2; side++) {
@@ -352,11 +330,8 @@ qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *contac
     thrust->largest = fmax (thrust->largest, qn_vec2_length (thrust->cuts[c].force));
   }
   find_faces (&s);
-  list_faces (&s);
   if (thrust->largest > 0)
     link_cuts (&s);
-  g_free (s.first);
-  g_free (s.faces);
 }
 
 void

@@ -1,7 +1,7 @@
 #include "study/report/envelope-figure.h"
 
 #include "io/text/io-error.h"
-#include "render/backend/draw-scene.h"
+#include "render/backend/gl-painter.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

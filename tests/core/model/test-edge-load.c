@@ -270,11 +270,13 @@ test_seen (void)
       high = fmax (high, model.vertices[i].x);
     }
     QnSeenEdges seen;
-    g_assert_true (qn_model_find_seen_edges (&model, QN_BLOCK_SIDE_TOP, &seen));
+    QnPool room = { 0 };
+    qn_model_find_seen_edges (&model, QN_BLOCK_SIDE_TOP, &seen, &room);
+    g_assert_false (room.failed);
     for (size_t i = 0; i < seen.count; i++)
       seen_width += seen.items[i].ends[0].x - seen.items[i].ends[1].x;
     g_assert_cmpfloat_with_epsilon (seen_width, high - low, EXACT);
-    g_free (seen.items);
+    qn_pool_clear (&room);
   }
 }
 

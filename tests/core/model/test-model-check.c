@@ -99,6 +99,69 @@ SPOIL (control_fixed, m->analysis.control_block = 0)
 SPOIL (control_missing, m->analysis.control_block = QN_NONE;
        m->analysis.procedure = QN_PROCEDURE_DISPLACEMENT)
 
+SPOIL (control_nan, m->analysis.control_target = NAN)
+SPOIL (case_nan, qn_model_add_load_case (m, "a"); m->load_cases[0].factor = NAN)
+SPOIL (case_large, qn_model_add_load_case (m, "a"); m->load_cases[0].factor = 1e29)
+
+static void
+spoil_surface (QnModel *m)
+{
+  QnLoad *fill = qn_model_add_dead_load (m);
+  fill->kind = QN_LOAD_FILL;
+  fill->surface_count = QN_MAX_SURFACE_POINTS + 1;
+}
+
+static void
+settle (QnModel *m, QnProcedure procedure)
+{
+  QnLoad *load = qn_model_add_live_load (m);
+  load->kind = QN_LOAD_SETTLEMENT;
+  load->block = 0;
+  load->value = 0.1;
+  m->analysis.procedure = procedure;
+}
+
+SPOIL (settlement_work, settle (m, QN_PROCEDURE_WORK))
+SPOIL (settlement_limit, settle (m, QN_PROCEDURE_LIMIT))
+
+/* Of the live loads, up to this multiplier; NaN: to collapse. */
+static QnStage *
+add_stage (QnModel *m, double target)
+{
+  QnStage *stage = qn_model_add_stage (m, "s");
+  stage->sets = 1;
+  stage->procedure = QN_PROCEDURE_LOAD;
+  stage->has_target = !isnan (target);
+  stage->target = isnan (target) ? 0 : target;
+  return stage;
+}
+
+static QnStage *
+control_stage (QnModel *m, QnId block, double target)
+{
+  QnStage *stage = add_stage (m, NAN);
+  stage->control_block = block;
+  stage->control_target = target;
+  return stage;
+}
+
+SPOIL (stage_limit, add_stage (m, 1)->procedure = QN_PROCEDURE_LIMIT)
+SPOIL (stage_dynamic, add_stage (m, 1)->procedure = QN_PROCEDURE_DYNAMIC)
+SPOIL (stage_idle, add_stage (m, 1)->sets = 0)
+SPOIL (stage_set, add_stage (m, 1)->sets = 2)
+SPOIL (stage_increments, add_stage (m, 1)->increments = -1)
+SPOIL (stage_target, add_stage (m, INFINITY))
+SPOIL (stage_control, add_stage (m, NAN)->procedure = QN_PROCEDURE_DISPLACEMENT)
+SPOIL (stage_block, control_stage (m, 9, 0.1))
+SPOIL (stage_zero, control_stage (m, 2, 0))
+SPOIL (stage_nan, control_stage (m, 2, NAN))
+SPOIL (stage_two_ends, control_stage (m, 2, 0.1)->has_target = true)
+SPOIL (stage_endless, add_stage (m, NAN); add_stage (m, 1))
+SPOIL (stage_no_change, add_stage (m, 1); add_stage (m, 1))
+SPOIL (stages_limit, add_stage (m, 1); m->analysis.procedure = QN_PROCEDURE_LIMIT)
+SPOIL (stages_multiplier, add_stage (m, 1); m->analysis.max_multiplier = 2)
+SPOIL (stages_many, for (int i = 0; i <= QN_MAX_STAGES; i++) add_stage (m, i + 1))
+
 typedef struct {
   const char *name;
   void (*spoil) (QnModel *model);
@@ -170,6 +233,28 @@ static const Case cases[] = {
   CASE (control_target, CONTROL_TARGET_ZERO, ANALYSIS, QN_NONE, "control.target"),
   CASE (control_fixed, CONTROL_DOF_FIXED, ANALYSIS, QN_NONE, "control.component"),
   CASE (control_missing, CONTROL_MISSING, ANALYSIS, QN_NONE, "control"),
+  CASE (control_nan, NOT_FINITE, ANALYSIS, QN_NONE, "control.target"),
+  CASE (case_nan, NOT_FINITE, LOAD_CASE, 0, NULL),
+  CASE (case_large, TOO_LARGE, LOAD_CASE, 0, NULL),
+  CASE (surface, TOO_LARGE, DEAD_LOAD, 1, "surface"),
+  CASE (settlement_work, SETTLEMENT_WORK, ANALYSIS, QN_NONE, "procedure"),
+  CASE (settlement_limit, SETTLEMENT_LIMIT, ANALYSIS, QN_NONE, "procedure"),
+  CASE (stage_limit, STAGE_LIMIT, STAGE, 0, "procedure"),
+  CASE (stage_dynamic, STAGES_DYNAMIC, STAGE, 0, "procedure"),
+  CASE (stage_idle, STAGE_IDLE, STAGE, 0, "loads"),
+  CASE (stage_set, LOAD_SET_UNKNOWN, STAGE, 0, "loads"),
+  CASE (stage_increments, NOT_POSITIVE, STAGE, 0, "increments"),
+  CASE (stage_target, NOT_FINITE, STAGE, 0, "target"),
+  CASE (stage_control, CONTROL_MISSING, STAGE, 0, "control"),
+  CASE (stage_block, BLOCK_UNKNOWN, STAGE, 0, "control.block"),
+  CASE (stage_zero, CONTROL_TARGET_ZERO, STAGE, 0, "control.target"),
+  CASE (stage_nan, NOT_FINITE, STAGE, 0, "control.target"),
+  CASE (stage_two_ends, STAGE_TWO_ENDS, STAGE, 0, "target"),
+  CASE (stage_endless, STAGE_ENDLESS, STAGE, 0, "target"),
+  CASE (stage_no_change, STAGE_NO_CHANGE, STAGE, 1, "target"),
+  CASE (stages_limit, STAGE_LIMIT, ANALYSIS, QN_NONE, "stages"),
+  CASE (stages_multiplier, STAGE_MULTIPLIER, ANALYSIS, QN_NONE, "max_multiplier"),
+  CASE (stages_many, TOO_LARGE, ANALYSIS, QN_NONE, "stages"),
 };
 
 static void

@@ -201,6 +201,17 @@ test_networks (void)
     cosmos, "       4 acceleration pts, approx   0 secs, units=counts (50),Format=(8I8)\n"
             "       0       1      -2       5\n");
   assert_refused (cosmos->str, NULL, 0, "does not state the unit");
+  static const char *const ends[] = { "End-of-data for Chan  1 acceleration\n",
+                                      "       4 velocity pts, approx 0 secs\n" };
+  for (gsize i = 0; i < G_N_ELEMENTS (ends); i++) { /* a sample is missing */
+    g_string_truncate (cosmos, heading);
+    g_string_append (
+      cosmos,
+      "       4 acceleration pts, approx   0 secs, units=cm/sec2 (4),Format=(8f10.5)\n"
+      "   0.00000 100.00000-200.00000\n");
+    g_string_append (cosmos, ends[i]);
+    assert_refused (cosmos->str, NULL, 0, "3 samples, and its heading states 4");
+  }
   g_string_free (cosmos, TRUE);
   /* K-NET: whole numbers, and the same with an offset that the largest acceleration leaves out. */
   static const char knet[] =

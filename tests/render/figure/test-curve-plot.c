@@ -264,7 +264,7 @@ test_decades (void)
   }
   g_autoptr (QnPlot) plot = qn_plot_new ("x", "y");
   QnMarks marks = { .kind = QN_MARKS_LINE, .x = x, .y = y, .count = 31 };
-  const QnFrame frame = { 0, 0, 400, 300, 0 };
+  const QnFrame frame = { 0, 0, 400, 300 };
   double share[2];
   qn_plot_add (plot, marks);
   marks.kind = QN_MARKS_POINTS;
@@ -342,7 +342,7 @@ test_small (void)
     cairo_surface_t *surface =
       cairo_recording_surface_create (CAIRO_CONTENT_COLOR_ALPHA, NULL);
     cairo_t *cr = cairo_create (surface);
-    const QnFrame frame = { 0, 0, width, height, 0 };
+    const QnFrame frame = { 0, 0, width, height };
     qn_plot_draw (plot, cr, 1, &frame, NULL);
     cairo_recording_surface_ink_extents (surface, &ink.x, &ink.y, &ink.width,
                                          &ink.height);

@@ -17,7 +17,7 @@ static bool
 draw (cairo_t *cr, const QnPage *page, void *data, GError **error)
 {
   Picture *picture = data;
-  QnFrame frame = { 10, 10, page->width - 20, page->height - 20, 0 };
+  QnFrame frame = { 10, 10, page->width - 20, page->height - 20 };
   return qn_figure_draw (picture->figure, cr, page, &frame, &picture->camera, error);
 }
 

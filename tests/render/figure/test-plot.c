@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-static const QnFrame frame = { 10, 20, 400, 300, 0 };
+static const QnFrame frame = { 10, 20, 400, 300 };
 
 static cairo_surface_t *
 draw (const QnPlot *plot, QnPlotPlace *place)
