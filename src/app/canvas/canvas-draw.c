@@ -18,6 +18,7 @@
 #define MARK_PX      7.0
 #define RING_PX      16.0
 #define CURSOR_PX    14.0
+#define LABEL_PAD    4.0
 #define LEGEND_INSET 10.0
 #define LEGEND_PAD   4.0
 #define LEGEND_TOP   42.0 /* points: below the choice of view */
@@ -448,6 +449,11 @@ void
 qn_canvas_draw_label (QnCanvas *self, cairo_t *cr, const char *text, QnVec2 screen)
 {
   g_autoptr (PangoLayout) layout = qn_canvas_make_text (self, text, 9.0);
+  int width, height;
+  pango_layout_get_pixel_size (layout, &width, &height);
+  /* What would lie beyond the drawing is read at its edge. */
+  screen.x = fmin (screen.x, self->camera.width - width - LABEL_PAD);
+  screen.y = fmin (screen.y, self->camera.height - height - LABEL_PAD);
   draw_layout (cr, layout, screen);
 }
 

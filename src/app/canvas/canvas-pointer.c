@@ -25,9 +25,16 @@ make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers,
                         : 0.0 };
   const QnModel *model = qn_canvas_get_model (self);
   self->hit = qn_magnet_find (&magnet, model, point, self->magnet_skip);
-  /* Where nothing attracts, a pixel is worth a round length: nobody means 498.2 mm. */
-  if (magnet.enabled && self->hit.kind == QN_MAGNET_NOTHING) {
-    double round_to = qn_magnet_round_distance (1.0 / self->camera.scale);
+  /* Where nothing attracts, a pixel is worth a round length: nobody means 498.2 mm; so is one along an edge,
+   * from its corner on. */
+  const double round_to = qn_magnet_round_distance (1.0 / self->camera.scale);
+  const QnVec2 edge = qn_vec2_sub (self->hit.b, self->hit.a);
+  const double length = qn_vec2_length (edge);
+  if (self->hit.kind == QN_MAGNET_EDGE && length > 0.0) {
+    double at = qn_vec2_dot (qn_vec2_sub (self->hit.point, self->hit.a), edge) / length;
+    at = round (at / round_to) * round_to;
+    self->hit.point = qn_vec2_add_scaled (self->hit.a, fmin (at / length, 1.0), edge);
+  } else if (magnet.enabled && self->hit.kind == QN_MAGNET_NOTHING) {
     self->hit.point = qn_vec2 (round (self->hit.point.x / round_to) * round_to,
                                round (self->hit.point.y / round_to) * round_to);
   }
@@ -35,31 +42,35 @@ make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers,
                         self->hit.point, modifiers, press_count };
 }
 
+/* What the tool does with an event, if anything. */
 static void
-press (QnCanvas *self, QnVec2 at, GdkModifierType modifiers, int count)
+send (QnCanvas *self, void (*tool) (QnCanvas *canvas, const QnToolEvent *event),
+      QnVec2 at, GdkModifierType modifiers, int count)
 {
-  if (self->state == NULL || self->tool == NULL)
-    return;
   QnToolEvent event = make_event (self, at.x, at.y, modifiers, count);
-  self->pressed = TRUE;
-  self->has_place = FALSE;
-  if (self->tool->press != NULL)
-    self->tool->press (self, &event);
+  if (tool != NULL)
+    tool (self, &event);
   gtk_widget_queue_draw (GTK_WIDGET (self));
   qn_canvas_emit_status (self);
 }
 
 static void
+press (QnCanvas *self, QnVec2 at, GdkModifierType modifiers, int count)
+{
+  if (self->state == NULL || self->tool == NULL)
+    return;
+  self->pressed = TRUE;
+  self->has_place = FALSE;
+  send (self, self->tool->press, at, modifiers, count);
+}
+
+static void
 release (QnCanvas *self, QnVec2 at, GdkModifierType modifiers, int count)
 {
-  if (!self->pressed)
-    return;
-  QnToolEvent event = make_event (self, at.x, at.y, modifiers, count);
+  const gboolean pressed = self->pressed;
   self->pressed = FALSE;
-  if (self->tool->release != NULL)
-    self->tool->release (self, &event);
-  gtk_widget_queue_draw (GTK_WIDGET (self));
-  qn_canvas_emit_status (self);
+  if (pressed)
+    send (self, self->tool->release, at, modifiers, count);
 }
 
 void
@@ -68,11 +79,7 @@ qn_canvas_point (QnCanvas *self, QnVec2 screen, GdkModifierType modifiers)
   if (self->state == NULL || self->tool == NULL)
     return;
   self->pointer_inside = TRUE;
-  QnToolEvent event = make_event (self, screen.x, screen.y, modifiers, 0);
-  if (self->tool->motion != NULL)
-    self->tool->motion (self, &event);
-  gtk_widget_queue_draw (GTK_WIDGET (self));
-  qn_canvas_emit_status (self);
+  send (self, self->tool->motion, screen, modifiers, 0);
 }
 
 void

@@ -15,7 +15,6 @@
 
 typedef struct Form {
   QnBoundForm base;
-  int selected; /* ground motion, or -1 */
   QnGroundPreviewKind preview;
   QnGroundPreview sampled; /* what the plot shows */
   char *fault;             /* why its record cannot be read, or NULL */
@@ -45,6 +44,7 @@ typedef struct Form {
   FIELD (INITIAL_VY, "initial_vy", N_ ("Change Initial Motion"))                         \
   FIELD (INITIAL_WZ, "initial_wz", N_ ("Change Initial Motion"))                         \
   FIELD (MOTIONS, "motions", NULL)                                                       \
+  FIELD (EMPTY, "empty", NULL)                                                           \
   FIELD (PREVIEW, "preview", NULL)                                                       \
   FIELD (PLOT, "plot", NULL)                                                             \
   FIELD (FAULT, "fault", NULL)                                                           \
@@ -81,10 +81,10 @@ sample (Form *form)
   g_autoptr (GError) error = NULL;
   qn_ground_preview_clear (&form->sampled);
   g_clear_pointer (&form->fault, g_free);
-  if (form->selected < 0)
+  if (form->base.selected < 0)
     return;
-  const QnGroundMotion *motion = &model->ground[form->selected];
-  gsize index = (gsize) form->selected;
+  const QnGroundMotion *motion = &model->ground[form->base.selected];
+  gsize index = (gsize) form->base.selected;
   if (motion->record == NULL || motion->point_count > 0) {
     qn_ground_preview_init (&form->sampled, model, index, form->preview);
     form->fault = dup_doubt (motion);
@@ -110,19 +110,23 @@ look (gpointer data)
   if (model->analysis.procedure != QN_PROCEDURE_DYNAMIC || model->stage_count > 0)
     return FALSE;
   /* The first one is selected where there was none. */
-  form->selected = MIN (MAX (form->selected, 0), (int) model->ground_count - 1);
+  form->base.selected = MIN (MAX (form->base.selected, 0), (int) model->ground_count - 1);
   sample (form);
   return TRUE;
 }
 
 /* The settings, or the selected ground motion. */
 static gpointer
-subject (gpointer data, QnModel *model, guint field)
+subject (gpointer form, QnModel *model, guint field)
 {
-  const Form *form = data;
-  return field < MOTIONS       ? (gpointer) &model->analysis.dynamic
-         : form->selected >= 0 ? &model->ground[form->selected]
-                               : NULL;
+  return field < MOTIONS ? (gpointer) &model->analysis.dynamic
+                         : qn_bound_form_item (form, model);
+}
+
+static char *
+dup_row (const QnModel *model, gsize index)
+{
+  return qn_ground_motion_dup_text (&model->ground[index]);
 }
 
 /* ---- initial motion ---- */
@@ -212,8 +216,7 @@ show (gpointer data, guint field, QnValue *value)
 {
   const Form *form = data;
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
-  const QnGroundMotion *motion =
-    form->selected >= 0 ? &model->ground[form->selected] : NULL;
+  const QnGroundMotion *motion = qn_bound_form_item (form, model);
   gboolean pulse = motion != NULL && motion->kind == QN_SIGNAL_PULSE;
   if (field >= INITIAL_TITLE && field < MOTIONS)
     return show_initial (form, model, field, value);
@@ -227,11 +230,6 @@ show (gpointer data, guint field, QnValue *value)
     return TRUE;
   case FOLLOW:
     return model->analysis.geometry == QN_GEOMETRY_NONLINEAR;
-  case MOTIONS:
-    for (gsize i = 0; i < model->ground_count; i++)
-      qn_value_take_row (value, qn_ground_motion_dup_text (&model->ground[i]));
-    value->number = form->selected;
-    return TRUE;
   case PREVIEW:
     value->number = form->preview;
     return motion != NULL;
@@ -273,7 +271,7 @@ import_path (Form *form, const char *path)
       || !qn_canvas_end_edit (form->base.canvas, &draft, _ ("Import Ground Motion"), NULL,
                               qn_edit_add_record (draft.model, path, &draft.error)))
     return;
-  form->selected = (int) qn_canvas_get_model (form->base.canvas)->ground_count - 1;
+  form->base.selected = (int) qn_canvas_get_model (form->base.canvas)->ground_count - 1;
   qn_bound_form_show (form);
 }
 
@@ -313,17 +311,12 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return TRUE;
   case RATIO:
     return take_ratio (form, &draft->model.analysis.dynamic, value->number);
-  case MOTIONS:
-    form->selected = (int) value->number;
-    return TRUE;
   case PREVIEW:
     form->preview = (QnGroundPreviewKind) value->number;
     return TRUE;
   case ADD:
-    if (!qn_edit_add_pulse (&draft->model, error))
-      return FALSE;
-    form->selected = (int) draft->model.ground_count - 1;
-    return TRUE;
+    form->base.wanted = (int) draft->model.ground_count;
+    return qn_edit_add_pulse (&draft->model, error);
   case IMPORT:
     qn_chooser_ask (form->base.root, &form->chooser,
                     &(QnFileQuestion){ .title = _ ("Import Ground Motion"),
@@ -332,7 +325,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
                     form);
     return TRUE;
   case REMOVE:
-    return qn_edit_remove_ground_motion (&draft->model, (gsize) form->selected, error);
+    return qn_edit_remove_ground_motion (&draft->model, (gsize) form->base.selected,
+                                         error);
   default:
     return TRUE;
   }
@@ -367,12 +361,14 @@ init (gpointer data)
 {
   static const QnPlotHand hand = { .text_share = TEXT_SHARE, .make = make_plot };
   Form *form = data;
-  form->selected = 0;
   qn_plot_view_init (form->base.widgets[PLOT], &hand, form);
   qn_accept_files (form->base.root, take_file, form);
   g_signal_connect (form->base.root, "destroy", G_CALLBACK (on_destroy), form);
 }
 
+static const QnFormList list =
+  QN_FORM_LIST (MOTIONS, EMPTY, ground, ground_count, dup_row, FALSE, 0);
+
 const QnFormKind qn_dynamic_form =
-  QN_FORM_KIND ("dynamic-form", Form, .subject = subject, .look = look,
+  QN_FORM_KIND ("dynamic-form", Form, .list = &list, .subject = subject, .look = look,
                 .follows = QN_FOLLOW_SELECTION | QN_FOLLOW_RUNS, .init = init);

@@ -104,16 +104,12 @@ show (gpointer data, guint field, QnValue *value)
     value->number = own ? (int) rule->placement + 1 : ROW_AS_ALL;
     return TRUE;
   case OFFSET:
-    value->number = rule->offset;
-    return own && rule->placement <= QN_PLACEMENT_LOBATTO;
   case COUNT:
-    value->number =
-      qn_pair_rule_shown_count (rule, model, contacts_of (form)->faces[ids[0]].law_a);
-    return own && rule->placement >= QN_PLACEMENT_LOBATTO
-           && rule->placement != QN_PLACEMENT_EXPLICIT;
-  case POSITIONS: /* without any those of the ends are there to start from */
-    value->text = qn_pair_rule_dup_positions (rule);
-    return own && rule->placement == QN_PLACEMENT_EXPLICIT;
+  case POSITIONS:
+    return qn_value_set_pairs (value, model, rule,
+                               contacts_of (form)->faces[ids[0]].law_a,
+                               (QnPairField) (field - PLACEMENT))
+           && own;
   default:
     return override != NULL;
   }

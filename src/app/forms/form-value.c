@@ -1,6 +1,7 @@
 #include "app/forms/form-value.h"
 
 #include "core/base/integer.h"
+#include "doc/view/pair-text.h"
 
 int
 qn_value_int (const QnValue *value)
@@ -53,6 +54,32 @@ qn_value_set_sections (QnValue *value, const QnModel *model, QnId section)
   for (gsize i = 0; i < model->section_count; i++)
     qn_value_add_row (value, model->sections[i].name);
   value->number = section != QN_NONE ? section : 0;
+}
+
+gboolean
+qn_value_set_pairs (QnValue *value, const QnModel *model, const QnPairRule *rule,
+                    QnId law, QnPairField field)
+{
+  const gboolean given = rule->placement == QN_PLACEMENT_EXPLICIT;
+  switch (field) {
+  case QN_PAIRS_PLACEMENT:
+    value->number = rule->placement;
+    return TRUE;
+  case QN_PAIRS_OFFSET:
+    value->number = rule->offset;
+    return rule->placement <= QN_PLACEMENT_LOBATTO;
+  case QN_PAIRS_COUNT:
+    value->number = qn_pair_rule_shown_count (rule, model, law);
+    return rule->placement >= QN_PLACEMENT_LOBATTO && !given;
+  case QN_PAIRS_POSITIONS: /* without any those of the ends are there to start from */
+    value->text = qn_pair_rule_dup_positions (rule);
+    return given;
+  case QN_PAIRS_WEIGHTS:
+    value->text = qn_pair_rule_dup_weights (rule);
+    return given;
+  default:
+    return TRUE;
+  }
 }
 
 void

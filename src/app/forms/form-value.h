@@ -35,4 +35,15 @@ QnId qn_value_get_law (const QnValue *value);
 void qn_value_set_sections (QnValue *value, const QnModel *model, QnId section);
 
 /* Frees what it holds. */
+/* What a field shows of where pairs lie on a face of a law; FALSE where the rule has no such number. */
+typedef enum {
+  QN_PAIRS_PLACEMENT,
+  QN_PAIRS_OFFSET,
+  QN_PAIRS_COUNT,
+  QN_PAIRS_POSITIONS,
+  QN_PAIRS_WEIGHTS
+} QnPairField;
+gboolean qn_value_set_pairs (QnValue *value, const QnModel *model, const QnPairRule *rule,
+                             QnId law, QnPairField field);
+
 void qn_value_clear (QnValue *value);

@@ -10,7 +10,7 @@
 #include "app/widgets/settings.h"
 #include "doc/document/run-name.h"
 #include "doc/text/explain.h"
-#include "render/figure/compare-sheet.h"
+#include "doc/view/sheet.h"
 #include <glib/gi18n.h>
 
 #define MOST_RUNS 12
@@ -551,21 +551,17 @@ gboolean
 qn_compare_export (const GPtrArray *runs, const char *const *titles, const char *path,
                    GError **error)
 {
-  g_autofree QnFigure *figures = g_new0 (QnFigure, runs->len + 1);
+  g_autofree QnProject *projects = g_new0 (QnProject, runs->len + 1);
+  g_autofree QnSheetRun *sheet = g_new0 (QnSheetRun, runs->len + 1);
   for (guint i = 0; i < runs->len; i++) {
     const QnRun *run = g_ptr_array_index (runs, i);
-    qn_figure_init (&figures[i], &run->model, &run->contacts, &run->result,
-                    qn_view_of_result (&run->result));
-    figures[i].options.loads = figures[i].options.dimensions = false;
-    figures[i].title = titles != NULL ? titles[i] : run->name;
+    projects[i].model = run->model;
+    projects[i].model.title = (char *) (titles != NULL ? titles[i] : run->name);
+    sheet[i] = (QnSheetRun){ &projects[i], &run->contacts, &run->result, run->name };
   }
   QnOutput output;
-  QnMetadata metadata;
   qn_output_init (&output);
-  qn_metadata_init (&metadata);
-  metadata.generator = "quoin " QN_VERSION;
-  const QnCompareSheet sheet = { .figures = figures, .count = runs->len };
-  return qn_compare_sheet_export (&sheet, path, &output, &metadata, error);
+  return qn_comparison_export (sheet, runs->len, 0, NULL, FALSE, path, &output, error);
 }
 
 static void

@@ -118,12 +118,6 @@ qn_study_page_show_draft (QnStudyPage *self)
 /* ---- actions ---- */
 
 static void
-run (GSimpleAction *action, GVariant *parameter, gpointer data)
-{
-  qn_study_page_run (data);
-}
-
-static void
 cancel (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   QnStudyPage *self = data;
@@ -131,25 +125,12 @@ cancel (GSimpleAction *action, GVariant *parameter, gpointer data)
 }
 
 static void
-undo (GSimpleAction *action, GVariant *parameter, gpointer data)
+undo_or_redo (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   QnStudyPage *self = data;
-  qn_draft_undo (self->draft);
+  const gboolean undo = g_str_equal (g_action_get_name (G_ACTION (action)), "undo");
+  (undo ? qn_draft_undo : qn_draft_redo) (self->draft);
   qn_study_page_show_draft (self);
-}
-
-static void
-redo (GSimpleAction *action, GVariant *parameter, gpointer data)
-{
-  QnStudyPage *self = data;
-  qn_draft_redo (self->draft);
-  qn_study_page_show_draft (self);
-}
-
-static void
-export_results (GSimpleAction *action, GVariant *parameter, gpointer data)
-{
-  qn_study_page_export (data, g_variant_get_string (parameter, NULL));
 }
 
 static void
@@ -213,15 +194,6 @@ remove_parameter (GSimpleAction *action, GVariant *parameter, gpointer data)
   qn_study_page_show_draft (self);
 }
 
-/* The same without asking: (what, path). */
-static void
-export_path (GSimpleAction *action, GVariant *parameter, gpointer data)
-{
-  const char *what, *path;
-  g_variant_get (parameter, "(&s&s)", &what, &path);
-  qn_study_page_export_to (data, what, path);
-}
-
 /* ---- the page ---- */
 
 static void
@@ -252,13 +224,15 @@ static void
 connect (QnStudyPage *self)
 {
   static const GActionEntry entries[] = {
-    { .name = "run", .activate = run },
+    { .name = "run", .activate = qn_study_page_run },
     { .name = "cancel", .activate = cancel },
-    { .name = "undo", .activate = undo },
-    { .name = "redo", .activate = redo },
+    { .name = "undo", .activate = undo_or_redo },
+    { .name = "redo", .activate = undo_or_redo },
     { .name = "save-as", .activate = save_as },
-    { .name = "export", .activate = export_results, .parameter_type = "s" },
-    { .name = "export-path", .activate = export_path, .parameter_type = "(ss)" },
+    { .name = "export", .activate = qn_study_page_export, .parameter_type = "s" },
+    { .name = "export-path",
+      .activate = qn_study_page_export_path,
+      .parameter_type = "(ss)" },
     { .name = "open-case", .activate = open_case },
     { .name = "copy-case", .activate = copy_case },
     { .name = "remove", .activate = remove_parameter, .parameter_type = "u" },

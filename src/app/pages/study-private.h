@@ -53,13 +53,13 @@ void qn_study_page_forget_results (QnStudyPage *self);
 void qn_study_page_read_results (QnStudyPage *self);
 /* Moments and fractiles of the output that is shown. */
 void qn_study_page_show_statistics (QnStudyPage *self);
-/* Computes what is missing. The job is looked at now and then. */
-void qn_study_page_run (QnStudyPage *self);
+/* Of actions. Computes what is missing; the job is looked at now and then. */
+void qn_study_page_run (GSimpleAction *action, GVariant *parameter, gpointer self);
 /* The chosen case, analysed again, in the drawing. */
 void qn_study_page_open_case (QnStudyPage *self);
-/* "table", "figure" or "mechanisms", to a file that is asked for, or to `path`. */
-void qn_study_page_export (QnStudyPage *self, const char *what);
-void qn_study_page_export_to (QnStudyPage *self, const char *what, const char *path);
+/* Of actions: "table", "figure" or "mechanisms", to a file that is asked for; (what, path). */
+void qn_study_page_export (GSimpleAction *action, GVariant *what, gpointer self);
+void qn_study_page_export_path (GSimpleAction *action, GVariant *where, gpointer self);
 
 /* study-plot.c: the figure, and its points under the pointer. FALSE: nothing to draw. */
 void qn_study_page_connect_plot (QnStudyPage *self);

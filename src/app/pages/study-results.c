@@ -236,8 +236,9 @@ start (QnStudyPage *self, GError **error)
 }
 
 void
-qn_study_page_run (QnStudyPage *self)
+qn_study_page_run (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
+  QnStudyPage *self = data;
   g_autoptr (GError) error = NULL;
   if (!start (self, &error)) {
     qn_study_page_tell (self, error->message);
@@ -365,8 +366,8 @@ write_to (QnStudyPage *self, const char *what, const char *path, GError **error)
   return qn_study_figure_export (&figure, &self->table, path, &output, error);
 }
 
-void
-qn_study_page_export_to (QnStudyPage *self, const char *what, const char *path)
+static void
+export_to (QnStudyPage *self, const char *what, const char *path)
 {
   g_autoptr (GError) error = NULL;
   g_autofree char *text = NULL;
@@ -382,14 +383,24 @@ on_chosen (gpointer data, const char *path, const GError *error)
 {
   QnStudyPage *self = data;
   if (path != NULL)
-    qn_study_page_export_to (self, self->exported, path);
+    export_to (self, self->exported, path);
   else
     qn_study_page_tell (self, error->message);
 }
 
 void
-qn_study_page_export (QnStudyPage *self, const char *what)
+qn_study_page_export_path (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
+  const char *what, *path;
+  g_variant_get (parameter, "(&s&s)", &what, &path);
+  export_to (data, what, path);
+}
+
+void
+qn_study_page_export (GSimpleAction *action, GVariant *parameter, gpointer data)
+{
+  QnStudyPage *self = data;
+  const char *what = g_variant_get_string (parameter, NULL);
   static const char *const tables[] = { ".csv", NULL };
   static const char *const figures[] = { ".png", ".svg", ".pdf", NULL };
   gboolean table = g_str_equal (what, "table");

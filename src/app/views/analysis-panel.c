@@ -117,31 +117,6 @@ procedure_row (const QnAnalysisSettings *analysis)
   return 0;
 }
 
-static gboolean
-show_contact (const QnModel *model, guint field, QnValue *value)
-{
-  const QnPairRule *rule = &model->contact.pairs;
-  switch (field) {
-  case PLACEMENT:
-    value->number = rule->placement;
-    return TRUE;
-  case OFFSET:
-    return rule->placement <= QN_PLACEMENT_LOBATTO;
-  case COUNT:
-    value->number = qn_pair_rule_shown_count (rule, model, model->contact.law);
-    return rule->placement >= QN_PLACEMENT_LOBATTO
-           && rule->placement != QN_PLACEMENT_EXPLICIT;
-  case POSITIONS: /* without any those of the ends are there to start from */
-    value->text = qn_pair_rule_dup_positions (rule);
-    return rule->placement == QN_PLACEMENT_EXPLICIT;
-  case WEIGHTS:
-    value->text = qn_pair_rule_dup_weights (rule);
-    return rule->placement == QN_PLACEMENT_EXPLICIT;
-  default:
-    return TRUE;
-  }
-}
-
 static gpointer
 subject (gpointer form, QnModel *model, guint field)
 {
@@ -325,7 +300,8 @@ show (gpointer data, guint field, QnValue *value)
     return TRUE;
   default:
     if (field < METHOD_TEXT)
-      return show_contact (model, field, value);
+      return qn_value_set_pairs (value, model, &model->contact.pairs, model->contact.law,
+                                 (QnPairField) (field - PLACEMENT));
     if (field >= METHOD)
       return TRUE;
     value->text = field < MATERIALS_HINT ? dup_card_text (model, field)
