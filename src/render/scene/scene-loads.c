@@ -413,18 +413,19 @@ qn_build_loads (QnSceneBuilder *b)
 }
 
 /* A dimension line from a to b, with ticks, extension lines from the object and its length on the
- * far side. `text_angle` is 0 or 90 degrees. */
+ * far side. `text_angle` is 0 or 90 degrees; `clear` is left free at the object. */
 static void
 add_dimension (QnSceneBuilder *b, QnVec2 from, QnVec2 to, QnVec2 object_from,
-               QnVec2 object_to, double text_angle, bool above)
+               QnVec2 object_to, double text_angle, bool above, double clear)
 {
   QnScene *scene = b->scene;
   QnColor color = qn_builder_ink (b, QN_INK_LINE);
   QnVec2 line[2] = { from, to };
-  QnVec2 extensions[2][2] = {
-    { qn_vec2_lerp (object_from, from, 0.25), qn_vec2_lerp (object_from, from, 1.25) },
-    { qn_vec2_lerp (object_to, to, 0.25), qn_vec2_lerp (object_to, to, 1.25) }
-  };
+  const double part = clear / qn_vec2_length (qn_vec2_sub (from, object_from));
+  QnVec2 extensions[2][2] = { { qn_vec2_lerp (object_from, from, part),
+                                qn_vec2_lerp (object_from, from, 1 + part) },
+                              { qn_vec2_lerp (object_to, to, part),
+                                qn_vec2_lerp (object_to, to, 1 + part) } };
   qn_scene_stroke (scene, QN_LAYER_DIMENSIONS, line, 2, false, 0.5, color);
   for (int i = 0; i < 2; i++) {
     qn_scene_stroke (scene, QN_LAYER_DIMENSIONS, extensions[i], 2, false, 0.35, color);
@@ -494,16 +495,18 @@ qn_build_dimensions (QnSceneBuilder *b)
   double gap = 0.045 * qn_box_diagonal (b->box);
   QnVec2 below, above;
   measure_loads (b, &below, &above);
-  /* On the side where no load is in the way. A line of beams has no height. */
-  bool top = above.y < below.y, right = above.x < below.x;
+  /* On the side where no load, bar or tie is in the way. A line of beams has no height. */
+  bool top = above.y < below.y;
+  bool right =
+    b->box.max.x + above.x - high.x + 1e-6 * gap < low.x - b->box.min.x + below.x;
   double y = top ? b->box.max.y + above.y + gap : b->box.min.y - below.y - gap;
   double x = right ? b->box.max.x + above.x + gap : b->box.min.x - below.x - gap;
   if (high.x > low.x)
     add_dimension (b, qn_vec2 (low.x, y), qn_vec2 (high.x, y),
                    qn_vec2 (low.x, top ? high.y : low.y),
-                   qn_vec2 (high.x, top ? high.y : low.y), 0, top);
+                   qn_vec2 (high.x, top ? high.y : low.y), 0, top, gap / 4);
   if (high.y > low.y)
     add_dimension (b, qn_vec2 (x, low.y), qn_vec2 (x, high.y),
                    qn_vec2 (right ? high.x : low.x, low.y),
-                   qn_vec2 (right ? high.x : low.x, high.y), G_PI / 2, !right);
+                   qn_vec2 (right ? high.x : low.x, high.y), G_PI / 2, !right, gap / 4);
 }
