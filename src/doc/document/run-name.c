@@ -161,7 +161,7 @@ compare_values (Changes *changes, const cJSON *from, const cJSON *to)
     }
     changes->of = of;
   } else
-    tell (changes, NULL);
+    tell (changes, cJSON_GetArraySize (to) > 0 ? NULL : _ ("none"));
 }
 
 GPtrArray *
