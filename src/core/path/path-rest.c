@@ -42,7 +42,7 @@ qn_path_lowest_motion (QnPath *path, double *motion)
 
   for (int32_t i = 0; i < as->unknown_count; i++)
     motion[i] = 1 + 0.5 * sin (1.7 * i); /* no symmetry of a structure has this */
-  for (int k = 0; k < QN_PATH_EIGENVECTOR; k++) {
+  for (int k = 0; k < QN_PATH_BISECTIONS; k++) {
     for (size_t s = 0; s < as->settling_count; s++)
       motion[as->settling[s].unknown] = 0;
     QnSolveStatus solved = qn_inertia_solve (path->inertia, motion);

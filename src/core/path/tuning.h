@@ -69,14 +69,13 @@
 #define QN_PATH_COLLAPSED  0.1
 #define QN_PATH_MOST_ABOVE 4
 
-/* End of a branch: unstable equilibria examined; bisections, of the lowest eigenvalue too; ratio below which
- * displacements are equal and the load is orthogonal to the motion. */
+/* End of a branch: unstable equilibria examined; bisections, of the lowest eigenvalue too, and inverse iterations
+ * from it; ratio below which displacements are equal and the load is orthogonal to the motion. */
 #define QN_PATH_MOST_LOOKS 5
 #define QN_PATH_BISECTIONS 30
 #define QN_PATH_NONE       1e-2
 
-#define QN_PATH_RESOLUTION  1e-3 /* of the critical multiplier, in multiplier tolerances */
-#define QN_PATH_EIGENVECTOR 8    /* inverse iterations from the lowest eigenvalue */
+#define QN_PATH_RESOLUTION 1e-3 /* of the critical multiplier, in multiplier tolerances */
 
 #define QN_PATH_FARTHEST_FIRST 1e3  /* largest first step, elastic displacements */
 #define QN_PATH_LITTLE         1e-5 /* force of an open joint / largest one, at collapse */
