@@ -244,7 +244,7 @@ test_cycles (void)
     "0.5\u00a0mm; 2\u00a0mm");
   enter (form, "amplitudes", "1; 0.3 cm; 4");
   g_assert_cmpuint (model_of (window)->stage_count, ==, 18);
-  g_assert_cmpfloat (model_of (window)->stages[7].control_target, ==, -0.003);
+  g_assert_cmpfloat (model_of (window)->stages[7].control.target, ==, -0.003);
   enter (form, "cycles", "1");
   g_assert_cmpuint (model_of (window)->stage_count, ==, 9);
   driver_screenshot (root, "cycles-form");
@@ -266,7 +266,7 @@ test_cycles (void)
   while (qn_document_undo (document))
     driver_settle ();
   g_assert_cmpint (model_of (window)->stages[11].leg, ==, 12);
-  g_assert_cmpfloat (model_of (window)->stages[11 - 1].control_target, ==, -0.002);
+  g_assert_cmpfloat (model_of (window)->stages[11 - 1].control.target, ==, -0.002);
 
   /* Without amplitudes it is a stage like others. */
   gtk_list_box_select_row (list, gtk_list_box_get_row_at_index (list, 0));

@@ -103,9 +103,9 @@ run (FILE *csv, int number, double dilatancy, const Setting *setting)
   model.analysis.flow = dilatancy > 0 ? QN_FLOW_ASSOCIATIVE : QN_FLOW_NON_ASSOCIATIVE;
   if (setting->procedure
       == QN_PROCEDURE_DISPLACEMENT) { /* of the last block of the top */
-    model.analysis.control_block = (QnId) wall->blocks - 1;
-    model.analysis.control_dof = QN_DOF_UX;
-    model.analysis.control_target = 0.5;
+    model.analysis.control.block = (QnId) wall->blocks - 1;
+    model.analysis.control.dof = QN_DOF_UX;
+    model.analysis.control.target = 0.5;
   }
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);

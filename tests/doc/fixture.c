@@ -102,8 +102,8 @@ compare_rest (const QnModel *a, const QnModel *b)
   g_assert_cmpuint (a->stage_count, ==, b->stage_count);
   g_assert_cmpfloat (a->characteristic_length, ==, b->characteristic_length);
   g_assert_cmpint (a->contact.law, ==, b->contact.law);
-  g_assert_cmpint (a->analysis.control_block, ==, b->analysis.control_block);
-  g_assert_cmpint (a->analysis.control_node, ==, b->analysis.control_node);
+  g_assert_cmpint (a->analysis.control.block, ==, b->analysis.control.block);
+  g_assert_cmpint (a->analysis.control.node, ==, b->analysis.control.node);
   compare_loads (a->dead_loads, b->dead_loads, a->dead_load_count);
   compare_loads (a->live_loads, b->live_loads, a->live_load_count);
   for (gsize i = 0; i < a->override_count; i++) {
@@ -113,8 +113,8 @@ compare_rest (const QnModel *a, const QnModel *b)
   }
   for (gsize i = 0; i < a->stage_count; i++) {
     g_assert_cmpuint (a->stages[i].sets, ==, b->stages[i].sets);
-    g_assert_cmpint (a->stages[i].control_block, ==, b->stages[i].control_block);
-    g_assert_cmpint (a->stages[i].control_node, ==, b->stages[i].control_node);
+    g_assert_cmpint (a->stages[i].control.block, ==, b->stages[i].control.block);
+    g_assert_cmpint (a->stages[i].control.node, ==, b->stages[i].control.node);
   }
 }
 

@@ -124,8 +124,8 @@ begin (Fixture *f, const char *title)
                               .ks = 1e7,
                               .friction = 0.65 };
   f->model.law_count = f->model.law_capacity = 1;
-  f->model.analysis.control_block = QN_NONE;
-  f->model.analysis.control_node = QN_NONE;
+  f->model.analysis.control.block = QN_NONE;
+  f->model.analysis.control.node = QN_NONE;
   f->model.characteristic_length = sqrt (unit_length * unit_height);
   add_loads (f);
 }

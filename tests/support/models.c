@@ -216,8 +216,8 @@ test_model_scale (QnModel *model, double factor)
   model->contact.pairs.offset *= factor;
   for (size_t i = 0; i < model->override_count; i++)
     model->overrides[i].pairs.offset *= factor;
-  if (model->analysis.control_dof != QN_DOF_RZ)
-    model->analysis.control_target *= factor;
+  if (model->analysis.control.dof != QN_DOF_RZ)
+    model->analysis.control.target *= factor;
 }
 
 void
@@ -279,8 +279,8 @@ test_model_renumber (QnModel *model, unsigned seed)
     if (model->live_loads[i].kind == QN_LOAD_FORCE)
       model->live_loads[i].block = new_of_old[model->live_loads[i].block];
   }
-  if (model->analysis.control_block != QN_NONE)
-    model->analysis.control_block = new_of_old[model->analysis.control_block];
+  if (model->analysis.control.block != QN_NONE)
+    model->analysis.control.block = new_of_old[model->analysis.control.block];
 
   g_free (new_of_old);
   g_free (old_of_new);

@@ -40,9 +40,9 @@ test_control (QnModel *model, QnProcedure procedure, const char *block, QnDof do
               double target)
 {
   model->analysis.procedure = procedure;
-  model->analysis.control_block = block ? qn_model_find_block (model, block) : QN_NONE;
-  model->analysis.control_dof = dof;
-  model->analysis.control_target = target;
+  model->analysis.control.block = block ? qn_model_find_block (model, block) : QN_NONE;
+  model->analysis.control.dof = dof;
+  model->analysis.control.target = target;
 }
 
 int

@@ -270,8 +270,8 @@ test_mast (void)
     add_live_load (&model, QN_LOAD_NODE, 1, 1000, 0);
     model.analysis.geometry = nonlinear ? QN_GEOMETRY_NONLINEAR : QN_GEOMETRY_LINEAR;
     model.analysis.procedure = QN_PROCEDURE_DISPLACEMENT;
-    model.analysis.control_node = 1;
-    model.analysis.control_target = 0.3;
+    model.analysis.control.node = 1;
+    model.analysis.control.target = 0.3;
     model.analysis.increments = 100;
     run (&model, &result);
     g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);

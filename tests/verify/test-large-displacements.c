@@ -300,9 +300,9 @@ test_overturning (void)
   analysis->geometry = QN_GEOMETRY_NONLINEAR;
   analysis->procedure = QN_PROCEDURE_DISPLACEMENT;
   analysis->increments = 100;
-  analysis->control_block = 1;
-  analysis->control_dof = QN_DOF_UX;
-  analysis->control_target = b / 2;
+  analysis->control.block = 1;
+  analysis->control.dof = QN_DOF_UX;
+  analysis->control.target = b / 2;
   test_run_solve (&run);
   g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
 

@@ -134,10 +134,10 @@ test_many_forces (void)
                                                .residual_tolerance = 1e-8,
                                                .max_factorizations = 50000,
                                                .max_seconds = INFINITY,
-                                               .control_block = 1,
-                                               .control_node = QN_NONE,
-                                               .control_dof = QN_DOF_UX,
-                                               .control_target = 0.2 };
+                                               .control.block = 1,
+                                               .control.node = QN_NONE,
+                                               .control.dof = QN_DOF_UX,
+                                               .control.target = 0.2 };
     test_run_solve (&run);
     g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
     found[pieces] = run.result.steps[run.result.step_count - 1].multiplier;

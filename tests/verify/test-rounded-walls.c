@@ -41,9 +41,9 @@ follow (Solved *solved, int number, double kn, bool moving_contacts,
   model->analysis.follow = moving_contacts;
   model->analysis.procedure = procedure;
   model->analysis.increments = increments;
-  model->analysis.control_block =
+  model->analysis.control.block =
     target > 0 ? qn_model_find_block (model, walls[number - 1].corner_block) : QN_NONE;
-  model->analysis.control_target = target;
+  model->analysis.control.target = target;
   g_assert_cmpint (qn_contacts_detect (model, &solved->contacts, NULL), ==, QN_OK);
   g_assert_cmpint (
     qn_analysis_run (model, &solved->contacts, NULL, NULL, &solved->result, NULL), ==,
@@ -175,8 +175,8 @@ test_sharp_corners (void)
   block = qn_model_find_block (model, "w.6.5");
   model->analysis.geometry = QN_GEOMETRY_NONLINEAR;
   model->analysis.procedure = QN_PROCEDURE_DISPLACEMENT;
-  model->analysis.control_block = block;
-  model->analysis.control_target = 0.1;
+  model->analysis.control.block = block;
+  model->analysis.control.target = 0.1;
   g_assert_cmpint (qn_contacts_detect (model, &solved.contacts, NULL), ==, QN_OK);
   g_assert_cmpint (
     qn_analysis_run (model, &solved.contacts, NULL, NULL, &solved.result, NULL), ==,

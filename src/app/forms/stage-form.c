@@ -22,8 +22,8 @@
   MEMBER (PROCEDURE, "procedure", CHANGE, QnStage, procedure)                            \
   FIELD (END, "end", CHANGE)                                                             \
   MEMBER (TARGET, "target", CHANGE, QnStage, target)                                     \
-  MEMBER (COMPONENT, "component", CHANGE, QnStage, control_dof)                          \
-  MEMBER (DISTANCE, "distance", CHANGE, QnStage, control_target)                         \
+  MEMBER (COMPONENT, "component", CHANGE, QnStage, control.dof)                          \
+  MEMBER (DISTANCE, "distance", CHANGE, QnStage, control.target)                         \
   FIELD (CONTROL, "control", NULL)                                                       \
   FIELD (FOLLOW, "follow", CHANGE)                                                       \
   FIELD (AMPLITUDES, "amplitudes", CHANGE)                                               \
@@ -73,7 +73,7 @@ show_stage (const QnBoundForm *form, const QnModel *model, guint field, QnValue 
   case DISTANCE:
     g_object_set (
       form->widgets[DISTANCE], "quantity",
-      stage->control_dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH, NULL);
+      stage->control.dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH, NULL);
     return controlled && stage->leg == 0;
   case AMPLITUDES:
   case CYCLES:
@@ -84,11 +84,11 @@ show_stage (const QnBoundForm *form, const QnModel *model, guint field, QnValue 
     return controlled || stage->has_target;
   case CONTROL:
     if (controlled)
-      value->text = stage->control_block != QN_NONE
+      value->text = stage->control.block != QN_NONE
                       ? g_strdup_printf (_ ("Control block: %s"),
-                                         model->blocks[stage->control_block].name)
+                                         model->blocks[stage->control.block].name)
                       : g_strdup_printf (_ ("Control node: %s"),
-                                         model->nodes[stage->control_node].name);
+                                         model->nodes[stage->control.node].name);
     return controlled;
   case PROCEDURE:
   case INCREMENTS:
@@ -136,8 +136,8 @@ take_control (const QnBoundForm *form, const QnModel *model, QnStage *stage,
   if (set.blocks.count == 0 && set.beams.count == 0)
     return qn_edit_refuse_nothing (
       error, _ ("Select the block or the beam whose displacement ends the stage"));
-  stage->control_block = set.blocks.count > 0 ? set.blocks.ids[0] : QN_NONE;
-  stage->control_node =
+  stage->control.block = set.blocks.count > 0 ? set.blocks.ids[0] : QN_NONE;
+  stage->control.node =
     set.blocks.count > 0 ? QN_NONE : model->beams[set.beams.ids[0]].nodes[1];
   return TRUE;
 }
@@ -149,7 +149,7 @@ change_cycles (const QnBoundForm *form, QnModel *model, guint field, const QnVal
                const QnStage *stage, GError **error)
 {
   const gsize first = (gsize) form->selected;
-  const double end = stage->has_target ? stage->target : stage->control_target;
+  const double end = stage->has_target ? stage->target : stage->control.target;
   g_autofree double *amplitudes = g_new (double, qn_stage_span (model, first));
   gsize cycles, count = qn_stage_amplitudes (model, first, amplitudes, &cycles);
   if (field == AMPLITUDES) {
@@ -175,7 +175,7 @@ change (const QnBoundForm *form, QnModel *model, guint field, const QnValue *val
 {
   QnStage stage = model->stages[form->selected];
   QnStageEnd end = qn_stage_get_end (&stage);
-  gboolean controlled = stage.control_block != QN_NONE || stage.control_node != QN_NONE;
+  gboolean controlled = qn_control_is_given (&stage.control);
   if (field == END)
     end = (QnStageEnd) value->number;
   if (stage.procedure == QN_PROCEDURE_DISPLACEMENT)
@@ -186,11 +186,11 @@ change (const QnBoundForm *form, QnModel *model, guint field, const QnValue *val
   else if (stage.target == 0.0 && (form->selected == 0 || stage.leg > 0))
     stage.target = 1.0;
   if (end != QN_STAGE_END_DISPLACEMENT)
-    stage.control_block = stage.control_node = QN_NONE;
+    stage.control.block = stage.control.node = QN_NONE;
   else if ((field == FOLLOW || !controlled) && !take_control (form, model, &stage, error))
     return FALSE;
-  if (end == QN_STAGE_END_DISPLACEMENT && stage.control_target == 0.0)
-    stage.control_target = qn_magnet_round_distance (0.05 * model->characteristic_length);
+  if (end == QN_STAGE_END_DISPLACEMENT && stage.control.target == 0.0)
+    stage.control.target = qn_magnet_round_distance (0.05 * model->characteristic_length);
   return change_cycles (form, model, field, value, &stage, error);
 }
 

@@ -24,8 +24,8 @@
   MEMBER (RESIDUAL_TOLERANCE, "residual_tolerance", CHANGE, QnModel,                     \
           analysis.residual_tolerance)                                                   \
   FIELD (CONTROL_BLOCK, "control_block", CHANGE)                                         \
-  MEMBER (COMPONENT, "component", CHANGE, QnModel, analysis.control_dof)                 \
-  MEMBER (TARGET, "target", CHANGE, QnModel, analysis.control_target)                    \
+  MEMBER (COMPONENT, "component", CHANGE, QnModel, analysis.control.dof)                 \
+  MEMBER (TARGET, "target", CHANGE, QnModel, analysis.control.target)                    \
   FIELD (LOAD, "constant_x",                                                             \
          N_ ("Change Loads")) /* constant and growing, horizontal and vertical */        \
   FIELD (CONSTANT_Y, "constant_y", N_ ("Change Loads"))                                  \
@@ -239,7 +239,7 @@ show (gpointer data, guint field, QnValue *value)
   gboolean timed = a.procedure == QN_PROCEDURE_DYNAMIC, staged = model->stage_count > 0;
   gboolean path = a.procedure != QN_PROCEDURE_LIMIT && !timed;
   gboolean controlled =
-    a.procedure == QN_PROCEDURE_DISPLACEMENT || (path && a.control_block != QN_NONE);
+    a.procedure == QN_PROCEDURE_DISPLACEMENT || (path && a.control.block != QN_NONE);
   QnVec2 load;
   switch (field) {
   case TITLE:
@@ -278,14 +278,14 @@ show (gpointer data, guint field, QnValue *value)
     qn_value_add_row (value, C_ ("block", "None"));
     for (gsize i = 0; i < model->block_count; i++)
       qn_value_add_row (value, model->blocks[i].name);
-    value->number = a.control_block + 1;
+    value->number = a.control.block + 1;
     value->disabled = !path;
     return TRUE;
   case COMPONENT:
     return controlled;
   case TARGET:
     g_object_set (form->widgets[TARGET], "quantity",
-                  a.control_dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH,
+                  a.control.dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH,
                   NULL);
     return controlled;
   case LOAD:
@@ -323,17 +323,17 @@ choose_control (QnModel *model)
     lowest = MIN (lowest, block->centroid.y);
     if (!block->support[QN_DOF_UX] && block->centroid.y > highest) {
       highest = block->centroid.y;
-      a->control_block = (QnId) i;
+      a->control.block = (QnId) i;
     }
   }
   double push = 0.0;
   for (gsize i = 0; i < model->live_load_count; i++)
     push += model->live_loads[i].vector.x;
-  a->control_dof = QN_DOF_UX;
-  a->control_target = qn_magnet_round_distance (
+  a->control.dof = QN_DOF_UX;
+  a->control.target = qn_magnet_round_distance (
     0.01 * MAX (highest - lowest, model->characteristic_length));
   if (push < 0.0)
-    a->control_target = -a->control_target;
+    a->control.target = -a->control.target;
 }
 
 static gboolean
@@ -388,15 +388,14 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
       a->flow = procedures[row].flow;
     break;
   case CONTROL_BLOCK:
-    a->control_block = row == 0 || row > model->block_count ? QN_NONE : (QnId) row - 1;
-    if (a->control_block != QN_NONE) /* in place of a node of beams */
-      a->control_node = QN_NONE;
+    a->control.block = row == 0 || row > model->block_count ? QN_NONE : (QnId) row - 1;
+    if (a->control.block != QN_NONE) /* in place of a node of beams */
+      a->control.node = QN_NONE;
     break;
   default:
     break;
   }
-  if (a->procedure == QN_PROCEDURE_DISPLACEMENT && a->control_block == QN_NONE
-      && a->control_node == QN_NONE)
+  if (a->procedure == QN_PROCEDURE_DISPLACEMENT && !qn_control_is_given (&a->control))
     choose_control (model);
   return TRUE;
 }

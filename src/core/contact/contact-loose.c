@@ -137,8 +137,8 @@ report_free_ends (const QnModel *model, QnContacts *contacts)
   for (size_t i = 0; i < qn_model_load_count (model); i++)
     if (qn_model_load (model, i)->kind == QN_LOAD_NODE)
       uses[qn_model_load (model, i)->node]++;
-  if (model->analysis.control_node != QN_NONE)
-    uses[model->analysis.control_node]++;
+  if (model->analysis.control.node != QN_NONE)
+    uses[model->analysis.control.node]++;
   for (size_t i = 0; i < ends; i++) {
     QnId id = model->beams[i / 2].nodes[i % 2];
     const QnNode *node = &model->nodes[id];

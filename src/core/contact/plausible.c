@@ -317,12 +317,12 @@ examine_analysis (Doubts *d, double extent)
 {
   const QnModel *model = d->model;
   const QnAnalysisSettings *analysis = &model->analysis;
-  bool turns = analysis->control_dof == QN_DOF_RZ;
+  bool turns = analysis->control.dof == QN_DOF_RZ;
   if (extent > 0
       && (analysis->procedure == QN_PROCEDURE_DISPLACEMENT
           || analysis->procedure == QN_PROCEDURE_ARC_LENGTH))
     examine (d, turns ? TARGET_TURN : TARGET, 0, QN_NONE,
-             analysis->control_target / (turns ? 1 : extent));
+             analysis->control.target / (turns ? 1 : extent));
   if (analysis->procedure != QN_PROCEDURE_DYNAMIC)
     return;
   examine (d, MASS_DAMPING, 0, QN_NONE, analysis->dynamic.mass_damping);

@@ -26,7 +26,7 @@ qn_stage_amplitudes (const QnModel *model, size_t first, double *amplitudes,
     return 0;
   for (size_t i = 0; i < qn_stage_span (model, first); i += QN_CYCLE_LEGS)
     amplitudes[count++] =
-      stages[i].has_target ? stages[i].target : stages[i].control_target;
+      stages[i].has_target ? stages[i].target : stages[i].control.target;
   while (*cycles < count && amplitudes[*cycles] == amplitudes[0])
     ++*cycles;
   for (size_t i = 0; i < count; i++)
@@ -61,13 +61,13 @@ qn_model_set_cycles (QnModel *model, size_t first, const double *amplitudes, siz
   }
   QnStage stage = model->stages[first];
   if (count > 0)
-    stage.has_target = stage.control_block == QN_NONE && stage.control_node == QN_NONE;
+    stage.has_target = !qn_control_is_given (&stage.control);
   for (size_t i = 0; i < wanted; i++) {
     stage.name = model->stages[first + i].name;
     stage.leg = count > 0 ? (int32_t) i + 1 : 0;
     if (count > 0) {
       double amplitude = amplitudes[i / (QN_CYCLE_LEGS * cycles)];
-      *(stage.has_target ? &stage.target : &stage.control_target) =
+      *(stage.has_target ? &stage.target : &stage.control.target) =
         i % QN_CYCLE_LEGS == 0   ? amplitude
         : i % QN_CYCLE_LEGS == 1 ? -amplitude
                                  : 0;

@@ -207,39 +207,30 @@ qn_model_check_loads (const QnModel *model, QnDiag *diag)
   return holds;
 }
 
-/* The block or node whose displacement is controlled, and that it is free to move. */
+/* The block or node whose displacement is controlled, that it is free to move, and how far it goes. `missing`:
+ * there may be none; `still`: it may stay. */
 static bool
-check_controlled (const QnModel *model, QnId block, QnId node, QnDof dof, QnSubject of)
+check_control (const QnModel *model, const QnControl *control, bool missing, bool still,
+               QnSubject of)
 {
+  const QnId node = control->node;
+  const size_t body = qn_model_controlled_body (model, control);
+
+  if (!qn_control_is_given (control))
+    return qn_require (of, missing, QN_PROBLEM_CONTROL_MISSING, "control", 0);
   bool known = node == QN_NONE
-                 ? qn_require_block (of, "control.block", block, model)
+                 ? qn_require_block (of, "control.block", control->block, model)
                  : qn_require_index (of, "control.node", node, model->node_count,
                                      QN_PROBLEM_NODE_UNKNOWN)
                      && qn_require (of, model->nodes[node].seat == QN_SEAT_FREE,
                                     QN_PROBLEM_CONTROL_NODE_RIDES, "control.node", 0);
 
   return known
-         && qn_require (of,
-                        !qn_model_body_is_fixed (
-                          model, qn_model_controlled_body (model, block, node), dof),
-                        QN_PROBLEM_CONTROL_DOF_FIXED, "control.component", 0);
-}
-
-static bool
-check_control (const QnModel *model, QnSubject of)
-{
-  const QnAnalysisSettings *analysis = &model->analysis;
-  const double target = analysis->control_target;
-
-  if (analysis->control_block == QN_NONE && analysis->control_node == QN_NONE)
-    return qn_require (
-      of, analysis->procedure != QN_PROCEDURE_DISPLACEMENT || model->stage_count > 0,
-      QN_PROBLEM_CONTROL_MISSING, "control", 0);
-  return check_controlled (model, analysis->control_block, analysis->control_node,
-                           analysis->control_dof, of)
-         && qn_require_number (of, "control.target", target, QN_RANGE_FINITE)
-         && qn_require (of, target != 0, QN_PROBLEM_CONTROL_TARGET_ZERO, "control.target",
-                        0);
+         && qn_require (of, !qn_model_body_is_fixed (model, body, control->dof),
+                        QN_PROBLEM_CONTROL_DOF_FIXED, "control.component", 0)
+         && qn_require_number (of, "control.target", control->target, QN_RANGE_FINITE)
+         && qn_require (of, still || control->target != 0, QN_PROBLEM_CONTROL_TARGET_ZERO,
+                        "control.target", 0);
 }
 
 /* Whether a settlement is among the loads of some sets, bit by bit as in QnStage. */
@@ -293,28 +284,12 @@ check_stage_sets (const QnModel *model, const SetStates *states, const QnStage *
 }
 
 static bool
-check_stage_control (const QnModel *model, const QnStage *stage, QnSubject of)
-{
-  const double target = stage->control_target;
-
-  if (stage->control_block == QN_NONE && stage->control_node == QN_NONE)
-    return qn_require (of, stage->procedure != QN_PROCEDURE_DISPLACEMENT,
-                       QN_PROBLEM_CONTROL_MISSING, "control", 0);
-  return check_controlled (model, stage->control_block, stage->control_node,
-                           stage->control_dof, of)
-         && qn_require_number (of, "control.target", target, QN_RANGE_FINITE)
-         && qn_require (of, of.index != 0 || target != 0, QN_PROBLEM_CONTROL_TARGET_ZERO,
-                        "control.target", 0)
-         && qn_require (of, !stage->has_target, QN_PROBLEM_STAGE_TWO_ENDS, "target", 0);
-}
-
-static bool
 check_stage (const QnModel *model, SetStates *states, QnId index, QnDiag *diag)
 {
   const QnSubject of = { QN_ENTITY_STAGE, index, diag };
   const QnStage *stage = &model->stages[index];
   bool last = (size_t) index + 1 == model->stage_count;
-  bool controlled = stage->control_block != QN_NONE || stage->control_node != QN_NONE;
+  bool controlled = qn_control_is_given (&stage->control);
   bool ends =
     stage->has_target || controlled || !qn_model_sets_have_force (model, stage->sets);
   double target = stage->has_target ? stage->target : controlled ? NAN : 1;
@@ -330,7 +305,10 @@ check_stage (const QnModel *model, SetStates *states, QnId index, QnDiag *diag)
                       0)
       || (stage->has_target
           && !qn_require_number (of, "target", stage->target, QN_RANGE_FINITE))
-      || !check_stage_control (model, stage, of)
+      || !check_control (model, &stage->control,
+                         stage->procedure != QN_PROCEDURE_DISPLACEMENT, index != 0, of)
+      || !qn_require (of, !(controlled && stage->has_target), QN_PROBLEM_STAGE_TWO_ENDS,
+                      "target", 0)
       || !qn_require (of, ends || last, QN_PROBLEM_STAGE_ENDLESS, "target", 0)
       || !qn_require (of, !(ends && target == states->multiplier[first]),
                       QN_PROBLEM_STAGE_NO_CHANGE, "target", 0))
@@ -396,7 +374,9 @@ qn_model_check_analysis (const QnModel *model, QnDiag *diag)
                         isnan (a->max_seconds) ? QN_PROBLEM_NOT_FINITE
                                                : QN_PROBLEM_NOT_POSITIVE,
                         "max_seconds", a->max_seconds)
-         && check_control (model, of)
+         && check_control (
+           model, &a->control,
+           a->procedure != QN_PROCEDURE_DISPLACEMENT || model->stage_count > 0, false, of)
          && (model->stage_count > 0 || check_procedure (model, a->procedure, 1, of))
          && qn_model_check_dynamic (model, diag) && check_stages (model, of);
 }

@@ -24,8 +24,7 @@ qn_model_init (QnModel *model)
                   .residual_tolerance = 1e-8,
                   .max_factorizations = QN_MAX_FACTORIZATIONS,
                   .max_seconds = INFINITY,
-                  .control_block = QN_NONE,
-                  .control_node = QN_NONE,
+                  .control = { QN_NONE, QN_NONE, QN_DOF_UX, 0 },
                   .dynamic = { .rho = 0.8,
                                .of = QN_DAMPING_CURRENT,
                                .tolerance = 1e-5,
@@ -335,7 +334,7 @@ qn_model_add_stage (QnModel *model, const char *name)
   QnStage *stage = QN_MODEL_ADD_NAMED (model, stages, stage, NULL, name);
 
   if (stage != NULL)
-    stage->control_block = stage->control_node = QN_NONE;
+    stage->control.block = stage->control.node = QN_NONE;
   return stage;
 }
 
@@ -441,9 +440,8 @@ qn_model_followed (const QnModel *model, size_t *body, QnDof *dof)
 {
   const QnAnalysisSettings *settings = &model->analysis;
 
-  *dof = settings->control_dof;
-  *body =
-    qn_model_controlled_body (model, settings->control_block, settings->control_node);
+  *dof = settings->control.dof;
+  *body = qn_model_controlled_body (model, &settings->control);
   if (model->track_count > 0) {
     *dof = model->tracks[0].dof;
     *body = (size_t) model->tracks[0].block;

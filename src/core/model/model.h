@@ -301,6 +301,13 @@ typedef enum {
  * longest of the examples needs. */
 #define QN_MAX_FACTORIZATIONS 50000
 
+/* What is prescribed, or shown: a displacement of a block, or of a node that stands free; of neither: nothing. */
+typedef struct QnControl {
+  QnId block, node; /* or QN_NONE; at most one of both */
+  QnDof dof;
+  double target; /* m or rad; of a stage as a total, and 0 too */
+} QnControl;
+
 typedef struct QnAnalysisSettings {
   QnProcedure procedure;
   QnGeometry geometry;
@@ -315,10 +322,7 @@ typedef struct QnAnalysisSettings {
                                   converged */
   double max_seconds;   /* > 0; likewise; INFINITY by default */
   QnBoundChoice bound;  /* whether a path's collapse gets its associative bound */
-  QnId control_block;   /* or QN_NONE */
-  QnId control_node;    /* the same for a node that stands free; at most one of both */
-  QnDof control_dof;
-  double control_target; /* m or rad */
+  QnControl control;
   bool
     follow; /* contacts follow the blocks along a path, in nonlinear geometry; this is done by
                   core/path/path.c */
@@ -338,10 +342,7 @@ typedef struct QnStage {
   int32_t increments; /* 0: as the analysis says */
   bool has_target;    /* whether the stage ends at a multiplier, */
   double target;      /* this one; any sign */
-  QnId control_block; /* or QN_NONE */
-  QnId control_node;  /* likewise; at most one of both */
-  QnDof control_dof;
-  double control_target; /* m or rad, as a total; may be 0 */
+  QnControl control;
   int32_t
     leg; /* from 1, of a cyclic protocol: each of its cycles is three stages, there, to the other side, and
                   back to 0; 0: of none */
@@ -564,13 +565,19 @@ qn_model_beam_length (const QnModel *model, QnId beam)
     qn_vec2_sub (model->nodes[nodes[1]].at, model->nodes[nodes[0]].at));
 }
 
+static inline bool
+qn_control_is_given (const QnControl *control)
+{
+  return control->block != QN_NONE || control->node != QN_NONE;
+}
+
 /* The body that a control names, by block or by node; SIZE_MAX where it names neither. */
 static inline size_t
-qn_model_controlled_body (const QnModel *model, QnId block, QnId node)
+qn_model_controlled_body (const QnModel *model, const QnControl *control)
 {
-  if (node != QN_NONE)
-    return model->block_count + (size_t) node;
-  return block != QN_NONE ? (size_t) block : SIZE_MAX;
+  if (control->node != QN_NONE)
+    return model->block_count + (size_t) control->node;
+  return control->block != QN_NONE ? (size_t) control->block : SIZE_MAX;
 }
 
 /* Displayed displacement of an analysis in time: the first track, else the controlled displacement, else ux of

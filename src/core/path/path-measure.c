@@ -100,8 +100,7 @@ qn_path_measure_setup (QnPathMeasure *measure, QnPath *path)
   const QnAnalysisSettings *settings = path->settings;
   size_t n = (size_t) as->unknown_count;
   QnPool *pool = &path->trace_pool;
-  size_t body = qn_model_controlled_body (path->model, settings->control_block,
-                                          settings->control_node);
+  size_t body = qn_model_controlled_body (path->model, &settings->control);
 
   *measure = (QnPathMeasure){ .path = path,
                               .procedure = settings->procedure,
@@ -114,9 +113,9 @@ qn_path_measure_setup (QnPathMeasure *measure, QnPath *path)
     return false;
   qn_path_measure_keep_last (measure);
   if (body != SIZE_MAX && settings->procedure != QN_PROCEDURE_LOAD) {
-    bool turns = settings->control_dof == QN_DOF_RZ;
-    measure->unknown = as->unknown[QN_DOF_COUNT * body + (size_t) settings->control_dof];
-    measure->end = settings->control_target * (turns ? as->length : 1);
+    bool turns = settings->control.dof == QN_DOF_RZ;
+    measure->unknown = as->unknown[QN_DOF_COUNT * body + (size_t) settings->control.dof];
+    measure->end = settings->control.target * (turns ? as->length : 1);
     measure->unit[measure->unknown] = 1;
     if (path->stage > 0)
       measure->start = path->equilibrium.committed.u[measure->unknown];

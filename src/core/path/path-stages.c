@@ -35,7 +35,7 @@ run_live_loads (QnPath *path, QnDiag *diag)
     path, settings->procedure == QN_PROCEDURE_DISPLACEMENT ? &reverses : NULL, diag);
   if (status == QN_OK && reverses)
     return qn_diag_set_field (diag, QN_PROBLEM_CONTROL_WRONG_SIGN, QN_ENTITY_ANALYSIS,
-                              QN_NONE, "control.target", settings->control_target);
+                              QN_NONE, "control.target", settings->control.target);
   return status;
 }
 
@@ -62,7 +62,7 @@ static void
 begin_stage (QnPath *path, const QnStage *stage, const double *at, bool *idle)
 {
   QnEquilibrium *eq = &path->equilibrium;
-  bool controlled = stage->control_block != QN_NONE || stage->control_node != QN_NONE;
+  bool controlled = qn_control_is_given (&stage->control);
   bool settles = !controlled && !qn_model_sets_have_force (path->model, stage->sets);
   QnAnalysisSettings *settings = &path->own_settings;
 
@@ -70,10 +70,7 @@ begin_stage (QnPath *path, const QnStage *stage, const double *at, bool *idle)
   settings->procedure = stage->procedure;
   if (stage->increments > 0)
     settings->increments = stage->increments;
-  settings->control_block = stage->control_block;
-  settings->control_node = stage->control_node;
-  settings->control_dof = stage->control_dof;
-  settings->control_target = stage->control_target;
+  settings->control = stage->control;
   settings->max_multiplier = INFINITY;
   /* Forgets what the stage before found about its own end. */
   path->result->outcome = QN_OUTCOME_NOT_CONVERGED;
@@ -96,8 +93,8 @@ begin_stage (QnPath *path, const QnStage *stage, const double *at, bool *idle)
 static QnStatus
 follow_stage (QnPath *path, const QnStage *stage, const double *at, QnDiag *diag)
 {
-  bool controlled = stage->control_block != QN_NONE || stage->control_node != QN_NONE;
-  bool may_reverse = controlled && stage->procedure != QN_PROCEDURE_LOAD;
+  bool may_reverse =
+    qn_control_is_given (&stage->control) && stage->procedure != QN_PROCEDURE_LOAD;
   bool reverses = false;
   QnStatus status = qn_path_trace (path, may_reverse ? &reverses : NULL, diag);
 

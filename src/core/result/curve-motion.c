@@ -77,22 +77,20 @@ qn_result_settlement_reaction (const QnModel *model, const QnResult *result,
 QnCurveMotion
 qn_result_curve_motion (const QnModel *model, const QnResult *result)
 {
-  const QnAnalysisSettings *settings = &model->analysis;
+  const QnControl *control = &model->analysis.control;
   const QnLoad *settlement = qn_result_settlement (model, result);
 
   if (settlement != NULL && result->step_count > 0)
     return (QnCurveMotion){ settlement->block, settlement->dof, true };
-  size_t body =
-    qn_model_controlled_body (model, settings->control_block, settings->control_node);
-  QnCurveMotion motion = { QN_NONE, settings->control_dof, body == SIZE_MAX };
+  size_t body = qn_model_controlled_body (model, control);
 
   /* With stages what the last one has prescribed that prescribes anything. */
   for (int32_t i = result->stage;
        body == SIZE_MAX && i > 0 && (size_t) i <= model->stage_count; i--) {
-    const QnStage *stage = &model->stages[i - 1];
-    body = qn_model_controlled_body (model, stage->control_block, stage->control_node);
-    motion = (QnCurveMotion){ QN_NONE, stage->control_dof, body == SIZE_MAX };
+    control = &model->stages[i - 1].control;
+    body = qn_model_controlled_body (model, control);
   }
+  QnCurveMotion motion = { QN_NONE, control->dof, body == SIZE_MAX };
   if (result->history.width > 0) {
     qn_model_followed (model, &body, &motion.dof);
     motion.since_dead = true;

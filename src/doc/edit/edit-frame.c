@@ -648,9 +648,9 @@ qn_edit_place_node (QnModel *model, QnId id, QnVec2 at, GError **error)
     for (gsize i = 0; i < qn_model_load_count (model); i++)
       if (qn_model_load (model, i)->kind == QN_LOAD_NODE)
         replace_id (&qn_model_load (model, i)->node, id, other);
-    replace_id (&model->analysis.control_node, id, other);
+    replace_id (&model->analysis.control.node, id, other);
     for (gsize i = 0; i < model->stage_count; i++)
-      replace_id (&model->stages[i].control_node, id, other);
+      replace_id (&model->stages[i].control.node, id, other);
     model->nodes[id].seat = QN_SEAT_FREE;
     model->nodes[id].block = QN_NONE;
     return qn_edit_rebuild (model, NULL, error);

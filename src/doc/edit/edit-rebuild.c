@@ -216,12 +216,6 @@ follow_load (const Rebuild *r, QnLoad *load)
              || load->edge < r->to->blocks[load->block].vertex_count);
 }
 
-static QnId
-follow_node (const Rebuild *r, QnId node)
-{
-  return node == QN_NONE ? QN_NONE : r->beams.nodes[node];
-}
-
 /* Set by set, as files list them. */
 static void
 keep_loads (const Rebuild *r, QnLoad *loads, size_t *count)
@@ -291,16 +285,15 @@ follow_track (const Rebuild *r, gpointer item)
   return track->block != QN_NONE;
 }
 
+/* Of the analysis, then of its stages. */
 static void
 keep_controls (const Rebuild *r)
 {
-  QnAnalysisSettings *analysis = &r->to->analysis;
-  analysis->control_block = follow_block (r, analysis->control_block);
-  analysis->control_node = follow_node (r, analysis->control_node);
-  for (gsize i = 0; i < r->to->stage_count; i++) {
-    QnStage *stage = &r->to->stages[i];
-    stage->control_block = follow_block (r, stage->control_block);
-    stage->control_node = follow_node (r, stage->control_node);
+  for (gsize i = 0; i <= r->to->stage_count; i++) {
+    QnControl *control =
+      i == 0 ? &r->to->analysis.control : &r->to->stages[i - 1].control;
+    control->block = follow_block (r, control->block);
+    control->node = control->node == QN_NONE ? QN_NONE : r->beams.nodes[control->node];
   }
 }
 

@@ -96,8 +96,8 @@ redirect (QnModel *model, QnId gone, QnId first, QnId main)
       model->overrides[kept++] = override;
   }
   model->override_count = kept;
-  if (model->analysis.control_block == gone)
-    model->analysis.control_block = main;
+  if (model->analysis.control.block == gone)
+    model->analysis.control.block = main;
   for (gsize i = 0; i < 2 * model->tie_count; i++) {
     QnTieEnd *end = &model->ties[i / 2].ends[i % 2];
     if (end->block == gone)

@@ -292,16 +292,10 @@ qn_model_get_load_id (const QnModel *model, int32_t list, gsize index)
 
 /* ---- stages ---- */
 
-static gboolean
-is_controlled (const QnStage *stage)
-{
-  return stage->control_block != QN_NONE || stage->control_node != QN_NONE;
-}
-
 QnStageEnd
 qn_stage_get_end (const QnStage *stage)
 {
-  if (is_controlled (stage))
+  if (qn_control_is_given (&stage->control))
     return QN_STAGE_END_DISPLACEMENT;
   return stage->has_target ? QN_STAGE_END_MULTIPLIER : QN_STAGE_END_COLLAPSE;
 }
@@ -324,9 +318,9 @@ close_ends (QnModel *model)
       stage->has_target = true;
       stage->target = from + 1.0;
     }
-    double reached = stage->has_target       ? stage->target
-                     : is_controlled (stage) ? NAN
-                                             : 1.0;
+    double reached = stage->has_target                       ? stage->target
+                     : qn_control_is_given (&stage->control) ? NAN
+                                                             : 1.0;
     for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
       if (stage->sets >> set & 1)
         multiplier[set] = reached;
@@ -343,12 +337,10 @@ begin_stages (QnModel *model, QnStage *stage)
   stage->sets = 1;
   stage->procedure = a->procedure;
   if (a->procedure == QN_PROCEDURE_DISPLACEMENT) {
-    stage->control_block = a->control_block;
-    stage->control_node = a->control_node;
-    stage->control_dof = a->control_dof;
-    stage->control_target = a->control_target;
+    stage->control = a->control;
   }
-  stage->has_target = isfinite (a->max_multiplier) && !is_controlled (stage);
+  stage->has_target =
+    isfinite (a->max_multiplier) && !qn_control_is_given (&stage->control);
   stage->target = stage->has_target ? a->max_multiplier : 0.0;
   a->max_multiplier = INFINITY;
 }
@@ -373,7 +365,6 @@ qn_edit_add_stage (QnModel *model, GError **error)
   QnStage *stage = qn_model_add_stage (model, NULL);
   if (stage == NULL)
     return qn_edit_no_memory (error);
-  stage->control_block = stage->control_node = QN_NONE;
   stage->procedure = QN_PROCEDURE_LOAD;
   if (model->stage_count == 1) {
     begin_stages (model, stage);

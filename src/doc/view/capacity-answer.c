@@ -294,7 +294,7 @@ choose_control (const Search *search)
     if (fabs (ux) <= fabs (farthest))
       continue;
     farthest = ux;
-    model->analysis.control_block = (QnId) b;
+    model->analysis.control.block = (QnId) b;
   }
   qn_result_clear (&result);
   if (farthest == 0) {
@@ -302,7 +302,7 @@ choose_control (const Search *search)
       g_strdup (_ ("limit analysis moves no block aside: name a control block"));
     return QN_CAPACITY_NO_ANSWER;
   }
-  model->analysis.control_target = copysign (height_of (model), farthest);
+  model->analysis.control.target = copysign (height_of (model), farthest);
   return QN_CAPACITY_FOUND;
 }
 
@@ -312,12 +312,12 @@ follow (const Search *search, QnId control, QnResult *result)
   QnAnalysisSettings *analysis = &search->model->analysis;
   QnCapacityEnd end = QN_CAPACITY_FOUND;
   gboolean own = control == QN_NONE && analysis->procedure == QN_PROCEDURE_DISPLACEMENT
-                 && analysis->control_block != QN_NONE
-                 && analysis->control_dof == QN_DOF_UX;
+                 && analysis->control.block != QN_NONE
+                 && analysis->control.dof == QN_DOF_UX;
   if (control != QN_NONE) {
     /* The block is moved along the live load by the height of the structure. */
-    analysis->control_block = control;
-    analysis->control_target =
+    analysis->control.block = control;
+    analysis->control.target =
       copysign (height_of (search->model), qn_capacity_direction (search->model));
   } else if (!own)
     end = choose_control (search);
@@ -325,8 +325,8 @@ follow (const Search *search, QnId control, QnResult *result)
     return end;
   if (!own)
     analysis->increments = MAX (analysis->increments, INCREMENTS);
-  analysis->control_node = QN_NONE;
-  analysis->control_dof = QN_DOF_UX;
+  analysis->control.node = QN_NONE;
+  analysis->control.dof = QN_DOF_UX;
   analysis->procedure = QN_PROCEDURE_DISPLACEMENT;
   analysis->geometry = QN_GEOMETRY_NONLINEAR;
   analysis->max_multiplier = INFINITY;
@@ -403,7 +403,7 @@ find_path (const Search *search, QnCapacityAnswer *answer)
     return end;
   QnStatus status =
     qn_capacity_init (&answer->capacity, search->model, &result,
-                      search->model->analysis.control_block, search->diag);
+                      search->model->analysis.control.block, search->diag);
   if (status == QN_OK && !answer->capacity.reaches_zero)
     *search->reason = qn_outcome_dup_cause (search->model, &result);
   qn_result_clear (&result);

@@ -212,7 +212,7 @@ static QnQuantity
 end_quantity (const QnStage *stage)
 {
   return qn_stage_get_end (stage) == QN_STAGE_END_DISPLACEMENT
-           ? quantity_of (stage->control_dof)
+           ? quantity_of (stage->control.dof)
            : QN_QUANTITY_NUMBER;
 }
 
@@ -268,10 +268,10 @@ qn_stage_dup_text (const QnModel *model, gsize index, QnUnits units)
     return g_strdup_printf (_ ("%s: %s to %s"), name, sets, target);
   case QN_STAGE_END_DISPLACEMENT:
     target =
-      qn_units_format_full (qn_units_of_motion (units), quantity_of (stage->control_dof),
-                            stage->control_target, 4);
+      qn_units_format_full (qn_units_of_motion (units), quantity_of (stage->control.dof),
+                            stage->control.target, 4);
     return g_strdup_printf (_ ("%s: %s until %s is %s"), name, sets,
-                            components[stage->control_dof], target);
+                            components[stage->control.dof], target);
   case QN_STAGE_END_COLLAPSE:
     break;
   }

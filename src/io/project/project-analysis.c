@@ -7,22 +7,18 @@
 
 #include <glib/gi18n-lib.h>
 
-/* Members shared by analysis and stages. */
-#define CONTROL_MEMBERS(type)                                                            \
-  {                                                                                      \
-    QN_ENTITY ("node", OPTIONAL, NODE, type, control_node),                              \
-      QN_ENTITY ("block", OPTIONAL, BLOCK, type, control_block),                         \
-      QN_CHOICE ("component", REQUIRED, qn_dof_names, type, control_dof),                \
-      QN_NUMBER ("target", REQUIRED, FINITE, type, control_target), { 0 },               \
-  }
-
-static const QnMember analysis_control[] = CONTROL_MEMBERS (QnAnalysisSettings);
-static const QnMember stage_control[] = CONTROL_MEMBERS (QnStage);
+static const QnMember control_members[] = {
+  QN_ENTITY ("node", OPTIONAL, NODE, QnControl, node),
+  QN_ENTITY ("block", OPTIONAL, BLOCK, QnControl, block),
+  QN_CHOICE ("component", REQUIRED, qn_dof_names, QnControl, dof),
+  QN_NUMBER ("target", REQUIRED, FINITE, QnControl, target),
+  { 0 },
+};
 
 static const QnMember cycle_control[] = {
-  QN_ENTITY ("node", OPTIONAL, NODE, QnStage, control_node),
-  QN_ENTITY ("block", OPTIONAL, BLOCK, QnStage, control_block),
-  QN_CHOICE ("component", REQUIRED, qn_dof_names, QnStage, control_dof),
+  QN_ENTITY ("node", OPTIONAL, NODE, QnControl, node),
+  QN_ENTITY ("block", OPTIONAL, BLOCK, QnControl, block),
+  QN_CHOICE ("component", REQUIRED, qn_dof_names, QnControl, dof),
   { 0 },
 };
 
@@ -66,7 +62,7 @@ static const QnMember analysis_members[] = {
 /* Of a block or of a node. */
 static gboolean
 read_control (const QnJsonValue *owner, const QnMember *members, const QnModel *model,
-              gpointer target)
+              QnControl *target)
 {
   QnJsonValue control = qn_json_value_member (owner, "control");
   if (control.json == NULL)
@@ -156,7 +152,8 @@ read_stage (const QnJsonValue *place, QnModel *model)
     return qn_json_value_fail (&cycles, _ ("needs amplitudes"));
   return qn_members_read (place, stage_members, model, stage)
          && read_stage_sets (place, model, stage)
-         && read_control (place, cyclic ? cycle_control : stage_control, model, stage)
+         && read_control (place, cyclic ? cycle_control : control_members, model,
+                          &stage->control)
          && (!cyclic || read_cycles (place, &amplitudes, model));
 }
 
@@ -184,7 +181,7 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
   QnJsonValue place = qn_json_value_member (root, "analysis");
   if (place.json != NULL
       && !(qn_members_read (&place, analysis_members, model, settings)
-           && read_control (&place, analysis_control, model, settings)
+           && read_control (&place, control_members, model, &settings->control)
            && qn_read_list (&place, &qn_stage_list, QN_OPTIONAL, model)
            && qn_read_dynamic (&place, model)))
     return FALSE;
@@ -230,9 +227,9 @@ append_stage (GString *json, const QnModel *model, size_t index)
   }
   g_string_append (json, any ? "]" : "[]");
   qn_members_write (json, stage_members, model, &shown, &usual);
-  if (stage->control_block != QN_NONE || stage->control_node != QN_NONE)
-    qn_members_put (json, "control", stage->leg > 0 ? cycle_control : stage_control,
-                    model, stage, NULL);
+  if (qn_control_is_given (&stage->control))
+    qn_members_put (json, "control", stage->leg > 0 ? cycle_control : control_members,
+                    model, &stage->control, NULL);
   gsize cycles;
   g_autofree double *amplitudes = g_new (double, qn_stage_span (model, index));
   const gsize count = qn_stage_amplitudes (model, index, amplitudes, &cycles);
@@ -264,8 +261,8 @@ qn_project_append_analysis (GString *json, const QnModel *model, GHashTable *inn
 
   g_string_append (json, "  \"analysis\": {");
   qn_members_write (json, analysis_members, model, analysis, usual);
-  if (analysis->control_block != QN_NONE || analysis->control_node != QN_NONE) {
-    qn_members_put (json, "control", analysis_control, model, analysis, NULL);
+  if (qn_control_is_given (&analysis->control)) {
+    qn_members_put (json, "control", control_members, model, &analysis->control, NULL);
     qn_json_append_inner (json, inner, "analysis.control");
   }
   qn_json_append_list (json, model, inner, &qn_stage_list);

@@ -20,9 +20,7 @@ typedef struct Task {
   uint32_t sets;
   gboolean has_end; /* whether a largest multiplier is set */
   double end;
-  QnId control_block, control_node;
-  QnDof control_dof;
-  double control_target;
+  QnControl control;
 } Task;
 
 static Task
@@ -34,19 +32,13 @@ task_of (const QnModel *model, const QnResult *result)
                    .sets = 1,
                    .has_end = isfinite (a->max_multiplier) != 0,
                    .end = a->max_multiplier,
-                   .control_block = a->control_block,
-                   .control_node = a->control_node,
-                   .control_dof = a->control_dof,
-                   .control_target = a->control_target };
+                   .control = a->control };
   const QnStage *stage = &model->stages[result->stage - 1];
   return (Task){ .procedure = stage->procedure,
                  .sets = stage->sets,
                  .has_end = stage->has_target,
                  .end = stage->target,
-                 .control_block = stage->control_block,
-                 .control_node = stage->control_node,
-                 .control_dof = stage->control_dof,
-                 .control_target = stage->control_target };
+                 .control = stage->control };
 }
 
 const char *
@@ -413,14 +405,14 @@ static gboolean
 is_controlled_displacement_reached (const QnModel *model, const Task *task,
                                     const QnResult *result)
 {
-  size_t body = qn_model_controlled_body (model, task->control_block, task->control_node);
+  size_t body = qn_model_controlled_body (model, &task->control);
   if (result->step_count == 0 || body >= qn_result_body_count (result))
     return FALSE;
   double u = qn_result_step_displacements (
-    result, result->step_count - 1)[QN_DOF_COUNT * body + (size_t) task->control_dof];
-  double size = fabs (task->control_target);
+    result, result->step_count - 1)[QN_DOF_COUNT * body + (size_t) task->control.dof];
+  double size = fabs (task->control.target);
   return task->procedure != QN_PROCEDURE_LOAD
-         && fabs (u - task->control_target) <= AT_TARGET * (size > 0 ? size : 1);
+         && fabs (u - task->control.target) <= AT_TARGET * (size > 0 ? size : 1);
 }
 
 /* Which displacement it was and how far it went. */
@@ -428,21 +420,21 @@ static char *
 explain_controlled (const QnModel *model, const Task *task, double reached)
 {
   static const char *const components[] = { "ux", "uy", "rz" };
-  const char *component = components[task->control_dof];
-  gboolean turning = task->control_dof == QN_DOF_RZ;
-  if (task->control_node != QN_NONE)
+  const char *component = components[task->control.dof];
+  gboolean turning = task->control.dof == QN_DOF_RZ;
+  if (task->control.node != QN_NONE)
     return qn_text_printf (
       turning ? _ ("%s of node “%s” has reached its target of %.4g rad, at a load "
                    "multiplier of %.4g.")
               : _ ("%s of node “%s” has reached its target of %.4g m, at a load "
                    "multiplier of %.4g."),
-      component, model->nodes[task->control_node].name, task->control_target, reached);
+      component, model->nodes[task->control.node].name, task->control.target, reached);
   return qn_text_printf (
     turning ? _ ("%s of block “%s” has reached its target of %.4g rad, at a load "
                  "multiplier of %.4g.")
             : _ ("%s of block “%s” has reached its target of %.4g m, at a load "
                  "multiplier of %.4g."),
-    component, model->blocks[task->control_block].name, task->control_target, reached);
+    component, model->blocks[task->control.block].name, task->control.target, reached);
 }
 
 static char *

@@ -61,9 +61,9 @@ add_move (QnModel *model, uint32_t sets, QnDof dof, double target, int32_t incre
   QnStage *stage = qn_model_add_stage (model, "stage");
   stage->sets = sets;
   stage->procedure = QN_PROCEDURE_DISPLACEMENT;
-  stage->control_block = 1;
-  stage->control_dof = dof;
-  stage->control_target = target;
+  stage->control.block = 1;
+  stage->control.dof = dof;
+  stage->control.target = target;
   stage->increments = increments;
 }
 

@@ -223,7 +223,7 @@ test_free_end (void)
       load->vector = qn_vec2 (0, -1);
     }
     if (with == CONTROL)
-      model.analysis.control_node = 2, model.analysis.control_target = 0.1;
+      model.analysis.control.node = 2, model.analysis.control.target = 0.1;
     test_detect (&model, &contacts);
     g_assert_cmpuint (test_count_findings (&contacts, QN_PROBLEM_BEAM_END_FREE), ==,
                       with == NOTHING || with == OFF_BLOCK);

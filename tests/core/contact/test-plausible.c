@@ -43,8 +43,8 @@ init_all (QnModel *model)
   section->poisson = 0.2;
   section->area = 0.01;
   section->inertia = 1e-5;
-  model->analysis.control_block = 2;
-  model->analysis.control_target = 0.1;
+  model->analysis.control.block = 2;
+  model->analysis.control.target = 0.1;
   QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (1, 0);
@@ -240,9 +240,9 @@ put (QnModel *model, const QnUsualRange *range, double number)
     model->sections[0].area = number;
   } else if (strcmp (key, "control.target") == 0) {
     model->analysis.procedure = QN_PROCEDURE_DISPLACEMENT;
-    model->analysis.control_dof =
+    model->analysis.control.dof =
       strcmp (range->unit, "rad") == 0 ? QN_DOF_RZ : QN_DOF_UX;
-    model->analysis.control_target =
+    model->analysis.control.target =
       number * (strcmp (range->unit, "rad") == 0 ? 1 : extent_of (model));
   } else {
     model->analysis.procedure = QN_PROCEDURE_DYNAMIC;

@@ -118,9 +118,9 @@ SPOIL (load_beam, QnLoad *load = qn_model_add_dead_load (m); load->kind = QN_LOA
        load->beam = 2)
 SPOIL (load_node, QnLoad *load = qn_model_add_dead_load (m); load->kind = QN_LOAD_NODE;
        load->node = 99)
-SPOIL (control_node, m->analysis.control_node = 99; m->analysis.control_target = 1)
-SPOIL (control_rides, m->analysis.control_node = 0; m->analysis.control_target = 1)
-SPOIL (control_fixed, m->analysis.control_node = 1; m->analysis.control_target = 1)
+SPOIL (control_node, m->analysis.control.node = 99; m->analysis.control.target = 1)
+SPOIL (control_rides, m->analysis.control.node = 0; m->analysis.control.target = 1)
+SPOIL (control_fixed, m->analysis.control.node = 1; m->analysis.control.target = 1)
 
 static const Rule rules[] = {
 #define RULE(spoil, problem, entity, field)                                              \

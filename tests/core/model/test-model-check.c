@@ -20,8 +20,8 @@ init_sound (QnModel *model)
   override->block_b = 2;
   override->has_pairs = true;
   override->pairs = (QnPairRule){ .placement = QN_PLACEMENT_UNIFORM, .count = 3 };
-  model->analysis.control_block = 2;
-  model->analysis.control_target = 0.1;
+  model->analysis.control.block = 2;
+  model->analysis.control.target = 0.1;
 }
 
 static void
@@ -93,13 +93,13 @@ SPOIL (cohesion_large, m->laws[0].cohesion = 1e300)
 SPOIL (stiffness, m->laws[0].kn = 1e308)
 SPOIL (shear_stiffness, m->laws[0].ks = 1e21)
 SPOIL (direction_large, m->dead_loads[0].vector.y = -1e30)
-SPOIL (control_block, m->analysis.control_block = 3)
-SPOIL (control_target, m->analysis.control_target = 0)
-SPOIL (control_fixed, m->analysis.control_block = 0)
-SPOIL (control_missing, m->analysis.control_block = QN_NONE;
+SPOIL (control_block, m->analysis.control.block = 3)
+SPOIL (control_target, m->analysis.control.target = 0)
+SPOIL (control_fixed, m->analysis.control.block = 0)
+SPOIL (control_missing, m->analysis.control.block = QN_NONE;
        m->analysis.procedure = QN_PROCEDURE_DISPLACEMENT)
 
-SPOIL (control_nan, m->analysis.control_target = NAN)
+SPOIL (control_nan, m->analysis.control.target = NAN)
 SPOIL (case_nan, qn_model_add_load_case (m, "a"); m->load_cases[0].factor = NAN)
 SPOIL (case_large, qn_model_add_load_case (m, "a"); m->load_cases[0].factor = 1e29)
 
@@ -140,8 +140,8 @@ static QnStage *
 control_stage (QnModel *m, QnId block, double target)
 {
   QnStage *stage = add_stage (m, NAN);
-  stage->control_block = block;
-  stage->control_target = target;
+  stage->control.block = block;
+  stage->control.target = target;
   return stage;
 }
 

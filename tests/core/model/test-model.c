@@ -19,7 +19,7 @@ test_defaults (void)
   g_assert_true (isinf (model.analysis.max_multiplier));
   g_assert_cmpfloat (model.analysis.multiplier_tolerance, ==, 1e-4);
   g_assert_cmpfloat (model.analysis.residual_tolerance, ==, 1e-8);
-  g_assert_cmpint (model.analysis.control_block, ==, QN_NONE);
+  g_assert_cmpint (model.analysis.control.block, ==, QN_NONE);
   qn_model_clear (&model);
   g_assert_cmpuint (model.block_count, ==, 0);
   qn_model_clear (&model); /* a zeroed model may be cleared */

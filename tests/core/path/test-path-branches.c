@@ -79,7 +79,7 @@ test_beyond_buckling (void)
         model.beams[0].element_count = 48; /* as many to a quarter of a wave */
       }
       test_control (&model, QN_PROCEDURE_DISPLACEMENT, NULL, QN_DOF_UY, forms[f].way);
-      model.analysis.control_node = 1;
+      model.analysis.control.node = 1;
       model.analysis.increments = increments[i];
       test_analyse (&model, &result);
       double multiplier = result.steps[result.step_count - 1].multiplier;
@@ -134,7 +134,7 @@ test_end_of_branch (void)
         if (aside)
           model.live_loads[0].vector.x = 1;
         test_control (&model, procedures[p], NULL, QN_DOF_UY, -0.3);
-        model.analysis.control_node = 1;
+        model.analysis.control.node = 1;
         model.analysis.max_multiplier = end;
         model.analysis.increments = increments[i / 2];
         test_analyse (&model, &result);
@@ -194,7 +194,7 @@ test_no_tension (void)
     model.analysis.increments = i % 2 ? 100 : 10;
     test_control (&model, procedures[p], NULL, QN_DOF_UX, 0.2);
     if (held)
-      model.analysis.control_block = (QnId) model.block_count - 1;
+      model.analysis.control.block = (QnId) model.block_count - 1;
     test_analyse (&model, &result);
     for (size_t step = 0; step < result.step_count; step++)
       highest = fmax (highest, result.steps[step].multiplier);
@@ -308,7 +308,7 @@ test_peaks_between_steps (void)
           model.analysis.increments = increments[i];
           test_control (&model, procedures[p], NULL, QN_DOF_UX, 0.15 * stacks[s].width);
           if (held)
-            model.analysis.control_block = (QnId) model.block_count - 1;
+            model.analysis.control.block = (QnId) model.block_count - 1;
           test_analyse (&model, &result);
           g_test_message ("%d blocks, law %d, procedure %d, %d increments: %.6f, %d "
                           "factorisations",

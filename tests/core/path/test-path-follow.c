@@ -31,9 +31,9 @@ init_case (TestRun *c, QnProcedure procedure, double target)
   analysis->follow = true;
   if (procedure != QN_PROCEDURE_DISPLACEMENT)
     return;
-  analysis->control_block = 1;
-  analysis->control_dof = QN_DOF_UX;
-  analysis->control_target = target;
+  analysis->control.block = 1;
+  analysis->control.dof = QN_DOF_UX;
+  analysis->control.target = target;
 }
 
 /* A force of 1 N to the right at the centroid of a block. */

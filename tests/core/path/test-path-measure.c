@@ -24,10 +24,10 @@ set_up (Fixture *fixture, QnProcedure procedure, bool controlled)
   g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
   model->analysis.procedure = procedure;
   model->analysis.increments = 50;
-  model->analysis.control_block =
+  model->analysis.control.block =
     controlled ? qn_model_find_block (model, "block") : QN_NONE;
-  model->analysis.control_dof = QN_DOF_RZ;
-  model->analysis.control_target = -0.1;
+  model->analysis.control.dof = QN_DOF_RZ;
+  model->analysis.control.target = -0.1;
   g_assert_cmpint (qn_contacts_detect (model, &fixture->contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_path_setup (&fixture->path, model, &fixture->contacts, NULL, NULL,
                                   &fixture->result, NULL),

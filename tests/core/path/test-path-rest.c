@@ -78,8 +78,8 @@ solve_stack (double kn, QnProcedure procedure, int increments, QnResult *result)
   model.analysis.procedure = procedure;
   model.analysis.increments = increments;
   if (procedure == QN_PROCEDURE_DISPLACEMENT)
-    model.analysis.control_block = (QnId) model.block_count - 1;
-  model.analysis.control_target = 0.5;
+    model.analysis.control.block = (QnId) model.block_count - 1;
+  model.analysis.control.target = 0.5;
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, result, NULL), ==,

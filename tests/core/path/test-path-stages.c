@@ -60,9 +60,9 @@ add_controlled_stage (QnModel *model, QnProcedure procedure, uint32_t sets, doub
   QnStage *stage = qn_model_add_stage (model, "controlled");
   stage->sets = sets;
   stage->procedure = procedure;
-  stage->control_block = 1;
-  stage->control_dof = QN_DOF_UY;
-  stage->control_target = target;
+  stage->control.block = 1;
+  stage->control.dof = QN_DOF_UY;
+  stage->control.target = target;
   stage->increments = 10;
 }
 
@@ -344,9 +344,9 @@ add_push (QnModel *model, QnId block, double target)
   QnStage *stage = qn_model_add_stage (model, "push");
   stage->sets = 1;
   stage->procedure = QN_PROCEDURE_DISPLACEMENT;
-  stage->control_block = block;
-  stage->control_dof = QN_DOF_UX;
-  stage->control_target = target;
+  stage->control.block = block;
+  stage->control.dof = QN_DOF_UX;
+  stage->control.target = target;
   stage->increments = 10;
 }
 
@@ -550,9 +550,9 @@ test_wrong_sign (void)
   add_force (&run.model, "live", 0, YIELD);
   QnAnalysisSettings *analysis = &run.model.analysis;
   analysis->procedure = QN_PROCEDURE_DISPLACEMENT;
-  analysis->control_block = 1;
-  analysis->control_dof = QN_DOF_UY;
-  analysis->control_target = -1e-3;
+  analysis->control.block = 1;
+  analysis->control.dof = QN_DOF_UY;
+  analysis->control.target = -1e-3;
   g_assert_cmpint (qn_model_prepare (&run.model, &diag), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&run.model, &run.contacts, &diag), ==, QN_OK);
   g_assert_cmpint (

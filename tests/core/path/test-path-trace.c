@@ -448,7 +448,7 @@ follow_closely (int wall, double dilatancy, double collapse, const QnResult *pat
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   test_control (&model, QN_PROCEDURE_DISPLACEMENT, NULL, QN_DOF_UX,
                 top_displacement (path, last));
-  model.analysis.control_block = (QnId) model.block_count - 1;
+  model.analysis.control.block = (QnId) model.block_count - 1;
   model.analysis.increments = 8000;
   model.analysis.max_multiplier = 0.97 * collapse;
   test_analyse (&model, result);

@@ -190,7 +190,7 @@ add_stage (QnModel *model, double target)
   stage->procedure = QN_PROCEDURE_LOAD;
   stage->has_target = true;
   stage->target = target;
-  stage->control_block = stage->control_node = QN_NONE;
+  stage->control.block = stage->control.node = QN_NONE;
 }
 
 /* A block that hangs: its tie yields under more than its strength only as long as a second one takes the

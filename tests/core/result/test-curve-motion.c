@@ -57,8 +57,8 @@ test_controlled (void)
   QnModel model;
   QnResult result;
   init (&model, &result);
-  model.analysis.control_block = 2;
-  model.analysis.control_dof = QN_DOF_UY;
+  model.analysis.control.block = 2;
+  model.analysis.control.dof = QN_DOF_UY;
   QnCurveMotion motion = qn_result_curve_motion (&model, &result);
   g_assert_cmpint (motion.body, ==, 2);
   g_assert_cmpint (motion.dof, ==, QN_DOF_UY);

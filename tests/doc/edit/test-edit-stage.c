@@ -325,9 +325,9 @@ test_order (void)
 
   /* A displacement ends it; both ends at once are refused, and no loads at all. */
   QnStage stage = model->stages[1];
-  stage.control_block = 1;
-  stage.control_dof = QN_DOF_UX;
-  stage.control_target = 0.01;
+  stage.control.block = 1;
+  stage.control.dof = QN_DOF_UX;
+  stage.control.target = 0.01;
   stage.has_target = true;
   stage.target = 1;
   refuse (document, change_stage, &(Settings){ 1, stage, { 0 }, 0, 1 });

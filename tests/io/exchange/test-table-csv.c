@@ -67,7 +67,7 @@ test_control_block (ResultFixture *fixture, gconstpointer data)
   (void) data;
   QnModel *model = &fixture->project.model;
   g_assert_cmpint (qn_result_curve_motion (model, &fixture->result).body, ==, 1);
-  model->analysis.control_block = 0;
+  model->analysis.control.block = 0;
   g_assert_cmpint (qn_result_curve_motion (model, &fixture->result).body, ==, 0);
   model->blocks[0].name[0] = ',';
   model->blocks[0].name[1] = '"';

@@ -72,8 +72,8 @@ test_read (void)
   g_assert_cmpint (model->live_loads[0].kind, ==, QN_LOAD_NODE);
   g_assert_cmpint (model->live_loads[0].node, ==, qn_model_find_node (model, "tie.2"));
   g_assert_cmpint (model->dead_loads[1].kind, ==, QN_LOAD_LINE);
-  g_assert_cmpint (model->analysis.control_node, ==, qn_model_find_node (model, "tie.1"));
-  g_assert_cmpint (model->analysis.control_block, ==, QN_NONE);
+  g_assert_cmpint (model->analysis.control.node, ==, qn_model_find_node (model, "tie.1"));
+  g_assert_cmpint (model->analysis.control.block, ==, QN_NONE);
 }
 
 /* The canonical layout says all that there is: what it is read as writes the same bytes. */

@@ -58,9 +58,9 @@ check_settings (const QnModel *model)
   g_assert_cmpfloat (analysis->residual_tolerance, ==, 1e-7);
   g_assert_cmpint (analysis->snap, ==, QN_SNAP_THROUGH_STOP);
   g_assert_cmpint (analysis->flow, ==, QN_FLOW_NON_ASSOCIATIVE);
-  g_assert_cmpint (analysis->control_block, ==, qn_model_find_block (model, "w.2.1"));
-  g_assert_cmpint (analysis->control_dof, ==, QN_DOF_UX);
-  g_assert_cmpfloat (analysis->control_target, ==, 0.05);
+  g_assert_cmpint (analysis->control.block, ==, qn_model_find_block (model, "w.2.1"));
+  g_assert_cmpint (analysis->control.dof, ==, QN_DOF_UX);
+  g_assert_cmpfloat (analysis->control.target, ==, 0.05);
 }
 
 static void

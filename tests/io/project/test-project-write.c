@@ -134,9 +134,9 @@ assert_same_settings (const QnModel *a, const QnModel *b)
   ASSERT_SAME (x, y, max_multiplier);
   ASSERT_SAME (x, y, multiplier_tolerance);
   ASSERT_SAME (x, y, residual_tolerance);
-  ASSERT_SAME (x, y, control_block);
-  ASSERT_SAME (x, y, control_dof);
-  ASSERT_SAME (x, y, control_target);
+  ASSERT_SAME (x, y, control.block);
+  ASSERT_SAME (x, y, control.dof);
+  ASSERT_SAME (x, y, control.target);
 }
 
 /* Writes and reads back: the same model, and the second writing gives the same bytes. */
@@ -532,7 +532,7 @@ test_stages (void)
     g_assert_cmpuint (stages[1].sets, ==, 4);
     g_assert_false (stages[1].has_target);
     g_assert_cmpint (stages[2].procedure, ==, QN_PROCEDURE_DISPLACEMENT);
-    g_assert_cmpfloat (stages[2].control_target, ==, 0);
+    g_assert_cmpfloat (stages[2].control.target, ==, 0);
     const QnLoad *ground = &model->live_loads[model->live_load_count - 1];
     g_assert_cmpint (ground->kind, ==, QN_LOAD_SETTLEMENT);
     g_assert_cmpint (ground->set, ==, 2);
@@ -582,13 +582,13 @@ test_cycles (void)
     g_assert_cmpuint (model->stage_count, ==, 3 * forms[i].cycles + 1);
     for (guint s = 0; s < 3 * forms[i].cycles; s++) {
       const QnStage *stage = &model->stages[s];
-      double there = project.model.stages[s - s % 3].control_target;
+      double there = project.model.stages[s - s % 3].control.target;
       g_assert_cmpint (stage->leg, ==, (int) s + 1);
-      g_assert_cmpfloat (stage->control_target, ==,
+      g_assert_cmpfloat (stage->control.target, ==,
                          s % 3 == 0   ? there
                          : s % 3 == 1 ? -there
                                       : 0);
-      g_assert_cmpint (stage->control_block, ==, model->stages[0].control_block);
+      g_assert_cmpint (stage->control.block, ==, model->stages[0].control.block);
       g_assert_false (stage->has_target);
     }
     g_assert_cmpfloat (model->stages[3 * forms[i].cycles].target, ==, 3);
