@@ -5,7 +5,8 @@
  *     g_test_add_func ("/newton/converges", test_converges);
  *   }
  *
- * and room-main.c, linked whole, runs them all. A case is run alone by its path: -p /newton. */
+ * and room-main.c, linked whole, runs them all. Cases are run alone by their path: -p /newton, or -r
+ * with suites of suites. */
 #pragma once
 
 /* Remembers a function that adds cases; called before main(). */
