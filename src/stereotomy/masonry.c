@@ -9,7 +9,7 @@
 #define DEFAULT_MINIMUM_PIECE 0.2
 
 QnStatus
-qn_masonry_init (QnMasonry *masonry, QnMasonryKind kind, const char *name, QnDiag *diag)
+qn_masonry_init (QnMasonry *masonry, QnMasonryKind kind, const char *name)
 {
   *masonry = (QnMasonry){ .kind = kind,
                           .name = qn_strdup (name),
@@ -21,7 +21,7 @@ qn_masonry_init (QnMasonry *masonry, QnMasonryKind kind, const char *name, QnDia
                           .wall.minimum_piece = DEFAULT_MINIMUM_PIECE };
   if ((name != NULL && masonry->name == NULL) || qn_masonry_add_leaf (masonry) == NULL) {
     qn_masonry_clear (masonry);
-    return qn_diag_no_memory (diag);
+    return QN_ERROR_NO_MEMORY;
   }
   return QN_OK;
 }

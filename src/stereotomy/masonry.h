@@ -259,8 +259,7 @@ qn_arch_fit_shape (QnArch *arch)
 
 /* An object with the defaults of the project file: one leaf, running bond, lap 1/2, minimum
  * piece 0.2, thickness 1, law QN_NONE. `masonry` is overwritten without being cleared. */
-QnStatus qn_masonry_init (QnMasonry *masonry, QnMasonryKind kind, const char *name,
-                          QnDiag *diag);
+QnStatus qn_masonry_init (QnMasonry *masonry, QnMasonryKind kind, const char *name);
 void qn_masonry_clear (QnMasonry *masonry);
 
 /* A wall as a grid of so many whole cells; rubble as cells of Voronoi of so many m. */

@@ -24,7 +24,7 @@ add_record (QnModel *model, double peak)
 {
   static const double frequencies[] = { 0.7, 1.3, 2.1, 3.4, 5.2, 7.9 }; /* Hz */
   double largest = 0;
-  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (model);
   motion->kind = QN_SIGNAL_POINTS;
   motion->direction = qn_vec2 (1, 0);
   for (int pass = 0; pass < 2; pass++)

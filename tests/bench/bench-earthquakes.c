@@ -191,7 +191,7 @@ ramp_acceleration (int number, double multiplier, QnId block, double moved,
   dynamic->rho = 0.5;
   dynamic->mass_damping = number < 6 ? 5 : 1;
   dynamic->joint_damping = number <= TEST_WALL_COUNT ? 0 : 2e-4;
-  QnGroundMotion *motion = qn_model_add_ground_motion (&model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (&model);
   motion->kind = QN_SIGNAL_POINTS;
   motion->direction = qn_vec2 (-1, 0); /* inertia acts along +x, as the live load */
   for (gsize i = 0; i < G_N_ELEMENTS (ramp); i++)

@@ -138,7 +138,7 @@ set_up (QnModel *model, gsize joint, gsize setting, double duration)
   dynamic->mass_damping = settings[setting].mass_damping;
   dynamic->of = settings[setting].of;
   dynamic->output_interval = 0.1;
-  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (model);
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (1, 0.3);
   motion->pulse = settings[setting].pulse;

@@ -7,7 +7,7 @@ shake (QnModel *model, gpointer data, GError **error)
   enum { DAY = 86400 };
   (void) data;
   (void) error;
-  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (model);
   g_assert_nonnull (motion);
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (1, 0);

@@ -227,7 +227,7 @@ close_and_compare (const char *name, const QnMasonry *masonry, const Joints *joi
 static void
 make_wall (QnMasonry *masonry, QnBond bond, double rotation)
 {
-  g_assert_cmpint (qn_masonry_init (masonry, QN_MASONRY_WALL, "m", NULL), ==, QN_OK);
+  g_assert_cmpint (qn_masonry_init (masonry, QN_MASONRY_WALL, "m"), ==, QN_OK);
   QnLeaf *leaf = masonry->wall.leaves;
   leaf->bond = bond;
   leaf->length = 3;
@@ -264,7 +264,7 @@ test_walls (void)
 static void
 make_other (QnMasonry *masonry, QnMasonryKind kind)
 {
-  g_assert_cmpint (qn_masonry_init (masonry, kind, "m", NULL), ==, QN_OK);
+  g_assert_cmpint (qn_masonry_init (masonry, kind, "m"), ==, QN_OK);
   masonry->law = 0;
   masonry->foundation = 0.3;
   masonry->arch =

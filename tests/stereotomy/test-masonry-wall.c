@@ -10,7 +10,7 @@
 static void
 init_wall (QnMasonry *masonry, QnBond bond, QnCloser closer, double length, double height)
 {
-  g_assert_cmpint (qn_masonry_init (masonry, QN_MASONRY_WALL, "w", NULL), ==, QN_OK);
+  g_assert_cmpint (qn_masonry_init (masonry, QN_MASONRY_WALL, "w"), ==, QN_OK);
   masonry->wall.height = height;
   QnLeaf *leaf = &masonry->wall.leaves[0];
   leaf->length = length;

@@ -12,7 +12,7 @@
 static void
 init (QnMasonry *masonry, QnMasonryKind kind)
 {
-  g_assert_cmpint (qn_masonry_init (masonry, kind, "m", NULL), ==, QN_OK);
+  g_assert_cmpint (qn_masonry_init (masonry, kind, "m"), ==, QN_OK);
   masonry->unit_weight = 20000;
   masonry->law = 0;
   masonry->foundation = 0.3;

@@ -12,7 +12,7 @@
 static void
 init_wall (QnMasonry *masonry, QnBond bond)
 {
-  g_assert_cmpint (qn_masonry_init (masonry, QN_MASONRY_WALL, "w", NULL), ==, QN_OK);
+  g_assert_cmpint (qn_masonry_init (masonry, QN_MASONRY_WALL, "w"), ==, QN_OK);
   masonry->wall.height = HEIGHT;
   masonry->wall.leaves[0].length = LENGTH;
   masonry->wall.leaves[0].unit = qn_vec2 (0.5, 0.25);

@@ -17,7 +17,7 @@
 static void
 init_object (QnMasonry *masonry, QnMasonryKind kind)
 {
-  g_assert_cmpint (qn_masonry_init (masonry, kind, "m", NULL), ==, QN_OK);
+  g_assert_cmpint (qn_masonry_init (masonry, kind, "m"), ==, QN_OK);
   masonry->unit_weight = 2e4;
   masonry->foundation = 0.3;
   masonry->law = 0;

@@ -204,7 +204,7 @@ motion_left (QnModel *model, const QnContacts *contacts, double multiplier)
   model->analysis.dynamic.mass_damping = 5;
   model->analysis.dynamic.output_interval = 1;
   QnGroundMotion *ground =
-    model->ground_count > 0 ? model->ground : qn_model_add_ground_motion (model, NULL);
+    model->ground_count > 0 ? model->ground : qn_model_add_ground_motion (model);
   ground->point_count = 0;
   ground->direction = qn_vec2_scale (-1, model->live_loads[0].vector);
   double acceleration = multiplier * model->gravity;

@@ -47,7 +47,7 @@ set_up (QnModel *model, double stiffness, double friction, double duration, doub
   dynamic->time_step = 0.005;
   dynamic->rho = rho;
   dynamic->joint_damping = damping;
-  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (model);
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (1, 0);
   motion->pulse = pulse;

@@ -20,7 +20,7 @@ generate (const GenerateOptions *options, char **arguments)
   qn_cli_must (qn_project_generate (arguments[0], (const char *const *) arguments + 1,
                                     options->friction, project, QN_TROUBLE));
   if (options->plain)
-    qn_project_detach_masonry (project, 0);
+    qn_project_detach_masonry (project);
   if (options->title != NULL) {
     free (project->model.title);
     project->model.title = strdup (options->title);

@@ -387,7 +387,7 @@ qn_limit_non_associative (const QnModel *model, const QnContacts *contacts, doub
 QnStatus
 qn_limit_go_on (const QnModel *model, const QnContacts *contacts, const double *forces,
                 double multiplier, QnProgressFunc progress, void *user_data,
-                QnLimitSolution *solution, QnDiag *diag)
+                QnLimitSolution *solution)
 {
   QnLimitInterval interval = { .associative = INFINITY,
                                .solution.effort = solution->effort };
@@ -398,7 +398,7 @@ qn_limit_go_on (const QnModel *model, const QnContacts *contacts, const double *
                     .interval = &interval,
                     .progress = progress,
                     .user_data = user_data };
-  QnStatus status = search_init (&search, forces, multiplier, diag);
+  QnStatus status = search_init (&search, forces, multiplier, NULL);
 
   for (size_t p = 0; p < contacts->pair_count; p++) {
     QnPairSprings springs = qn_contacts_pair_springs (model, contacts, p);
@@ -407,7 +407,7 @@ qn_limit_go_on (const QnModel *model, const QnContacts *contacts, const double *
     search.flexibility += 1 / (k[0] * (double) contacts->pair_count);
   }
   if (!status)
-    status = seek_all (&search, diag);
+    status = seek_all (&search, NULL);
   conclude (&search);
   *solution = interval.solution;
   search_clear (&search);
@@ -419,13 +419,12 @@ qn_limit_go_on (const QnModel *model, const QnContacts *contacts, const double *
 QnStatus
 qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
                          const QnPairResult *pairs, double multiplier,
-                         QnProgressFunc progress, void *user_data, double **velocities,
-                         QnDiag *diag)
+                         QnProgressFunc progress, void *user_data, double **velocities)
 {
   QnLimitSolution solution = { 0 };
   QnCollapse engine = { 0 };
   QnLimitProblem limit;
-  QnStatus status = qn_limit_problem_init (&limit, model, contacts, true, diag);
+  QnStatus status = qn_limit_problem_init (&limit, model, contacts, true, NULL);
 
   *velocities = NULL;
   if (status)
@@ -442,10 +441,10 @@ qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
       bound->normal = bound->opening = slope;
     }
   }
-  status = qn_collapse_init (&engine, &limit.ip, diag);
+  status = qn_collapse_init (&engine, &limit.ip, NULL);
   if (!status)
     status =
-      qn_limit_solve (&limit, &engine, false, progress, user_data, &solution, diag);
+      qn_limit_solve (&limit, &engine, false, progress, user_data, &solution, NULL);
   if (!status && solution.outcome == QN_OUTCOME_COLLAPSE
       && solution.lower_bound - multiplier
            <= MECHANISM_GAP * fabs (solution.lower_bound)) {

@@ -109,7 +109,7 @@ void qn_limit_interval_clear (QnLimitInterval *interval);
  * of `solution` on entry is added to. COLLAPSE, DEAD_LOAD_UNSTABLE, CANCELLED or NOT_CONVERGED. */
 QnStatus qn_limit_go_on (const QnModel *model, const QnContacts *contacts,
                          const double *forces, double multiplier, QnProgressFunc progress,
-                         void *user_data, QnLimitSolution *solution, QnDiag *diag);
+                         void *user_data, QnLimitSolution *solution);
 
 /* The mechanism that goes with forces at collapse (`pairs`) without dilatancy, by one program whose
  * shear lines pass through them: where it carries no more than `multiplier`, the forces are among its
@@ -118,7 +118,7 @@ QnStatus qn_limit_go_on (const QnModel *model, const QnContacts *contacts,
 QnStatus qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
                                   const QnPairResult *pairs, double multiplier,
                                   QnProgressFunc progress, void *user_data,
-                                  double **velocities, QnDiag *diag);
+                                  double **velocities);
 
 /* The limit analysis of the model's settings, as a result: steps at the dead load and at collapse
  * (rigid blocks have not moved yet), pair forces, mechanism, bounds. `known`: as above. */

@@ -339,19 +339,14 @@ qn_model_add_stage (QnModel *model, const char *name)
 }
 
 QnGroundMotion *
-qn_model_add_ground_motion (QnModel *model, const char *record)
+qn_model_add_ground_motion (QnModel *model)
 {
   QnGroundMotion *motion = QN_MODEL_ADD (model, ground, ground);
 
-  if (motion == NULL)
-    return NULL;
-  motion->record = qn_strdup (record);
-  if (motion->record == NULL && record != NULL) {
-    model->ground_count--;
-    return NULL;
+  if (motion != NULL) {
+    motion->kind = QN_SIGNAL_POINTS;
+    motion->scale = 1;
   }
-  motion->kind = record != NULL ? QN_SIGNAL_RECORD : QN_SIGNAL_POINTS;
-  motion->scale = 1;
   return motion;
 }
 

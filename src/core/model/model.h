@@ -450,9 +450,8 @@ QnLoad *qn_model_add_dead_load (QnModel *model);
 QnLoad *qn_model_add_live_load (QnModel *model);
 QnStage *qn_model_add_stage (QnModel *model, const char *name);
 
-/* A new ground motion has scale 1; `record` (nullable) is copied. Points are added one by one;
- * false when memory runs out. */
-QnGroundMotion *qn_model_add_ground_motion (QnModel *model, const char *record);
+/* A new ground motion has scale 1 and no points, which are added one by one; false when memory runs out. */
+QnGroundMotion *qn_model_add_ground_motion (QnModel *model);
 bool qn_ground_motion_add_point (QnGroundMotion *motion, double time,
                                  double acceleration);
 /* End of an analysis in time, s: the duration of its settings, or the end of the last ground motion; 0: not

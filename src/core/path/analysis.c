@@ -288,7 +288,7 @@ settle_mechanism (const QnModel *model, const QnContacts *contacts, QnBudget *bu
     return QN_OK;
   QnStatus status =
     qn_limit_find_mechanism (model, contacts, result->pairs, result->collapse_multiplier,
-                             qn_budget_go_on, budget, &velocities, NULL);
+                             qn_budget_go_on, budget, &velocities);
   result->mechanism = NULL;
   result->mechanism_uncertain = false;
   if (status == QN_OK && velocities != NULL)

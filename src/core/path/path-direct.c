@@ -76,7 +76,7 @@ seek (QnPathTrace *trace)
   direct->effort = eq->statistics;
   QnStatus status =
     qn_limit_go_on (path->model, as->contacts, forces, eq->committed.multiplier,
-                    eq->report, eq->report_data, direct, NULL);
+                    eq->report, eq->report_data, direct);
   free (forces);
   if (status != QN_OK) /* else nothing is known of joints or loads like these */
     return status != QN_ERROR_NO_MEMORY;

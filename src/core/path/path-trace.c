@@ -572,7 +572,7 @@ follow_contacts (QnPathTrace *trace)
 
   if (!trace->path->follows || (trace->load_control && trace->events.below))
     return true;
-  if (qn_path_follow_contacts (trace->path, &changed, NULL) != QN_OK)
+  if (qn_path_follow_contacts (trace->path, &changed) != QN_OK)
     return false;
   if (!changed)
     return true;

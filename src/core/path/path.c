@@ -68,14 +68,14 @@ qn_path_clear (QnPath *path)
  * next equilibrium takes that up, and counts as one that relaxation found. Without time a step is known by its
  * number. */
 QnStatus
-qn_path_follow_contacts (QnPath *path, bool *changed, QnDiag *diag)
+qn_path_follow_contacts (QnPath *path, bool *changed)
 {
   QnEquilibrium *eq = &path->equilibrium;
 
   qn_equilibrium_restore (eq);
   QnStatus status = qn_moving_contacts_update (
     &path->moving, eq, 2 * QN_PATH_LARGEST_MOTION * eq->assembly.length,
-    (double) path->result->step_count, path->result, changed, diag);
+    (double) path->result->step_count, path->result, changed, NULL);
   if (status != QN_OK || !*changed)
     return status;
   qn_inertia_free (path->inertia);

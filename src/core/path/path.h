@@ -72,7 +72,7 @@ QnStatus qn_path_run (QnPath *path, bool *stands, QnDiag *diag);
 QnStatus qn_path_begin_to_follow (QnPath *path, bool asked, QnDiag *diag);
 
 /* Updates the contacts at the committed state. *changed: arrays by pair are invalid. */
-QnStatus qn_path_follow_contacts (QnPath *path, bool *changed, QnDiag *diag);
+QnStatus qn_path_follow_contacts (QnPath *path, bool *changed);
 
 /* Whether friction is at its limit somewhere. */
 bool qn_path_slips (const QnAssembly *assembly);

@@ -10,7 +10,7 @@
 gboolean
 qn_edit_add_pulse (QnModel *model, GError **error)
 {
-  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (model);
   if (motion == NULL)
     return qn_edit_no_memory (error);
   motion->kind = QN_SIGNAL_PULSE;
@@ -143,7 +143,7 @@ qn_edit_add_record (QnModel *model, const char *path, GError **error)
   QnRecord record;
   if (!qn_record_read (path, NULL, 0, FALSE, &record, error))
     return FALSE;
-  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (model);
   gboolean done = motion != NULL;
   if (done) {
     motion->kind = QN_SIGNAL_POINTS;

@@ -253,7 +253,7 @@ take_openings (Courses *courses, QnMasonry *masonry, QnVec2 unit)
 static gboolean
 make_masonry (const QnWall *wall, QnMasonry *masonry)
 {
-  if (qn_masonry_init (masonry, QN_MASONRY_WALL, wall->name, NULL) != QN_OK)
+  if (qn_masonry_init (masonry, QN_MASONRY_WALL, wall->name) != QN_OK)
     return FALSE;
   masonry->origin = wall->origin;
   masonry->thickness = wall->thickness;

@@ -10,7 +10,7 @@
 static gboolean
 begin (QnMasonry *masonry, const QnMasonryStyle *style, QnMasonryKind kind)
 {
-  if (qn_masonry_init (masonry, kind, NULL, NULL) != QN_OK)
+  if (qn_masonry_init (masonry, kind, NULL) != QN_OK)
     return FALSE;
   masonry->thickness = style->thickness;
   masonry->unit_weight = style->unit_weight;

@@ -87,7 +87,7 @@ read_points (const QnJsonValue *points, QnGroundMotion *motion)
 static gboolean
 read_ground (const QnJsonValue *place, QnModel *model)
 {
-  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (model);
   if (motion == NULL)
     return qn_json_value_no_memory (place);
   if (!qn_members_read (place, ground_members, NULL, motion))

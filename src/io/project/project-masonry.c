@@ -63,12 +63,10 @@ qn_project_get_masonry (const QnProject *project, QnMasonries *list, GError **er
 }
 
 void
-qn_project_detach_masonry (QnProject *project, QnId index)
+qn_project_detach_masonry (QnProject *project)
 {
-  QnModel *model = &project->model;
-  for (size_t i = 0; i < model->block_count; i++)
-    if (model->blocks[i].masonry == index)
-      model->blocks[i].masonry = QN_NONE;
+  for (size_t i = 0; i < project->model.block_count; i++)
+    project->model.blocks[i].masonry = QN_NONE;
 }
 
 gboolean
@@ -543,7 +541,7 @@ qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
                             QN_MASONRY_NAME_COUNT, &kind)
       || !qn_read_own_name (place, "m", text, &name))
     return FALSE;
-  if (qn_masonry_init (masonry, qn_masonry_kind_of (kind), name, NULL) != QN_OK)
+  if (qn_masonry_init (masonry, qn_masonry_kind_of (kind), name) != QN_OK)
     return qn_json_value_no_memory (place);
   if (read_object (place, model, kind, masonry))
     return TRUE;

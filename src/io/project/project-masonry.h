@@ -30,8 +30,8 @@ void qn_masonry_append_json (GString *json, const QnMasonry *masonry,
 gboolean qn_project_get_masonry (const QnProject *project, QnMasonries *list,
                                  GError **error);
 
-/* Makes the blocks of an object plain blocks: its parameters are no longer written. */
-void qn_project_detach_masonry (QnProject *project, QnId index);
+/* Makes the blocks of all objects plain blocks: their parameters are no longer written. */
+void qn_project_detach_masonry (QnProject *project);
 
 /* Leaves out the objects that no block comes from any more; the others get new numbers. */
 void qn_project_drop_detached (QnProject *project);

@@ -292,7 +292,7 @@ test_slip_of_a_damaged_bond (void)
   model->analysis.procedure = QN_PROCEDURE_DYNAMIC;
   dynamic->duration = 0.4;
   dynamic->time_step = dynamic->output_interval = 0.005;
-  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (model);
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (1, 0);
   motion->pulse = (QnPulse){ QN_PULSE_SINE, 5.5, 0.3, 0 };
@@ -504,7 +504,7 @@ test_unequal_sides (void)
       model->analysis.dynamic.time_step = 0.005;
       model->analysis.dynamic.joint_damping = 1e-4;
       model->analysis.dynamic.of = QN_DAMPING_CURRENT;
-      QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+      QnGroundMotion *motion = qn_model_add_ground_motion (model);
       motion->kind = QN_SIGNAL_PULSE;
       motion->direction = qn_vec2 (1, 0);
       motion->pulse = (QnPulse){ QN_PULSE_HALF_SINE, bonds == 0 ? 7.1 : 60, 0.418, 0 };
@@ -581,7 +581,7 @@ test_member_in_time (void)
     model->analysis.procedure = QN_PROCEDURE_DYNAMIC;
     model->analysis.dynamic.duration = 0.02;
     model->analysis.dynamic.time_step = 0.001;
-    QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+    QnGroundMotion *motion = qn_model_add_ground_motion (model);
     motion->kind = QN_SIGNAL_PULSE;
     motion->direction = qn_vec2 (1, 0);
     motion->pulse = (QnPulse){ QN_PULSE_HALF_SINE, 1, 0.02, 0 };

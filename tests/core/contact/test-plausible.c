@@ -45,7 +45,7 @@ init_all (QnModel *model)
   section->inertia = 1e-5;
   model->analysis.control.block = 2;
   model->analysis.control.target = 0.1;
-  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (model);
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (1, 0);
   motion->pulse = (QnPulse){ QN_PULSE_SINE, 2, 0.5, 0 };

@@ -80,7 +80,7 @@ test_joints (void)
       dynamic->rho = rho[i];
       dynamic->joint_damping = i % 2 == 0 ? 0 : 2e-4;
       dynamic->output_interval = 0.1;
-      QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+      QnGroundMotion *motion = qn_model_add_ground_motion (&c.model);
       motion->kind = QN_SIGNAL_PULSE;
       motion->direction = qn_vec2 (1, 0.3);
       motion->pulse = (QnPulse){ QN_PULSE_SINE, 7, 0.4, 0 };
@@ -164,7 +164,7 @@ slide (TestRun *c, QnPulse pulse, double rho, double step, gboolean adaptive)
   c->model.analysis.dynamic.time_step = step;
   c->model.analysis.dynamic.rho = rho;
   c->model.analysis.dynamic.adaptive = adaptive;
-  QnGroundMotion *motion = qn_model_add_ground_motion (&c->model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c->model);
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (-1, 0);
   motion->pulse = pulse;
@@ -213,7 +213,7 @@ count_factorizations (double amplitude, QnGeometry geometry, double damping)
   dynamic->time_step = 0.005;
   dynamic->adaptive = false;
   dynamic->joint_damping = damping;
-  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model);
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (1, 0);
   motion->pulse = (QnPulse){ QN_PULSE_RECTANGLE, amplitude, 0.2, 0.05 };
@@ -288,7 +288,7 @@ test_rising_ground (void)
   dynamic->time_step = 0.01;
   dynamic->mass_damping = 5;
   dynamic->joint_damping = 2e-4;
-  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model);
   motion->direction = qn_vec2 (0, 1);
   qn_ground_motion_add_point (motion, 0, 0);
   qn_ground_motion_add_point (motion, 1, G);
@@ -483,7 +483,7 @@ test_beam (void)
   c.model.analysis.dynamic.duration = 0.2;
   c.model.analysis.dynamic.time_step = 0.0005;
   c.model.analysis.dynamic.adaptive = FALSE;
-  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model);
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (0, 1);
   motion->pulse = (QnPulse){ QN_PULSE_RECTANGLE, 1, 10, 0 };
@@ -529,7 +529,7 @@ test_tie (void)
     c.model.analysis.dynamic.duration = flies ? 1 : 0.2;
     c.model.analysis.dynamic.time_step = 0.0005;
     c.model.analysis.dynamic.adaptive = flies;
-    QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+    QnGroundMotion *motion = qn_model_add_ground_motion (&c.model);
     motion->kind = QN_SIGNAL_PULSE;
     motion->direction = qn_vec2 (0, flies ? -1 : 1);
     motion->pulse = (QnPulse){ QN_PULSE_RECTANGLE, flies ? 20 : 1, flies ? 0.05 : 10, 0 };
@@ -626,11 +626,11 @@ test_refuse (void)
   g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_TOO_MANY_TIME_STEPS);
 
   init_refused (&c);
-  qn_model_add_ground_motion (&c.model, NULL)->direction = qn_vec2 (1, 0);
+  qn_model_add_ground_motion (&c.model)->direction = qn_vec2 (1, 0);
   g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_SIGNAL_EMPTY);
 
   init_refused (&c);
-  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model);
   motion->direction = qn_vec2 (1, 0);
   qn_ground_motion_add_point (motion, 0, 0);
   qn_ground_motion_add_point (motion, 1, 1);
@@ -638,21 +638,23 @@ test_refuse (void)
   g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_SIGNAL_ORDER);
 
   init_refused (&c);
-  motion = qn_model_add_ground_motion (&c.model, NULL);
+  motion = qn_model_add_ground_motion (&c.model);
   motion->direction = qn_vec2 (1, 0);
   qn_ground_motion_add_point (motion, 0, 0);
   qn_ground_motion_add_point (motion, 1, NAN);
   g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_NOT_FINITE);
 
   init_refused (&c);
-  motion = qn_model_add_ground_motion (&c.model, NULL);
+  motion = qn_model_add_ground_motion (&c.model);
   motion->direction = qn_vec2 (1, 0);
   qn_ground_motion_add_point (motion, 0, 1e300);
   qn_ground_motion_add_point (motion, 1, 1e300);
   g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_TOO_LARGE);
 
   init_refused (&c);
-  motion = qn_model_add_ground_motion (&c.model, "missing.csv"); /* never read */
+  motion = qn_model_add_ground_motion (&c.model);
+  motion->record = qn_strdup ("missing.csv"); /* never read */
+  motion->kind = QN_SIGNAL_RECORD;
   motion->direction = qn_vec2 (1, 0);
   g_assert_cmpint (refusal (&c), ==, QN_PROBLEM_SIGNAL_EMPTY);
 
@@ -672,7 +674,7 @@ test_not_finite (void)
   add_weight (&c);
   c.model.analysis.dynamic.duration = 1e-300;
   c.model.analysis.dynamic.time_step = 0.005;
-  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model);
   motion->kind = QN_SIGNAL_POINTS;
   motion->direction = qn_vec2 (1, 0);
   g_assert_true (qn_ground_motion_add_point (motion, 0, 1));

@@ -8,7 +8,7 @@ static void
 init_pulse (QnModel *model, QnPulseKind kind)
 {
   qn_model_init (model);
-  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (model);
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (2, 1);
   motion->scale = 0.5;
@@ -51,7 +51,7 @@ test_points (void)
 {
   g_auto (QnModel) model;
   qn_model_init (&model);
-  QnGroundMotion *motion = qn_model_add_ground_motion (&model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (&model);
   motion->direction = qn_vec2 (2, 1);
   qn_ground_motion_add_point (motion, 0.1, 0);
   qn_ground_motion_add_point (motion, 0.2, 2);
@@ -87,7 +87,7 @@ test_share_after (void)
 {
   g_auto (QnModel) model;
   qn_model_init (&model);
-  QnGroundMotion *motion = qn_model_add_ground_motion (&model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (&model);
   qn_ground_motion_add_point (motion, 1, 0);
   qn_ground_motion_add_point (motion, 2, -3);
   qn_ground_motion_add_point (motion, 4, 0);

@@ -249,7 +249,7 @@ test_arch (void)
                                         .count = 3,
                                         .positions = { 0, 0.5, 1 },
                                         .weights = { 0.25, 0.5, 0.25 } };
-  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model);
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (1, 0);
   motion->pulse = (QnPulse){ QN_PULSE_HALF_SINE, 6, 0.25, 0 };

@@ -65,7 +65,7 @@ init_sound (QnModel *model)
   tie->ends[1] = (QnTieEnd){ .block = QN_NONE, .at = { 3, 1 } };
   tie->area = 1e-4;
   tie->elasticity = 2e11;
-  QnGroundMotion *pulse = qn_model_add_ground_motion (model, NULL);
+  QnGroundMotion *pulse = qn_model_add_ground_motion (model);
   pulse->kind = QN_SIGNAL_PULSE;
   pulse->direction = qn_vec2 (1, 0);
   pulse->pulse = (QnPulse){ .amplitude = 1, .duration = 1 };

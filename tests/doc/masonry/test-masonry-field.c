@@ -11,8 +11,7 @@ test_fields (void)
 {
   for (int kind = 0; kind < QN_MASONRY_KIND_COUNT; kind++) {
     QnMasonry masonry;
-    g_assert_cmpint (qn_masonry_init (&masonry, (QnMasonryKind) kind, "m", NULL), ==,
-                     QN_OK);
+    g_assert_cmpint (qn_masonry_init (&masonry, (QnMasonryKind) kind, "m"), ==, QN_OK);
     guint shown = 0;
     for (int field = 0; field < QN_MASONRY_FIELD_COUNT; field++) {
       const QnFieldInfo *info = qn_masonry_field_info ((QnMasonryField) field);
@@ -42,7 +41,7 @@ static void
 test_listed_wall (void)
 {
   g_auto (QnMasonry) wall;
-  g_assert_cmpint (qn_masonry_init (&wall, QN_MASONRY_WALL, "w", NULL), ==, QN_OK);
+  g_assert_cmpint (qn_masonry_init (&wall, QN_MASONRY_WALL, "w"), ==, QN_OK);
   g_assert_true (qn_masonry_has_field (&wall, QN_MASONRY_LENGTH));
   g_assert_true (qn_masonry_has_field (&wall, QN_MASONRY_LAP));
   wall.wall.leaves[0].bond = QN_BOND_CUSTOM;
@@ -76,7 +75,7 @@ static void
 test_portal (void)
 {
   g_auto (QnMasonry) masonry;
-  g_assert_cmpint (qn_masonry_init (&masonry, QN_MASONRY_PORTAL, "p", NULL), ==, QN_OK);
+  g_assert_cmpint (qn_masonry_init (&masonry, QN_MASONRY_PORTAL, "p"), ==, QN_OK);
   QnPortal *portal = &masonry.portal;
   *portal = (QnPortal){ .bays = 2,
                         .span = 6,

@@ -6,7 +6,7 @@ static void
 init_pulse (QnModel *model)
 {
   qn_model_init (model);
-  QnGroundMotion *motion = qn_model_add_ground_motion (model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (model);
   motion->kind = QN_SIGNAL_PULSE;
   motion->direction = qn_vec2 (0, 2);
   motion->scale = 0.5;

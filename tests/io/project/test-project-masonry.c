@@ -161,7 +161,7 @@ test_detach (void)
   g_auto (QnProject) project, again;
   parse (objects[0], &project);
   g_assert_true (qn_project_has_masonry (&project, 0));
-  qn_project_detach_masonry (&project, 0);
+  qn_project_detach_masonry (&project);
   g_assert_false (qn_project_has_masonry (&project, 0));
   g_autofree char *text = qn_project_to_text (&project, NULL);
   g_assert_null (strstr (text, "\"masonry\""));

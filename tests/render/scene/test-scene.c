@@ -518,7 +518,7 @@ test_legend (void)
   fixture_init_block (&f, 1, 1);
   g_autoptr (QnScene) contacts = build (&f, QN_VIEW_CONTACTS, &options);
   g_assert_true (has_legend (contacts, "normal of a face"));
-  QnGroundMotion *motion = qn_model_add_ground_motion (&f.model, NULL);
+  QnGroundMotion *motion = qn_model_add_ground_motion (&f.model);
   motion->kind = QN_SIGNAL_PULSE;
   motion->scale = 2;
   motion->pulse = (QnPulse){ .amplitude = 1.5, .duration = 0.25 };
