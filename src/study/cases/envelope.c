@@ -101,7 +101,7 @@ qn_find_vehicle_load (const QnModel *model)
 }
 
 static gboolean
-refuse (char *problem, GError **error)
+refuse_problem (char *problem, GError **error)
 {
   g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, problem);
   g_free (problem);
@@ -120,7 +120,7 @@ add_lines (QnEnvelope *e, const QnEnvelopeSettings *settings, GError **error)
     if (vehicle == QN_NONE) {
       g_auto (GStrv) known = qn_dup_vehicle_names (NULL);
       g_autofree char *list = g_strjoinv (", ", known);
-      return refuse (
+      return refuse_problem (
         g_strdup_printf (_ ("%s: no such vehicle; built in are %s"), names[i], list),
         error);
     }
@@ -152,7 +152,7 @@ place_positions (QnEnvelope *e, const QnEnvelopeSettings *settings, GError **err
   to = isnan (settings->to) ? to : settings->to;
   double count = floor ((to - from) / settings->step + 1e-9) + 1;
   if (!(settings->step > 0) || !(count >= 1) || count > MOST_POSITIONS)
-    return refuse (
+    return refuse_problem (
       g_strdup_printf (_ ("from, to and step give no positions, or more than %d"),
                        MOST_POSITIONS),
       error);
@@ -176,9 +176,9 @@ qn_envelope_init (QnEnvelope *e, const QnModel *model, const QnEnvelopeSettings 
   *e = (QnEnvelope){ .load = qn_find_vehicle_load (model) };
   gboolean ok =
     e->load != G_MAXSIZE
-    || refuse (g_strdup (_ ("there is no vehicle among the live loads")), error);
+    || refuse_problem (g_strdup (_ ("there is no vehicle among the live loads")), error);
   if (ok && qn_model_copy (model, &e->model, &diag) != QN_OK)
-    ok = refuse (g_strdup (_ (qn_problem_text (diag.problem))), error);
+    ok = refuse_problem (g_strdup (_ (qn_problem_text (diag.problem))), error);
   if (ok && settings->method != QN_ENVELOPE_PATH)
     e->model.analysis.procedure = QN_PROCEDURE_LIMIT;
   if (ok && settings->method == QN_ENVELOPE_NON_ASSOCIATIVE)
