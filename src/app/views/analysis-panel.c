@@ -123,22 +123,6 @@ subject (gpointer form, QnModel *model, guint field)
   return model;
 }
 
-/* Gravity makes weights of densities; weights that are given as such stay. */
-static gboolean
-has_density (const QnModel *model)
-{
-  for (gsize i = 0; i < model->block_count; i++)
-    if (model->blocks[i].density >= 0.0)
-      return TRUE;
-  for (gsize i = 0; i < model->wall_count; i++)
-    if (model->walls[i].density >= 0.0)
-      return TRUE;
-  for (gsize i = 0; i < model->section_count; i++)
-    if (model->sections[i].density >= 0.0)
-      return TRUE;
-  return FALSE;
-}
-
 /* What the method ignores of what a card is about; NULL: nothing. */
 static const char *
 ignored_text (const QnModel *model, guint field)
@@ -246,7 +230,7 @@ show (gpointer data, guint field, QnValue *value)
     value->text = g_strdup (model->title);
     return TRUE;
   case GRAVITY:
-    return has_density (model);
+    return qn_model_has_density (model);
   case PROCEDURE:
     for (guint i = 0; i < G_N_ELEMENTS (procedures); i++)
       qn_value_add_row (value, _ (procedures[i].label));

@@ -81,8 +81,8 @@ qn_gauss_legendre (size_t n, size_t i, double *abscissa, double *weight)
 
 /* The ends and the roots of P'[n-1], which are those of x P[n-1] - P[n-2] = 0; of that the
  * derivative is n P[n-1]. Weights 2 / (n (n - 1) P[n-1]^2): Abramowitz & Stegun 25.4.32. */
-void
-qn_gauss_lobatto (size_t n, size_t i, double *abscissa, double *weight)
+static void
+gauss_lobatto (size_t n, size_t i, double *abscissa, double *weight)
 {
   double count = (double) n, before;
   double x = 2 * i + 1 == n ? 0 : -cos (QN_PI * (double) i / (count - 1));
@@ -124,7 +124,7 @@ qn_pair_rule_place (const QnPairRule *rule, double length, size_t i, double *pos
   switch (rule->placement) {
   case QN_PLACEMENT_ENDS:
   case QN_PLACEMENT_LOBATTO:
-    qn_gauss_lobatto (n, i, &abscissa, &share);
+    gauss_lobatto (n, i, &abscissa, &share);
     *position = 0.5 + 0.5 * (1 - 2 * rule->offset / length) * abscissa;
     if (i == 0 || i + 1 == n)
       *position = (i == 0 ? rule->offset : length - rule->offset) / length;

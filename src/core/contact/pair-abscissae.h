@@ -43,4 +43,3 @@ double qn_pair_rule_crushing (const QnPairRule *rule, double length, bool per_pa
 
 /* Abscissa and weight number i of n on [-1, 1], ascending; weights add up to 2. */
 void qn_gauss_legendre (size_t n, size_t i, double *abscissa, double *weight);
-void qn_gauss_lobatto (size_t n, size_t i, double *abscissa, double *weight); /* n >= 2 */

@@ -309,8 +309,8 @@ qn_law_coulomb_evaluate (const QnSpring *s, const QnSpringMemory *committed,
 
 /* --- Laws -------------------------------------------------------------------------------- */
 
-bool
-qn_law_coulomb_check (const QnLaw *law, QnSubject of)
+static bool
+coulomb_check (const QnLaw *law, QnSubject of)
 {
   bool residual = law->residual_friction > 0;
 
@@ -320,8 +320,8 @@ qn_law_coulomb_check (const QnLaw *law, QnSubject of)
                      QN_PROBLEM_DILATANCY_ABOVE_FRICTION, "dilatancy", law->dilatancy);
 }
 
-void
-qn_law_coulomb_resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
+static void
+coulomb_resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   double apex = law->friction > 0 ? law->cohesion / law->friction : INFINITY;
   double tension = law->fracture_energy_tension, shear = law->fracture_energy_shear;
@@ -375,8 +375,8 @@ static const QnLawParameter coulomb[] = {
 };
 
 const QnLawOps qn_law_ops_coulomb = { QN_LAW_PARAMETERS (coulomb),
-                                      .check = qn_law_coulomb_check,
-                                      .resolve = qn_law_coulomb_resolve,
+                                      .check = coulomb_check,
+                                      .resolve = coulomb_resolve,
                                       .evaluate = qn_law_coulomb_evaluate,
                                       .strength = qn_law_coulomb_strength,
                                       .softening = softening_coulomb,
@@ -387,7 +387,7 @@ check_crushing (const QnLaw *law, QnSubject of)
 {
   bool ends = law->ultimate_strain > 0;
 
-  return qn_law_coulomb_check (law, of)
+  return coulomb_check (law, of)
          && qn_require (of, !(ends && law->kn * law->ultimate_strain < law->compression),
                         QN_PROBLEM_ULTIMATE_STRAIN_TOO_SMALL, "ultimate_strain",
                         law->ultimate_strain)
@@ -402,7 +402,7 @@ check_crushing (const QnLaw *law, QnSubject of)
 static void
 resolve_crushing (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
-  qn_law_coulomb_resolve (law, scale, spring);
+  coulomb_resolve (law, scale, spring);
   spring->compression = law->compression * scale.force;
   spring->ultimate = law->ultimate_strain * scale.strain;
   if (law->ultimate_strain > 0)

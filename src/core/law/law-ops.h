@@ -63,8 +63,6 @@ extern const QnLawOps qn_law_ops_steel;
 extern const QnLawOps qn_law_ops_curve;
 
 /* Coulomb's law, part of others; see law-coulomb.c. */
-bool qn_law_coulomb_check (const QnLaw *law, QnSubject of);
-void qn_law_coulomb_resolve (const QnLaw *law, QnLawScale scale, QnSpring *spring);
 void qn_law_coulomb_evaluate (const QnSpring *spring, const QnSpringMemory *committed,
                               const double q[2], QnSpringResponse *response);
 int qn_law_coulomb_strength (const QnSpring *spring, QnStrengthRow rows[]);

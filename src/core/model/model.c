@@ -1,6 +1,7 @@
 #include "core/model/model.h"
 
 #include "core/base/memory.h"
+#include "core/base/polygon.h"
 #include "core/model/model-list.h"
 
 #include <stddef.h>
@@ -367,6 +368,41 @@ QnTrack *
 qn_model_add_track (QnModel *model)
 {
   return QN_MODEL_ADD (model, tracks, track);
+}
+
+QnId
+qn_model_deepest_block (const QnModel *model, QnId first, bool masonry, QnVec2 at,
+                        double *depth)
+{
+  QnId deepest = QN_NONE;
+
+  *depth = -INFINITY;
+  for (QnId i = first; i < (QnId) model->block_count; i++) {
+    if (masonry && model->blocks[i].masonry == QN_NONE)
+      continue;
+    double here = qn_polygon_depth (qn_model_block_vertices (model, i),
+                                    (size_t) model->blocks[i].vertex_count, at);
+    if (here > *depth) {
+      *depth = here;
+      deepest = i;
+    }
+  }
+  return deepest;
+}
+
+bool
+qn_model_has_density (const QnModel *model)
+{
+  for (size_t i = 0; i < model->block_count; i++)
+    if (model->blocks[i].density >= 0)
+      return true;
+  for (size_t i = 0; i < model->wall_count; i++)
+    if (model->walls[i].density >= 0)
+      return true;
+  for (size_t i = 0; i < model->section_count; i++)
+    if (model->sections[i].density >= 0)
+      return true;
+  return false;
 }
 
 int32_t

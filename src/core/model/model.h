@@ -742,6 +742,14 @@ qn_model_block_vertices (const QnModel *model, QnId block)
   return model->vertices + model->blocks[block].first_vertex;
 }
 
+/* The block from `first` on, of masonry alone if asked, in which a point lies deepest, or that it is nearest
+ * to, and its depth (qn_polygon_depth()). QN_NONE and -INFINITY without one. */
+QnId qn_model_deepest_block (const QnModel *model, QnId first, bool masonry, QnVec2 at,
+                             double *depth);
+
+/* Whether weights depend on gravity. */
+bool qn_model_has_density (const QnModel *model);
+
 /* The box around a block. */
 static inline QnBox
 qn_model_block_box (const QnModel *model, QnId block)

@@ -17,20 +17,22 @@ qn_fill_active (const QnLoad *fill)
   return fill->friction_angle > 0 ? qn_earth_active (fill->friction_angle) : 0;
 }
 
-double
-qn_fill_mobilised (const QnLoad *fill)
+/* Over the vertical stress of a fill: largest pressure less Ka. */
+static double
+fill_mobilised (const QnLoad *fill)
 {
   double active = qn_fill_active (fill);
 
   return active > 0 ? fmax (fill->mobilisation / active - active, 0) : 0;
 }
 
-double
-qn_fill_at_rest (const QnLoad *fill)
+/* Pressure at rest less Ka. */
+static double
+fill_at_rest (const QnLoad *fill)
 {
   double above = qn_earth_at_rest (fill->friction_angle) - qn_fill_active (fill);
 
-  return fmin (fmax (above, 0), qn_fill_mobilised (fill));
+  return fmin (fmax (above, 0), fill_mobilised (fill));
 }
 
 void
@@ -69,8 +71,8 @@ add_tie (QnModel *model, const QnLoad *fill, QnId block, const Push *push, doubl
   tie->ends[1] = (QnTieEnd){ QN_NONE, qn_vec2 (at.x + side * reach, at.y) };
   tie->area = push->area;
   tie->elasticity = fill->stiffness * reach;
-  tie->yield = qn_fill_mobilised (fill) * push->stress / push->area;
-  tie->prestress = fmin (qn_fill_at_rest (fill) * push->stress, tie->yield * tie->area);
+  tie->yield = fill_mobilised (fill) * push->stress / push->area;
+  tie->prestress = fmin (fill_at_rest (fill) * push->stress, tie->yield * tie->area);
   return QN_OK;
 }
 
@@ -84,7 +86,7 @@ qn_model_add_soil (QnModel *model, size_t source, QnDiag *diag)
   const QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
   QnStatus status = QN_OK;
 
-  if (!(qn_fill_mobilised (fill) > 0 && factor > 0))
+  if (!(fill_mobilised (fill) > 0 && factor > 0))
     return QN_OK;
   Push *pushes = qn_alloc (2 * model->block_count, sizeof *pushes);
   if (pushes == NULL)

@@ -22,7 +22,5 @@ void qn_model_drop_soil (QnModel *model);
  * nothing; QN_ERROR_NO_MEMORY. */
 QnStatus qn_model_add_soil (QnModel *model, size_t source, QnDiag *diag);
 
-/* Over the vertical stress of a fill: Ka; largest pressure less Ka; pressure at rest less Ka. */
+/* Ka of a fill. */
 double qn_fill_active (const QnLoad *fill);
-double qn_fill_mobilised (const QnLoad *fill);
-double qn_fill_at_rest (const QnLoad *fill);

@@ -107,33 +107,18 @@ diff (const char *before, const char *after)
 }
 
 static char *
-apply_backward (const QnEditStep *step, const char *after)
+apply (const QnEditStep *step, const char *at, gboolean forward)
 {
   GString *text = g_string_new (NULL);
-  gsize at = 0;
+  gsize read = 0;
   for (guint i = 0; i < step->hunks->len; i++) {
     const QnHunk *hunk = &g_array_index (step->hunks, QnHunk, i);
-    g_string_append_len (text, after + at, (gssize) (hunk->offset - at));
-    g_string_append (text, hunk->removed);
-    at = hunk->offset + strlen (hunk->inserted);
+    gsize kept = hunk->offset - (forward ? text->len : read); /* a place after the edit */
+    g_string_append_len (text, at + read, (gssize) kept);
+    g_string_append (text, forward ? hunk->inserted : hunk->removed);
+    read += kept + strlen (forward ? hunk->removed : hunk->inserted);
   }
-  g_string_append (text, after + at);
-  return g_string_free (text, FALSE);
-}
-
-static char *
-apply_forward (const QnEditStep *step, const char *before)
-{
-  GString *text = g_string_new (NULL);
-  const char *at = before;
-  for (guint i = 0; i < step->hunks->len; i++) {
-    const QnHunk *hunk = &g_array_index (step->hunks, QnHunk, i);
-    gsize kept = hunk->offset - text->len;
-    g_string_append_len (text, at, (gssize) kept);
-    g_string_append (text, hunk->inserted);
-    at += kept + strlen (hunk->removed);
-  }
-  g_string_append (text, at);
+  g_string_append (text, at + read);
   return g_string_free (text, FALSE);
 }
 
@@ -187,7 +172,7 @@ qn_history_record (QnEditHistory *history, const char *name, const char *key,
 
   if (continues_gesture (history, key)) {
     QnEditStep *last = g_ptr_array_index (history->steps, history->position - 1);
-    g_autofree char *first = apply_backward (last, before);
+    g_autofree char *first = apply (last, before, FALSE);
     g_array_unref (last->hunks);
     last->hunks = diff (first, after);
     return;
@@ -225,7 +210,7 @@ qn_history_undo (QnEditHistory *history, const char *text)
   if (!qn_history_can_undo (history))
     return NULL;
   history->broken = TRUE;
-  return apply_backward (g_ptr_array_index (history->steps, --history->position), text);
+  return apply (g_ptr_array_index (history->steps, --history->position), text, FALSE);
 }
 
 char *
@@ -234,7 +219,7 @@ qn_history_redo (QnEditHistory *history, const char *text)
   if (!qn_history_can_redo (history))
     return NULL;
   history->broken = TRUE;
-  return apply_forward (g_ptr_array_index (history->steps, history->position++), text);
+  return apply (g_ptr_array_index (history->steps, history->position++), text, TRUE);
 }
 
 guint

@@ -140,19 +140,9 @@ follow_masonry_block (const Rebuild *r, QnId old)
   QnVec2 place = qn_polygon_inner_point (qn_model_block_vertices (r->from, old),
                                          (gsize) r->from->blocks[old].vertex_count);
   /* The place may be on a joint of the new ones. */
-  double deepest = -ON_JOINT * sqrt (r->from->blocks[old].area);
-  QnId best = QN_NONE;
-  for (gsize i = 0; i < r->to->block_count; i++) {
-    if (r->to->blocks[i].masonry == QN_NONE)
-      continue;
-    double depth = qn_polygon_depth (qn_model_block_vertices (r->to, (QnId) i),
-                                     (gsize) r->to->blocks[i].vertex_count, place);
-    if (depth > deepest) {
-      deepest = depth;
-      best = (QnId) i;
-    }
-  }
-  return best;
+  double depth;
+  QnId best = qn_model_deepest_block (r->to, 0, true, place, &depth);
+  return depth > -ON_JOINT * sqrt (r->from->blocks[old].area) ? best : QN_NONE;
 }
 
 /* A wall block becomes the one that lies where its middle was. */

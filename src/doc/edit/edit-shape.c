@@ -54,17 +54,8 @@ largest_ring (const QnRings *rings)
 static QnId
 block_at (const QnModel *model, QnId first, QnVec2 at)
 {
-  QnId best = first;
-  double deepest = -INFINITY;
-  for (QnId i = first; i < (QnId) model->block_count; i++) {
-    double depth = qn_polygon_depth (qn_model_block_vertices (model, i),
-                                     (gsize) model->blocks[i].vertex_count, at);
-    if (depth > deepest) {
-      deepest = depth;
-      best = i;
-    }
-  }
-  return best;
+  double depth;
+  return qn_model_deepest_block (model, first, false, at, &depth);
 }
 
 /* Everything that pointed at a block that goes points at one of the new ones. */

@@ -106,9 +106,8 @@ qn_edit_delete_load_case (QnModel *model, int32_t number, GError **error)
 
 /* ---- loads ---- */
 
-/* Of the corners of some blocks, or of all that are not fixed. */
-static QnBox
-box_of (const QnModel *model, QnBlockSet set)
+QnBox
+qn_edit_box_of (const QnModel *model, QnBlockSet set)
 {
   g_autofree gboolean *flags = qn_block_set_to_flags (set, model);
   QnBox box = QN_BOX_EMPTY;
@@ -137,7 +136,7 @@ qn_edit_make_edge_load (QnModel *model, QnLoadKind kind, QnBlockSet set, QnLoad 
                     .side = QN_BLOCK_SIDE_TOP };
   if (kind == QN_LOAD_EDGE && set.count == 0)
     return qn_edit_refuse (error, _ ("Select the block whose edge is loaded"));
-  QnBox box = box_of (model, set);
+  QnBox box = qn_edit_box_of (model, set);
   if (qn_box_is_empty (box))
     return qn_edit_refuse (error, _ ("There is no block to be loaded"));
   switch ((int) kind) {

@@ -286,15 +286,6 @@ find_metal (QnModel *model, QnId *law, GError **error)
   return TRUE;
 }
 
-static QnBox
-box_of (const QnModel *model, QnBlockSet set)
-{
-  QnBox box = QN_BOX_EMPTY;
-  for (guint i = 0; i < set.count; i++)
-    qn_box_add_box (&box, qn_model_block_box (model, set.ids[i]));
-  return box;
-}
-
 /* Whether a level line through the middle meets more of the blocks than an upright one. */
 static gboolean
 lies_level (const QnModel *model, QnBlockSet set, QnVec2 middle, QnVec2 size)
@@ -326,7 +317,7 @@ qn_edit_draw_bar (QnModel *model, QnVec2 start, QnVec2 end, GError **error)
 gboolean
 qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error)
 {
-  QnBox box = box_of (model, set);
+  QnBox box = qn_edit_box_of (model, set);
   if (set.count == 0)
     return qn_edit_refuse_nothing (error,
                                    _ ("Select the blocks that the bar goes through"));

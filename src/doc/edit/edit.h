@@ -170,5 +170,8 @@ gboolean qn_edit_refuse (GError **error, const char *format, ...) G_GNUC_PRINTF 
 gboolean qn_edit_refuse_diag (GError **error, const QnModel *model, const QnDiag *diag);
 gboolean qn_edit_refuse_nothing (GError **error, const char *message);
 
+/* The box of some blocks, or of all that are not fixed. */
+QnBox qn_edit_box_of (const QnModel *model, QnBlockSet set);
+
 /* Which blocks are in the set: one flag per block. The caller frees it. */
 gboolean *qn_block_set_to_flags (QnBlockSet set, const QnModel *model);

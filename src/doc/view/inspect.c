@@ -287,9 +287,10 @@ tell_block (GString *text, const QnStepView *view, QnId id, QnUnits units, gbool
   double factors[QN_MAX_LOAD_SETS] = { 0 };
   if (view->pairs != NULL)
     qn_result_load_factors (view->model, view->result, view->step, factors);
-  QnBlockReading reading = qn_block_reading (
-    view->model, view->contacts, id, view->pairs, view->touches, view->touch_count,
-    factors, view->motion.displacements != NULL ? &view->motion : NULL);
+  g_autofree QnBlockReading *all = qn_block_readings (
+    view->model, view->contacts, view->pairs, view->touches, view->touch_count, factors,
+    view->motion.displacements != NULL ? &view->motion : NULL);
+  QnBlockReading reading = all[id];
   quiet_block (view, block, &reading);
   if (reading.has_motion) {
     QnUnits mm = qn_units_of_motion (units);

@@ -38,10 +38,6 @@ gboolean qn_read_list (const QnJsonValue *owner, const QnList *list, QnNeed need
 void qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
                           const QnList *list);
 
-/* Appends one entity. */
-void qn_json_append_entity (GString *json, const QnModel *model, GHashTable *inner,
-                            const QnList *list, size_t index);
-
 /* The note of an entity. */
 int32_t *qn_list_note (const QnModel *model, const QnList *list, size_t index);
 

@@ -31,9 +31,9 @@ qn_list_note (const QnModel *model, const QnList *list, size_t index)
   return G_STRUCT_MEMBER_P (items, index * list->size + list->note);
 }
 
-void
-qn_json_append_entity (GString *json, const QnModel *model, GHashTable *inner,
-                       const QnList *list, size_t index)
+static void
+append_entity (GString *json, const QnModel *model, GHashTable *inner, const QnList *list,
+               size_t index)
 {
   g_string_append_c (json, '{');
   list->append (json, model, index);
@@ -58,26 +58,11 @@ qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
       g_string_append_printf (json, "%s%*s\"%s\": [", indent > 2 ? ",\n" : "", indent, "",
                               key);
     g_string_append_printf (json, "%s\n%*s", any ? "," : "", indent + 2, "");
-    qn_json_append_entity (json, model, inner, list, i);
+    append_entity (json, model, inner, list, i);
     any = TRUE;
   }
   if (any)
     g_string_append (json, indent > 2 ? " ]" : " ],\n");
-}
-
-static gboolean
-uses_density (const QnModel *model)
-{
-  for (size_t i = 0; i < model->block_count; i++)
-    if (model->blocks[i].density >= 0)
-      return TRUE;
-  for (size_t i = 0; i < model->wall_count; i++)
-    if (model->walls[i].density >= 0)
-      return TRUE;
-  for (size_t i = 0; i < model->section_count; i++)
-    if (model->sections[i].density >= 0)
-      return TRUE;
-  return FALSE;
 }
 
 static void
@@ -89,7 +74,7 @@ append_head (GString *json, const QnModel *model)
     qn_json_append_string (json, model->title);
     g_string_append (json, ",\n");
   }
-  if (uses_density (model)) {
+  if (qn_model_has_density (model)) {
     g_string_append (json, "  \"gravity\": ");
     qn_json_append_number (json, model->gravity);
     g_string_append (json, ",\n");
@@ -152,7 +137,7 @@ append_blocks (GString *json, const QnModel *model, GHashTable *inner,
     first = FALSE;
     places[i][0] = json->len;
     if (!known || !append_same_block (json, model, (QnId) i, &like->model, like_text))
-      qn_json_append_entity (json, model, inner, &qn_block_list, i);
+      append_entity (json, model, inner, &qn_block_list, i);
     places[i][1] = json->len;
   }
   g_string_append (json, " ],\n");

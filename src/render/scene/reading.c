@@ -246,16 +246,15 @@ add_force (QnBlockReading *reading, const QnBlock *block, QnVec2 at, QnVec2 f)
 
 /* The forces of loads on one block, or on that of each reading where it is QN_NONE. */
 static void
-add_loads (QnBlockReading *readings, const QnModel *model, QnId block,
-           const double *factors)
+add_loads (QnBlockReading *readings, const QnModel *model, const double *factors)
 {
   for (size_t i = 0; i < qn_model_acting_count (model); i++) {
     const QnLoad load = qn_model_acting_load (model, i);
-    if (load.kind != QN_LOAD_FORCE || (block != QN_NONE && load.block != block))
+    if (load.kind != QN_LOAD_FORCE)
       continue;
     double factor = load.set == QN_NONE ? 1 : factors[load.set];
-    add_stress (block == QN_NONE ? &readings[load.block] : readings,
-                qn_model_load_arm (model, &load), qn_vec2_scale (factor, load.vector));
+    add_stress (&readings[load.block], qn_model_load_arm (model, &load),
+                qn_vec2_scale (factor, load.vector));
   }
 }
 
@@ -303,26 +302,6 @@ complete (QnBlockReading *reading, const QnModel *model, QnId block,
   reading->largest = qn_motion_of_block (motion, block);
 }
 
-QnBlockReading
-qn_block_reading (const QnModel *model, const QnContacts *contacts, QnId block,
-                  const QnPairResult *pairs, const QnTouch *touches, size_t touch_count,
-                  const double *factors, const QnMotion *motion)
-{
-  QnBlockReading reading = { 0 };
-  if (pairs != NULL && factors != NULL)
-    add_loads (&reading, model, block, factors);
-  for (size_t f = 0; f < contacts->face_count && pairs != NULL; f++) {
-    const QnContactFace *face = &contacts->faces[f];
-    if (face->a == block || face->b == block)
-      add_face_reading (&reading, model, contacts, face, pairs, block);
-  }
-  for (size_t i = 0; i < 2 * touch_count; i++)
-    if (touches[i / 2].block[i % 2] == block)
-      add_touch (&reading, model, &touches[i / 2], i % 2);
-  complete (&reading, model, block, pairs, motion);
-  return reading;
-}
-
 QnBlockReading *
 qn_block_readings (const QnModel *model, const QnContacts *contacts,
                    const QnPairResult *pairs, const QnTouch *touches, size_t touch_count,
@@ -330,7 +309,7 @@ qn_block_readings (const QnModel *model, const QnContacts *contacts,
 {
   QnBlockReading *readings = g_new0 (QnBlockReading, MAX (model->block_count, 1));
   if (pairs != NULL && factors != NULL)
-    add_loads (readings, model, QN_NONE, factors);
+    add_loads (readings, model, factors);
   for (size_t f = 0; f < contacts->face_count && pairs != NULL; f++) {
     const QnContactFace *face = &contacts->faces[f];
     add_face_reading (&readings[face->a], model, contacts, face, pairs, face->a);

@@ -75,15 +75,9 @@ typedef struct QnTouch {
 QnTouch *qn_step_touches (const QnModel *model, const QnResult *result, size_t step,
                           size_t *count);
 
-/* The joints of a block are found among all faces, and its contacts among all touches (nullable). `factors`
- * are those of the load sets (qn_result_load_factors()), nullable: forces that act away from the centroid are
- * part of the stress. Reactions of supports are not. */
-QnBlockReading qn_block_reading (const QnModel *model, const QnContacts *contacts,
-                                 QnId block, const QnPairResult *pairs,
-                                 const QnTouch *touches, size_t touch_count,
-                                 const double *factors, const QnMotion *motion);
-
-/* The same of all blocks at once: an array of block_count, newly allocated (g_free). */
+/* What all blocks read, an array of block_count, newly allocated (g_free). `factors` are those of the load sets
+ * (qn_result_load_factors()), nullable: forces that act away from the centroid are part of the stress.
+ * Reactions of supports are not. */
 QnBlockReading *qn_block_readings (const QnModel *model, const QnContacts *contacts,
                                    const QnPairResult *pairs, const QnTouch *touches,
                                    size_t touch_count, const double *factors,

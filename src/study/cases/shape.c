@@ -1,7 +1,6 @@
 #include "study/cases/shape.h"
 
 #include "core/base/integer.h"
-#include "core/base/polygon.h"
 
 #include <math.h>
 #include <string.h>
@@ -16,40 +15,6 @@ static char
 digit_of (double part)
 {
   return digits[LEVELS + qn_to_integer (rint (LEVELS * part), -LEVELS, LEVELS)];
-}
-
-/* A bound of the depth of a point outside of a polygon, from its box; INFINITY within the box. */
-static double
-depth_bound (const QnVec2 *vertices, int32_t count, QnVec2 point)
-{
-  QnVec2 low = vertices[0], high = vertices[0];
-  for (int32_t k = 1; k < count; k++) {
-    low = qn_vec2 (MIN (low.x, vertices[k].x), MIN (low.y, vertices[k].y));
-    high = qn_vec2 (MAX (high.x, vertices[k].x), MAX (high.y, vertices[k].y));
-  }
-  double outside = MAX (MAX (low.x - point.x, point.x - high.x),
-                        MAX (low.y - point.y, point.y - high.y));
-  return outside > 0 ? -outside : INFINITY;
-}
-
-/* The block that a point lies in, or the nearest one. */
-static QnId
-nearest_block (const QnModel *model, QnVec2 point)
-{
-  double best = -INFINITY;
-  QnId nearest = QN_NONE;
-  for (size_t b = 0; b < model->block_count; b++) {
-    const QnVec2 *vertices = qn_model_block_vertices (model, (QnId) b);
-    int32_t count = model->blocks[b].vertex_count;
-    if (depth_bound (vertices, count, point) <= best)
-      continue;
-    double depth = qn_polygon_depth (vertices, (size_t) count, point);
-    if (depth > best) {
-      best = depth;
-      nearest = (QnId) b;
-    }
-  }
-  return nearest;
 }
 
 char *
@@ -70,15 +35,12 @@ qn_shape_dup (const QnModel *model, const double *velocities)
     double x = (i % QN_SHAPE_POINTS + 0.5) / QN_SHAPE_POINTS;
     double y = ((double) (i / QN_SHAPE_POINTS) + 0.5) / QN_SHAPE_POINTS;
     QnVec2 point = { low.x + x * (high.x - low.x), low.y + y * (high.y - low.y) };
-    QnId index = nearest_block (model, point);
+    double depth;
+    QnId index = qn_model_deepest_block (model, 0, false, point, &depth);
     const QnBlock *block = &model->blocks[index];
     const double *v = velocities + (size_t) index * QN_DOF_COUNT;
     /* Away from the block its motion is that of its centroid: a thin ring has few points. */
-    QnVec2 arm = qn_polygon_depth (qn_model_block_vertices (model, index),
-                                   (size_t) block->vertex_count, point)
-                     >= 0
-                   ? qn_vec2_sub (point, block->centroid)
-                   : qn_vec2 (0, 0);
+    QnVec2 arm = depth >= 0 ? qn_vec2_sub (point, block->centroid) : qn_vec2 (0, 0);
     speeds[i] = qn_vec2_add_scaled (qn_vec2 (v[QN_DOF_UX], v[QN_DOF_UY]), v[QN_DOF_RZ],
                                     qn_vec2_perp (arm));
     largest = fmax (largest, fmax (fabs (speeds[i].x), fabs (speeds[i].y)));

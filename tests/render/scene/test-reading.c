@@ -130,10 +130,8 @@ test_blocks (void)
   g_autofree double *loads = dup_loads (&s);
   double least = 1e-6 * heaviest (s.model);
   for (size_t i = 0; i < s.model->block_count; i++) {
-    QnBlockReading one =
-      qn_block_reading (s.model, &s.contacts, (QnId) i, pairs, NULL, 0, NULL, &motion);
+    QnBlockReading one = all[i];
     g_assert_true (one.has_forces && one.has_motion);
-    g_assert_cmpmem (&one, sizeof one, &all[i], sizeof one);
     g_assert_cmpfloat (one.principal[0], <=, one.principal[1]);
     if (s.model->blocks[i].support[QN_DOF_UX])
       continue;
@@ -236,9 +234,7 @@ test_stresses (void)
     g_autofree QnBlockReading *all =
       qn_block_readings (&run.model, &run.contacts, pairs, NULL, 0, factors, NULL);
     for (size_t i = 0; i < run.model.block_count; i++) {
-      const QnBlockReading one = qn_block_reading (&run.model, &run.contacts, (QnId) i,
-                                                   pairs, NULL, 0, factors, NULL);
-      g_assert_cmpmem (&one, sizeof one, &all[i], sizeof one);
+      const QnBlockReading one = all[i];
       const QnVec2 at = qn_vec2_rotate (run.model.blocks[i].centroid, c, -s);
       const double xx = state->middle[0] + state->bending[0] * at.y;
       const double yy = state->middle[1] + state->bending[1] * at.x;
@@ -443,9 +439,7 @@ test_touch (void)
   g_autofree QnBlockReading *all =
     qn_block_readings (&f.model, &f.contacts, none, touches, count, NULL, NULL);
   for (int i = 0; i < 2; i++) {
-    QnBlockReading one =
-      qn_block_reading (&f.model, &f.contacts, i, none, touches, count, NULL, NULL);
-    g_assert_cmpmem (&one, sizeof one, &all[i], sizeof one);
+    QnBlockReading one = all[i];
     g_assert_cmpfloat_with_epsilon (one.force.x, touches->on[i].x, 1e-9);
     g_assert_cmpfloat_with_epsilon (one.force.y, touches->on[i].y, 1e-9);
     double volume = f.model.blocks[i].area * f.model.blocks[i].thickness;
