@@ -84,39 +84,38 @@ unit_factor (const char *unit)
   return 0;
 }
 
+static void
+move (Matrix *m, double x, double y)
+{
+  QnVec2 origin = apply (m, qn_vec2 (x, y));
+  m->e = origin.x;
+  m->f = origin.y;
+}
+
 /* By its name, with angles in degrees and lengths in pixels; FALSE for one that is not known. */
 static gboolean
 transform_of (const char *kind, const double *n, guint count, Matrix *m)
 {
+  gboolean along_x = g_str_has_suffix (kind, "X"), along_y = g_str_has_suffix (kind, "Y");
+  g_autofree char *base = g_strndup (kind, strlen (kind) - (along_x || along_y));
+  double angle = count > 0 ? n[0] * G_PI / 180 : 0, c = cos (angle), s = sin (angle);
   *m = (Matrix){ 1, 0, 0, 1, 0, 0 };
-  double angle = count > 0 ? n[0] * G_PI / 180 : 0;
-  if (strcmp (kind, "matrix") == 0 && count == 6) {
+  if (count < 1 || (count > 1 && (along_x || along_y)))
+    return FALSE;
+  if (strcmp (base, "translate") == 0) {
+    m->e = along_y ? 0 : n[0];
+    m->f = along_y ? n[0] : count > 1 ? n[1] : 0;
+  } else if (strcmp (base, "scale") == 0) {
+    m->a = along_y ? 1 : n[0];
+    m->d = along_x ? 1 : count > 1 ? n[1] : n[0];
+  } else if (strcmp (kind, "matrix") == 0 && count == 6) {
     *m = (Matrix){ n[0], n[1], n[2], n[3], n[4], n[5] };
-  } else if (strcmp (kind, "translate") == 0 && count >= 1) {
-    m->e = n[0];
-    m->f = count > 1 ? n[1] : 0;
-  } else if (strcmp (kind, "translateX") == 0 && count == 1) {
-    m->e = n[0];
-  } else if (strcmp (kind, "translateY") == 0 && count == 1) {
-    m->f = n[0];
-  } else if (strcmp (kind, "scale") == 0 && count >= 1) {
-    m->a = n[0];
-    m->d = count > 1 ? n[1] : n[0];
-  } else if (strcmp (kind, "scaleX") == 0 && count == 1) {
-    m->a = n[0];
-  } else if (strcmp (kind, "scaleY") == 0 && count == 1) {
-    m->d = n[0];
-  } else if (strcmp (kind, "rotate") == 0 && count >= 1) {
-    Matrix turn = { cos (angle), sin (angle), -sin (angle), cos (angle), 0, 0 };
-    *m = turn;
-    if (count == 3) {
-      QnVec2 moved = apply (&turn, qn_vec2 (n[1], n[2]));
-      m->e = n[1] - moved.x;
-      m->f = n[2] - moved.y;
-    }
-  } else if (strcmp (kind, "skewX") == 0 && count == 1) {
+  } else if (strcmp (kind, "rotate") == 0) {
+    *m = (Matrix){ c, s, -s, c, count == 3 ? n[1] : 0, count == 3 ? n[2] : 0 };
+    move (m, -m->e, -m->f);
+  } else if (strcmp (kind, "skewX") == 0) {
     m->c = tan (angle);
-  } else if (strcmp (kind, "skewY") == 0 && count == 1) {
+  } else if (strcmp (kind, "skewY") == 0) {
     m->b = tan (angle);
   } else {
     return FALSE;
@@ -308,14 +307,13 @@ enter_view_port (Importer *importer, const xmlNode *node, const xmlNode *use,
     w = length_of (importer, use, state, "width", ALONG_X, w);
     h = length_of (importer, use, state, "height", ALONG_Y, h);
   }
-  Matrix own = { 1, 0, 0, 1, x, y };
-  state->matrix = multiply (&state->matrix, &own);
+  move (&state->matrix, x, y);
   state->width = w;
   state->height = h;
   if (!read_view_box (node, box))
     return;
   if (w > 0 && h > 0) {
-    own = fit_view_box (node, box, w, h);
+    Matrix own = fit_view_box (node, box, w, h);
     state->matrix = multiply (&state->matrix, &own);
   }
   state->width = box[2];
@@ -420,9 +418,7 @@ enter_transform (Importer *importer, const xmlNode *node, char *const *own, Stat
   QnVec2 origin = { 0 };
   if (own[QN_SVG_TRANSFORM_ORIGIN] != NULL)
     origin = origin_of (own[QN_SVG_TRANSFORM_ORIGIN], state);
-  Matrix to = { 1, 0, 0, 1, origin.x, origin.y },
-         back = { 1, 0, 0, 1, -origin.x, -origin.y };
-  state->matrix = multiply (&state->matrix, &to);
+  move (&state->matrix, origin.x, origin.y);
   for (guint i = 0; i < G_N_ELEMENTS (single); i++)
     if (own[single[i]] != NULL && !says (own[single[i]], "none")) {
       g_autofree char *text = g_strdup_printf ("%s(%s)", names[i], own[single[i]]);
@@ -430,7 +426,7 @@ enter_transform (Importer *importer, const xmlNode *node, char *const *own, Stat
       any = TRUE;
     }
   state->matrix = parse_transform (importer, own[QN_SVG_TRANSFORM], state->matrix, line);
-  state->matrix = multiply (&state->matrix, &back);
+  move (&state->matrix, -origin.x, -origin.y);
   if (any && own[QN_SVG_TRANSFORM_BOX] != NULL
       && !says (own[QN_SVG_TRANSFORM_BOX], "view-box")) {
     note (importer, node, _ ("shapes transformed about a box of their own left out"));
@@ -490,13 +486,8 @@ walk_use (Importer *importer, const xmlNode *use, State state)
                          : _ ("uses nested too deeply left out"));
     return TRUE;
   }
-  Matrix own = { 1,
-                 0,
-                 0,
-                 1,
-                 length_of (importer, use, &state, "x", ALONG_X, 0),
-                 length_of (importer, use, &state, "y", ALONG_Y, 0) };
-  state.matrix = multiply (&state.matrix, &own);
+  move (&state.matrix, length_of (importer, use, &state, "x", ALONG_X, 0),
+        length_of (importer, use, &state, "y", ALONG_Y, 0));
   if (!is (target, "symbol") && !is (target, "svg"))
     return walk (importer, target, state);
   enter (importer, target, &state);
@@ -553,13 +544,8 @@ collect (Importer *importer, const xmlNode *root)
         qn_svg_style_add (&importer->style, node);
     }
     const xmlNode *next = node->type == XML_ELEMENT_NODE ? node->children : NULL;
-    while (next == NULL && node != root) {
+    for (; next == NULL && node != root; node = node->parent)
       next = node->next;
-      if (next == NULL)
-        node = node->parent;
-      if (node == root)
-        break;
-    }
     node = next;
   }
 }

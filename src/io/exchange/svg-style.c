@@ -2,31 +2,88 @@
 
 #include <string.h>
 
-typedef struct Rule {
-  char *element, *name, *declarations; /* of an element; id or class, nullable */
-  int weight;                          /* 2: an id, 1: a class, 0: neither */
-} Rule;
+/* By QnSvgProperty, and the lengths that place shapes. Nothing else is kept of a style. */
+static const char *const names[] = {
+  "display",
+  "visibility",
+  "opacity",
+  "fill",
+  "fill-opacity",
+  "fill-rule",
+  "stroke",
+  "stroke-opacity",
+  "translate",
+  "rotate",
+  "scale",
+  "transform",
+  "transform-origin",
+  "transform-box",
+  "clip-path",
+  "x",
+  "y",
+  "width",
+  "height",
+  "rx",
+  "ry",
+  "r",
+  "cx",
+  "cy",
+  "x1",
+  "y1",
+  "x2",
+  "y2",
+};
 
-static void
-free_rule (gpointer data)
+#define NAME_COUNT G_N_ELEMENTS (names)
+
+/* What styles say of each property: the value of the greatest rank. */
+typedef struct Declared {
+  struct {
+    guint64 rank; /* an id before a class before neither, then the later rule; 0: none */
+    const char *value;  /* borrowed */
+  } of[NAME_COUNT + 1]; /* the last one stands for all other names */
+} Declared;
+
+static guint
+index_of (const char *name)
 {
-  Rule *rule = data;
-  g_free (rule->element);
-  g_free (rule->name);
-  g_free (rule->declarations);
-  g_free (rule);
+  guint i = 0;
+  while (i < NAME_COUNT && g_ascii_strcasecmp (name, names[i]) != 0)
+    i++;
+  return i;
+}
+
+/* Takes up "name: value; …", which it cuts apart: the last value of a name counts. */
+static void
+read_declarations (char *text, guint64 rank, Declared *declared)
+{
+  for (char *next; text != NULL; text = next) {
+    if ((next = strchr (text, ';')) != NULL)
+      *next++ = '\0';
+    char *value = strchr (text, ':');
+    if (value == NULL)
+      continue;
+    *value++ = '\0';
+    value[strcspn (value, "!")] = '\0'; /* "!important" */
+    guint i = index_of (g_strstrip (text));
+    declared->of[i].rank = rank;
+    declared->of[i].value = g_strstrip (value);
+  }
 }
 
 void
 qn_svg_style_init (QnSvgStyle *style)
 {
-  *style = (QnSvgStyle){ .rules = g_ptr_array_new_with_free_func (free_rule) };
+  *style = (QnSvgStyle){ .selectors = g_hash_table_new_full (g_str_hash, g_str_equal,
+                                                             g_free, g_free),
+                         .texts = g_ptr_array_new_with_free_func (g_free) };
 }
 
 void
 qn_svg_style_clear (QnSvgStyle *style)
 {
-  g_clear_pointer (&style->rules, g_ptr_array_unref);
+  g_clear_pointer (&style->selectors, g_hash_table_unref);
+  g_clear_pointer (&style->texts, g_ptr_array_unref);
 }
 
 static gboolean
@@ -41,50 +98,67 @@ is_name (const char *text)
 }
 
 static void
-add_rule (QnSvgStyle *style, char *selector, const char *declarations)
+add_rule (QnSvgStyle *style, char *selector, const Declared *rule)
 {
   g_strstrip (selector);
-  char *mark = strpbrk (selector, ".#");
-  int weight = mark == NULL ? 0 : *mark == '.' ? 1 : 2;
-  if (mark != NULL)
-    *mark = '\0';
-  gboolean any = strcmp (selector, "*") == 0 || (*selector == '\0' && mark != NULL);
-  if ((!any && !is_name (selector)) || (mark != NULL && !is_name (mark + 1))) {
+  char *mark = selector + strcspn (selector, ".#");
+  guint64 weight = *mark == '\0' ? 0 : *mark == '.' ? 1 : 2;
+  g_autofree char *element = g_strndup (selector, (gsize) (mark - selector));
+  gboolean any = strcmp (element, "*") == 0 || (*element == '\0' && weight > 0);
+  if ((!any && !is_name (element)) || (weight > 0 && !is_name (mark + 1))) {
     style->odd++;
     return;
   }
-  Rule *rule = g_new (Rule, 1);
-  *rule =
-    (Rule){ any ? NULL : g_strdup (selector), mark != NULL ? g_strdup (mark + 1) : NULL,
-            g_strdup (declarations), weight };
-  g_ptr_array_add (style->rules, rule);
+  char *key = any ? mark : selector;
+  Declared *all = g_hash_table_lookup (style->selectors, key);
+  if (all == NULL) {
+    all = g_new0 (Declared, 1);
+    g_hash_table_insert (style->selectors, g_strdup (key), all);
+  }
+  for (guint i = 0; i < NAME_COUNT; i++)
+    if (rule->of[i].rank > 0) {
+      all->of[i] = rule->of[i];
+      all->of[i].rank += weight << 32;
+    }
+}
+
+/* A copy without comments. */
+static char *
+dup_code (const char *text)
+{
+  GString *code = g_string_new (NULL);
+  for (const char *open; text != NULL; text = open != NULL ? open + 2 : NULL) {
+    open = strstr (text, "/*");
+    g_string_append_len (code, text, open != NULL ? open - text : -1);
+    open = open != NULL ? strstr (open + 2, "*/") : NULL;
+  }
+  return g_string_free (code, FALSE);
 }
 
 void
 qn_svg_style_add (QnSvgStyle *style, const xmlNode *node)
 {
   xmlChar *content = xmlNodeGetContent (node);
-  g_autoptr (GString) text = g_string_new ((const char *) content);
+  char *next = dup_code ((const char *) content);
   xmlFree (content);
-  for (char *open; (open = strstr (text->str, "/*")) != NULL;) {
-    char *close = strstr (open + 2, "*/");
-    g_string_erase (text, open - text->str, close != NULL ? close + 2 - open : -1);
-  }
-  g_auto (GStrv) rules = g_strsplit (text->str, "}", -1);
-  for (char **rule = rules; *rule != NULL; rule++) {
-    char *open = strchr (*rule, '{');
-    if (open == NULL)
+  g_ptr_array_add (style->texts, next);
+  for (char *rule = next; rule != NULL; rule = next) {
+    if ((next = strchr (rule, '}')) != NULL)
+      *next++ = '\0';
+    char *open = strchr (rule, '{');
+    if (open != NULL)
+      *open = '\0';
+    if (open == NULL || strstr (rule, "@font-face") != NULL)
       continue;
-    *open = '\0';
-    if (strstr (*rule, "@font-face") != NULL)
-      continue;
-    if (strchr (*rule, '@') != NULL) { /* of a medium */
+    if (strchr (rule, '@') != NULL) { /* of a medium */
       style->odd++;
       continue;
     }
-    g_auto (GStrv) selectors = g_strsplit (*rule, ",", -1);
+    Declared declared = { 0 };
+    read_declarations (open + 1, ++style->rule_count, &declared);
+    g_auto (GStrv) selectors = g_strsplit (rule, ",", -1);
     for (char **selector = selectors; *selector != NULL; selector++)
-      add_rule (style, *selector, open + 1);
+      add_rule (style, *selector, &declared);
   }
 }
 
@@ -114,74 +188,47 @@ qn_svg_dup_attribute (const xmlNode *node, const char *key)
   return NULL;
 }
 
-/* Whether one of the words of a list is this. */
-static gboolean
-list_has_word (const char *list, const char *word)
-{
-  g_auto (GStrv) words = g_strsplit_set (list, " \t\r\n", -1);
-  return g_strv_contains ((const char *const *) words, word);
-}
-
-static gboolean
-matches (const Rule *rule, const xmlNode *node, const char *id, const char *classes)
-{
-  return (rule->element == NULL || strcmp (qn_svg_name (node), rule->element) == 0)
-         && (rule->weight != 1
-             || (classes != NULL && list_has_word (classes, rule->name)))
-         && (rule->weight != 2 || g_strcmp0 (id, rule->name) == 0);
-}
-
-/* Takes up what declarations say of the properties of these names; the last one counts. */
+/* Takes up the rules for a mark and name, of this element or any. */
 static void
-take_declarations (const char *text, const char *const *names, guint count, char **values)
+take_rules (const QnSvgStyle *style, const xmlNode *node, const char *mark,
+            const char *name, Declared *declared)
 {
-  g_auto (GStrv) all = g_strsplit (text, ";", -1);
-  for (char **one = all; *one != NULL; one++) {
-    char *colon = strchr (*one, ':');
-    if (colon == NULL)
-      continue;
-    *colon = '\0';
-    char *important = strchr (colon + 1, '!');
-    if (important != NULL)
-      *important = '\0';
-    const char *name = g_strstrip (*one);
-    for (guint i = 0; i < count; i++)
-      if (g_ascii_strcasecmp (name, names[i]) == 0) {
-        g_free (values[i]);
-        values[i] = g_strdup (g_strstrip (colon + 1));
-      }
+  for (int own = 0; own < 2; own++) {
+    g_autofree char *key = g_strconcat (own ? qn_svg_name (node) : "", mark, name, NULL);
+    const Declared *rules = g_hash_table_lookup (style->selectors, key);
+    for (guint i = 0; rules != NULL && i < NAME_COUNT; i++)
+      if (rules->of[i].rank > declared->of[i].rank)
+        declared->of[i] = rules->of[i];
   }
 }
 
 static void
-take_properties (const QnSvgStyle *style, const xmlNode *node, const char *const *names,
-                 guint count, char **values)
+take_properties (const QnSvgStyle *style, const xmlNode *node, guint first, guint count,
+                 char **values)
 {
   g_autofree char *id = qn_svg_dup_attribute (node, "id");
   g_autofree char *classes = qn_svg_dup_attribute (node, "class");
-  g_autofree char *declared = qn_svg_dup_attribute (node, "style");
+  g_autofree char *own = qn_svg_dup_attribute (node, "style");
+  Declared declared = { 0 };
+  if (g_hash_table_size (style->selectors) > 0) {
+    g_auto (GStrv) words = g_strsplit_set (classes != NULL ? classes : "", " \t\r\n", -1);
+    take_rules (style, node, "", "", &declared);
+    for (char **word = words; *word != NULL; word++)
+      take_rules (style, node, ".", *word, &declared);
+    take_rules (style, node, "#", id != NULL ? id : "", &declared);
+  }
+  read_declarations (own, G_MAXUINT64, &declared);
   for (guint i = 0; i < count; i++)
-    values[i] = qn_svg_dup_attribute (node, names[i]);
-  for (int weight = 0; weight <= 2; weight++)
-    for (guint i = 0; i < style->rules->len; i++) {
-      const Rule *rule = style->rules->pdata[i];
-      if (rule->weight == weight && matches (rule, node, id, classes))
-        take_declarations (rule->declarations, names, count, values);
-    }
-  if (declared != NULL)
-    take_declarations (declared, names, count, values);
+    values[i] = declared.of[first + i].rank > 0
+                  ? g_strdup (declared.of[first + i].value)
+                  : qn_svg_dup_attribute (node, names[first + i]);
 }
 
 QnSvgProperties
 qn_svg_properties_of (const QnSvgStyle *style, const xmlNode *node)
 {
-  static const char *const names[QN_SVG_PROPERTY_COUNT] = {
-    "display",   "visibility", "opacity",          "fill",          "fill-opacity",
-    "fill-rule", "stroke",     "stroke-opacity",   "translate",     "rotate",
-    "scale",     "transform",  "transform-origin", "transform-box", "clip-path",
-  };
   QnSvgProperties own;
-  take_properties (style, node, names, QN_SVG_PROPERTY_COUNT, own.of);
+  take_properties (style, node, 0, QN_SVG_PROPERTY_COUNT, own.of);
   if (style->odd > 0
       && own.of[QN_SVG_STROKE] == NULL) /* a rule that is not followed may draw it */
     own.of[QN_SVG_STROKE] = g_strdup ("unknown");
@@ -199,6 +246,6 @@ char *
 qn_svg_dup_property (const QnSvgStyle *style, const xmlNode *node, const char *name)
 {
   char *value;
-  take_properties (style, node, &name, 1, &value);
+  take_properties (style, node, index_of (name), 1, &value);
   return value;
 }

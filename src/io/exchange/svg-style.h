@@ -7,8 +7,10 @@
 
 /* Rules of style sheets: selectors of an element, a class, an id, or an element with a class. */
 typedef struct QnSvgStyle {
-  GPtrArray *rules; /* of the style sheets, in their order */
-  guint odd;        /* rules with selectors of other kinds, which are not followed */
+  GHashTable *selectors; /* "rect.stone", ".stone" -> what all rules for it declare */
+  GPtrArray *texts;      /* of the style sheets, which hold the values */
+  guint rule_count;
+  guint odd; /* rules with selectors of other kinds, which are not followed */
 } QnSvgStyle;
 
 void qn_svg_style_init (QnSvgStyle *style);
@@ -52,6 +54,6 @@ typedef struct QnSvgProperties {
 QnSvgProperties qn_svg_properties_of (const QnSvgStyle *style, const xmlNode *node);
 void qn_svg_properties_clear (QnSvgProperties *properties);
 
-/* The same of one property of any name, such as "width". */
+/* The same of one length that places a shape, such as "width". */
 char *qn_svg_dup_property (const QnSvgStyle *style, const xmlNode *node,
                            const char *name);

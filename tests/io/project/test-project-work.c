@@ -1,8 +1,10 @@
-/* How the work of reading a project grows with what a file says besides the model, in instructions.
+/* How the work of reading a project grows with what a file says besides the model, and that of reading a
+ * drawing with its style sheet, in instructions.
  *
  *   test-io-project-work --read KIND COUNT
  *
- * reads a project once: what runs under callgrind. */
+ * reads a file once: what runs under callgrind. */
+#include "io/exchange/drawing.h"
 #include "io/project/project.h"
 
 #include "support/instructions.h"
@@ -40,9 +42,31 @@ make_loads (int count)
   return g_string_free (json, FALSE);
 }
 
+/* Rectangles, each with two classes of its own and rules for them, and with what all rules are for. */
+static int
+read_styles (int count)
+{
+  g_autoptr (GString) text = g_string_new ("<svg><style>");
+  for (int i = 0; i < count; i++)
+    g_string_append_printf (text, "/* %d */ rect.c%d, .d%d, rect { fill: #%06d }\n", i, i,
+                            i, i);
+  g_string_append (text, "</style>");
+  for (int i = 0; i < count; i++)
+    g_string_append_printf (text, "<rect class=\"c%d d%d\" width=\"1\"/>\n", i, i);
+  g_string_append (text, "</svg>");
+  g_autoptr (GError) error = NULL;
+  g_auto (QnDrawing) drawing;
+  qn_svg_import (text->str, text->len, "many", &drawing, &error);
+  g_assert_no_error (error);
+  g_assert_cmpint (drawing.paths->len, ==, count);
+  return 0;
+}
+
 static int
 read_once (const char *kind, int count)
 {
+  if (g_str_equal (kind, "styles"))
+    return read_styles (count / 10);
   g_autofree char *members = make_members (count), *loads = make_loads (count);
   g_autofree char *text = g_strdup_printf (
     "{ \"format\": \"quoin\", \"version\": 1, \"laws\": [ { \"name\": \"dry\","
@@ -71,7 +95,9 @@ test_growth (gconstpointer kind)
     const char *const arguments[] = { self, "--read", kind,
                                       i == 0 ? G_STRINGIFY (FEW) : G_STRINGIFY (MANY),
                                       NULL };
-    work[i] = count_instructions (arguments, "qn_project_parse", NULL);
+    work[i] = count_instructions (
+      arguments, g_str_equal (kind, "styles") ? "qn_svg_import" : "qn_project_parse",
+      NULL);
   }
   if (work[0] == 0) {
     g_test_skip ("instructions cannot be counted here");
@@ -87,7 +113,7 @@ test_growth (gconstpointer kind)
 int
 main (int argc, char **argv)
 {
-  static const char *const kinds[] = { "document", "law", "block", "loads" };
+  static const char *const kinds[] = { "document", "law", "block", "loads", "styles" };
   if (argc == 4 && g_str_equal (argv[1], "--read"))
     return read_once (argv[2], atoi (argv[3]));
   self = argv[0];
