@@ -48,9 +48,8 @@ cut_holes (QnDrawingPath *path, const Part *part, gboolean *whole)
 {
   QnRings left = { 0 };
   QnStatus status = qn_polygon_difference (&part->ring, &part->holes, &left, NULL);
-  gboolean one = status == QN_OK && left.count == 1;
-  *whole = one;
-  if (one) {
+  *whole = status == QN_OK && left.count == 1;
+  if (*whole) {
     path->count = 0;
     for (gsize i = 0; i < left.items[0].count; i++)
       qn_drawing_path_add (path, left.items[0].points[i]);

@@ -457,7 +457,7 @@ qn_dxf_import (const char *bytes, gsize size, const char *name, QnDrawing *drawi
   g_autofree char *charset = qn_dxf_dup_charset (bytes, size);
   g_autofree char *text = qn_text_decode (bytes, size, charset, &length);
   qn_drawing_init (drawing);
-  if (!qn_dxf_scan (text, length, name, drawing, &scan, error)) {
+  if (!qn_dxf_scan (text, name, drawing, &scan, error)) {
     qn_drawing_clear (drawing);
     return FALSE;
   }

@@ -7,12 +7,12 @@
 
 typedef struct Pair {
   int code;
-  const char *value; /* borrowed, not NUL-terminated */
-  gsize length;
+  const char *value; /* borrowed */
 } Pair;
 
 typedef struct Scanner {
-  const char *cursor, *end, *name;
+  char *cursor; /* behind the last line that was read; NULL at the end */
+  const char *name;
   guint line;
   QnDrawing *drawing;
   QnDxfScan *scan;
@@ -65,58 +65,41 @@ fail (Scanner *scanner, guint line, const char *message)
   return FALSE;
 }
 
-/* The next line without its end and surrounding blanks; FALSE at the end of the file. */
-static gboolean
-next_line (Scanner *scanner, const char **start, gsize *length)
+/* The next line without its end and surrounding blanks; NULL at the end of the file. */
+static char *
+next_line (Scanner *scanner)
 {
-  if (scanner->cursor >= scanner->end)
-    return FALSE;
-  const char *begin = scanner->cursor;
-  const char *stop = memchr (begin, '\n', (gsize) (scanner->end - begin));
-  scanner->cursor = stop != NULL ? stop + 1 : scanner->end;
-  if (stop == NULL)
-    stop = scanner->end;
-  while (begin < stop && g_ascii_isspace (*begin))
-    begin++;
-  while (stop > begin && g_ascii_isspace (stop[-1]))
-    stop--;
-  *start = begin;
-  *length = (gsize) (stop - begin);
+  char *line = scanner->cursor;
+  if (line == NULL || *line == '\0')
+    return NULL;
+  scanner->cursor = strchr (line, '\n');
+  if (scanner->cursor != NULL)
+    *scanner->cursor++ = '\0';
   scanner->line++;
-  return TRUE;
+  return g_strstrip (line);
 }
 
 static gboolean
-parse_integer (const char *text, gsize length, int *number)
+parse_number (const char *text, double *number)
 {
-  char buffer[16], *end;
-  if (length == 0 || length >= sizeof buffer)
-    return FALSE;
-  memcpy (buffer, text, length);
-  buffer[length] = '\0';
-  gint64 value = g_ascii_strtoll (buffer, &end, 10);
-  if (*end != '\0' || value < G_MININT || value > G_MAXINT)
-    return FALSE;
-  *number = (int) value;
-  return TRUE;
+  char *end;
+  *number = g_ascii_strtod (text, &end);
+  return *text != '\0' && *end == '\0' && fabs (*number) <= QN_DRAWING_LARGEST;
 }
 
 static gboolean
-parse_number (const Pair *pair, double *number)
+parse_integer (const char *text, int *number)
 {
-  char buffer[64], *end;
-  if (pair->length == 0 || pair->length >= sizeof buffer)
-    return FALSE;
-  memcpy (buffer, pair->value, pair->length);
-  buffer[pair->length] = '\0';
-  *number = g_ascii_strtod (buffer, &end);
-  return *end == '\0' && fabs (*number) <= QN_DRAWING_LARGEST;
+  char *end;
+  gint64 value = g_ascii_strtoll (text, &end, 10);
+  *number = (int) CLAMP (value, G_MININT, G_MAXINT);
+  return *text != '\0' && *end == '\0' && *number == value;
 }
 
 static gboolean
 is (const Pair *pair, const char *text)
 {
-  return pair->length == strlen (text) && memcmp (pair->value, text, pair->length) == 0;
+  return strcmp (pair->value, text) == 0;
 }
 
 static const Pair *
@@ -135,9 +118,7 @@ find_integer (const Scanner *scanner, int code)
 {
   const Pair *pair = find (scanner, code);
   int number = 0;
-  if (pair != NULL)
-    parse_integer (pair->value, pair->length, &number);
-  return number;
+  return pair != NULL && parse_integer (pair->value, &number) ? number : 0;
 }
 
 static double
@@ -145,7 +126,7 @@ number_at (const Scanner *scanner, int code, double otherwise)
 {
   const Pair *pair = find (scanner, code);
   double number;
-  return pair != NULL && parse_number (pair, &number) ? number : otherwise;
+  return pair != NULL && parse_number (pair->value, &number) ? number : otherwise;
 }
 
 /* A string in UTF-8, kept by the drawing: \U+00D6 is a character by its number. */
@@ -153,17 +134,17 @@ static const char *
 keep_text (const Scanner *scanner, const Pair *pair, gboolean lower)
 {
   g_autoptr (GString) text = g_string_new (NULL);
-  for (gsize i = 0; i < pair->length; i++) {
+  for (const char *c = pair->value; *c != '\0'; c++) {
     gunichar number = 0;
-    gsize k = i + 3;
-    if (k + 4 <= pair->length && memcmp (pair->value + i, "\\U+", 3) == 0)
-      for (; k < i + 7 && g_ascii_isxdigit (pair->value[k]); k++)
-        number = 16 * number + (gunichar) g_ascii_xdigit_value (pair->value[k]);
-    if (k == i + 7 && number > 0 && g_unichar_validate (number)) {
+    int digits = 0;
+    for (; g_str_has_prefix (c, "\\U+") && digits < 4 && g_ascii_isxdigit (c[3 + digits]);
+         digits++)
+      number = 16 * number + (gunichar) g_ascii_xdigit_value (c[3 + digits]);
+    if (digits == 4 && number > 0 && g_unichar_validate (number)) {
       g_string_append_unichar (text, number);
-      i = k - 1;
+      c += 6;
     } else {
-      g_string_append_c (text, pair->value[i]);
+      g_string_append_c (text, *c);
     }
   }
   g_autofree char *valid = g_utf8_make_valid (text->str, (gssize) text->len);
@@ -200,7 +181,24 @@ take_point (Scanner *scanner, QnDxfEntity *entity, int code)
              number_at (scanner, code + 10, 0), number_at (scanner, code + 20, 0), 0);
 }
 
-/* Points one after the other, with what belongs to each: bulges (42) or, in their order, weights. */
+/* A coordinate of a list of points, one after the other, or the bulge of the last one. */
+static void
+take_coordinate (Scanner *scanner, QnDxfEntity *entity, int code, double number, double z)
+{
+  GArray *points = scanner->scan->points;
+  QnDxfPoint *last =
+    entity->point_count > 0 ? &g_array_index (points, QnDxfPoint, points->len - 1) : NULL;
+  if (code == 10)
+    add_point (scanner, entity, number, 0, z, entity->kind == QN_DXF_SPLINE);
+  else if (code == 20 && last != NULL)
+    last->y = number;
+  else if (code == 30 && last != NULL)
+    last->z = number;
+  else if (code == 42 && last != NULL && entity->kind != QN_DXF_SPLINE)
+    last->extra = number;
+}
+
+/* Points with what belongs to each: bulges (42) or, in their order, weights. */
 static void
 take_points (Scanner *scanner, QnDxfEntity *entity, double z)
 {
@@ -208,21 +206,11 @@ take_points (Scanner *scanner, QnDxfEntity *entity, double z)
   guint weights = 0;
   for (guint i = 0; i < scanner->pairs->len; i++) {
     const Pair *pair = &g_array_index (scanner->pairs, Pair, i);
-    QnDxfPoint *last = entity->point_count > 0
-                         ? &g_array_index (points, QnDxfPoint, points->len - 1)
-                         : NULL;
     double number;
-    if (!is_real_code (pair->code) || !parse_number (pair, &number))
+    if (!is_real_code (pair->code) || !parse_number (pair->value, &number))
       continue;
-    if (pair->code == 10)
-      add_point (scanner, entity, number, 0, z, entity->kind == QN_DXF_SPLINE);
-    else if (pair->code == 20 && last != NULL)
-      last->y = number;
-    else if (pair->code == 30 && last != NULL)
-      last->z = number;
-    else if (pair->code == 42 && last != NULL && entity->kind == QN_DXF_POLYLINE)
-      last->extra = number;
-    else if (pair->code == 40 && entity->kind == QN_DXF_SPLINE)
+    take_coordinate (scanner, entity, pair->code, number, z);
+    if (pair->code == 40 && entity->kind == QN_DXF_SPLINE)
       g_array_append_val (scanner->scan->knots, number);
     else if (pair->code == 41 && entity->kind == QN_DXF_SPLINE)
       weights++;
@@ -232,7 +220,8 @@ take_points (Scanner *scanner, QnDxfEntity *entity, double z)
   for (guint i = 0, k = 0; weights > 0 && i < scanner->pairs->len; i++) {
     const Pair *pair = &g_array_index (scanner->pairs, Pair, i);
     double number;
-    if (pair->code == 41 && k < entity->point_count && parse_number (pair, &number))
+    if (pair->code == 41 && k < entity->point_count
+        && parse_number (pair->value, &number))
       g_array_index (points, QnDxfPoint, entity->first_point + k++).extra =
         number != 0 ? number : 1;
   }
@@ -283,7 +272,7 @@ take_hatch (Scanner *scanner)
       i < scanner->pairs->len ? &g_array_index (scanner->pairs, Pair, i) : NULL;
     int code = pair != NULL ? pair->code : 75;
     double number = 0;
-    if (pair != NULL && !parse_number (pair, &number))
+    if (pair != NULL && !parse_number (pair->value, &number))
       continue;
     if (open && edge > 0 && (code == 72 || code == 92 || code == 97 || code == 75)) {
       if (edge == 1) {
@@ -318,16 +307,7 @@ take_hatch (Scanner *scanner)
       }
       edge = (qn_to_integer (number, 0, G_MAXINT) & 2) != 0 ? -1 : 0;
     } else if (open && edge < 0) { /* a polyline */
-      QnDxfPoint *last = loop.point_count > 0
-                           ? &g_array_index (scanner->scan->points, QnDxfPoint,
-                                             scanner->scan->points->len - 1)
-                           : NULL;
-      if (code == 10)
-        add_point (scanner, &loop, number, 0, z, 0);
-      else if (code == 20 && last != NULL)
-        last->y = number;
-      else if (code == 42 && last != NULL)
-        last->extra = number;
+      take_coordinate (scanner, &loop, code, number, z);
     } else if (open && code == 72) {
       edge = (int) qn_to_integer (number, 1, 5);
       memset (n, 0, sizeof n);
@@ -409,11 +389,8 @@ take_simple (Scanner *scanner)
     { "ARC", QN_DXF_ARC, TRUE, { 10 }, { 40, 50, 51 } },
     { "CIRCLE", QN_DXF_ARC, TRUE, { 10 }, { 40 } },
     { "ELLIPSE", QN_DXF_ELLIPSE, FALSE, { 10, 11 }, { 40, 41, 42 } },
-    { "SOLID",
-      QN_DXF_FACE,
-      TRUE,
-      { 10, 11, 13, 12 },
-      { 0 } }, /* its corners cross over */
+    /* Corners of these two cross over. */
+    { "SOLID", QN_DXF_FACE, TRUE, { 10, 11, 13, 12 }, { 0 } },
     { "TRACE", QN_DXF_FACE, TRUE, { 10, 11, 13, 12 }, { 0 } },
     { "3DFACE", QN_DXF_FACE, FALSE, { 10, 11, 12, 13 }, { 0 } },
   };
@@ -526,14 +503,19 @@ begin_thing (Scanner *scanner, const Pair *pair)
   } else if (is (pair, "ENDSEC")) {
     scanner->section = OTHER;
     scanner->block = NULL;
-  } else if (drawn && pair->length > 0) {
-    g_strlcpy (scanner->type, "", sizeof scanner->type);
-    gsize length = MIN (pair->length, sizeof scanner->type - 1);
-    for (gsize i = 0; i < length; i++)
-      scanner->type[i] = g_ascii_isgraph (pair->value[i]) ? pair->value[i] : '?';
-    scanner->type[length] = '\0';
+  } else if (drawn) {
+    g_strlcpy (scanner->type, pair->value, sizeof scanner->type);
+    for (char *c = scanner->type; *c != '\0'; c++)
+      *c = g_ascii_isgraph (*c) ? *c : '?';
     scanner->entity_line = scanner->line - 1;
   }
+}
+
+/* What is quoted of a line. */
+static char *
+dup_beginning (const char *line)
+{
+  return g_utf8_make_valid (line, (gssize) MIN (strlen (line), 40));
 }
 
 static gboolean
@@ -552,14 +534,12 @@ take_pair (Scanner *scanner, const Pair *pair)
     int code;
     if (pair->code == 9)
       scanner->insunits = is (pair, "$INSUNITS");
-    else if (scanner->insunits && pair->code == 70
-             && parse_integer (pair->value, pair->length, &code))
+    else if (scanner->insunits && pair->code == 70 && parse_integer (pair->value, &code))
       scanner->drawing->unit = declared_unit (code);
   } else if (scanner->type[0] != '\0') {
     if (scanner->section != TABLES && is_real_code (pair->code)
-        && !parse_number (pair, &number)) {
-      g_autofree char *value =
-        g_utf8_make_valid (pair->value, (gssize) MIN (pair->length, 40));
+        && !parse_number (pair->value, &number)) {
+      g_autofree char *value = dup_beginning (pair->value);
       g_autofree char *message =
         g_strdup_printf (_ ("expected a coordinate or length, found \"%s\""), value);
       return fail (scanner, scanner->line, message);
@@ -572,22 +552,20 @@ take_pair (Scanner *scanner, const Pair *pair)
 static gboolean
 scan_pairs (Scanner *scanner)
 {
-  const char *text;
-  gsize length;
   gboolean ended = FALSE, any = FALSE;
-  while (!ended && next_line (scanner, &text, &length)) {
+  for (const char *text; !ended && (text = next_line (scanner)) != NULL;) {
     Pair pair;
-    if (length == 0 && scanner->cursor >= scanner->end)
+    if (*text == '\0' && (scanner->cursor == NULL || *scanner->cursor == '\0'))
       break;
-    if (!parse_integer (text, length, &pair.code)) {
-      g_autofree char *found = g_utf8_make_valid (text, (gssize) MIN (length, 40));
+    if (!parse_integer (text, &pair.code)) {
+      g_autofree char *found = dup_beginning (text);
       g_autofree char *message = g_strdup_printf (
         any ? _ ("expected a group code, found \"%s\"")
             : _ ("this is not a DXF file: expected a group code, found \"%s\""),
         g_strdelimit (found, "\r\n", ' '));
       return fail (scanner, scanner->line, message);
     }
-    if (!next_line (scanner, &pair.value, &pair.length))
+    if ((pair.value = next_line (scanner)) == NULL)
       return fail (scanner, scanner->line, _ ("the file ends after a group code"));
     ended = pair.code == 0 && is (&pair, "EOF");
     any = TRUE;
@@ -604,10 +582,9 @@ scan_pairs (Scanner *scanner)
 }
 
 gboolean
-qn_dxf_scan (const char *text, gsize length, const char *name, QnDrawing *drawing,
-             QnDxfScan *scan, GError **error)
+qn_dxf_scan (char *text, const char *name, QnDrawing *drawing, QnDxfScan *scan,
+             GError **error)
 {
-  static const char binary[] = "AutoCAD Binary DXF", dwg[] = "AC10";
   /* Points and knots are pointed to where there are none, too. */
   *scan =
     (QnDxfScan){ .entities = g_array_new (FALSE, FALSE, sizeof (QnDxfEntity)),
@@ -617,7 +594,6 @@ qn_dxf_scan (const char *text, gsize length, const char *name, QnDrawing *drawin
                  .hidden = g_hash_table_new (g_str_hash, g_str_equal),
                  .top = g_array_new (FALSE, FALSE, sizeof (guint)) };
   Scanner scanner = { .cursor = text,
-                      .end = text + length,
                       .name = name,
                       .drawing = drawing,
                       .scan = scan,
@@ -625,9 +601,9 @@ qn_dxf_scan (const char *text, gsize length, const char *name, QnDrawing *drawin
                       .pairs = g_array_new (FALSE, FALSE, sizeof (Pair)),
                       .error = error };
   gboolean done;
-  if (length >= strlen (binary) && memcmp (text, binary, strlen (binary)) == 0)
+  if (g_str_has_prefix (text, "AutoCAD Binary DXF"))
     done = fail (&scanner, 1, _ ("binary DXF; save it as text (ASCII)"));
-  else if (length >= strlen (dwg) && memcmp (text, dwg, strlen (dwg)) == 0)
+  else if (g_str_has_prefix (text, "AC10"))
     done = fail (&scanner, 1, _ ("a DWG file; save it as DXF"));
   else
     done = scan_pairs (&scanner);

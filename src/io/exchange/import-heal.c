@@ -26,19 +26,6 @@ exchange_rings (QnImportWork *work, QnRings *rings, gboolean out)
   }
 }
 
-static gboolean
-is_polygon (const QnOutline *outline, gpointer data)
-{
-  (void) data;
-  return outline->ring.count >= 3;
-}
-
-static gboolean
-is_block (const QnOutline *outline, gpointer data)
-{
-  return outline->role != QN_ROLE_OPENING && is_polygon (outline, data);
-}
-
 QnStatus
 qn_import_heal (QnImportWork *work, QnDiag *diag)
 {
@@ -56,7 +43,7 @@ qn_import_heal (QnImportWork *work, QnDiag *diag)
   qn_import_tell_healing (work, _ ("vertices merged"), &welded);
   qn_import_tell_healing (work, _ ("gaps and overlaps between neighbours closed"),
                           &snapped);
-  gsize slivers = qn_import_keep_outlines (work, is_polygon, NULL);
+  gsize slivers = qn_import_drop_empty (work);
   if (slivers > 0)
     qn_import_tell (work, FALSE, _ ("slivers left out: %zu"), slivers);
   return status;
@@ -144,10 +131,12 @@ qn_import_cut_openings (QnImportWork *work, QnDiag *diag)
   QnRings cutters = { 0 };
   gsize changed = 0;
   for (guint i = 0; i < work->outlines->len; i++) {
-    const QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
-    if (outline->role == QN_ROLE_OPENING
-        && !qn_rings_add (&cutters, outline->ring.points, outline->ring.count))
+    QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
+    if (outline->role != QN_ROLE_OPENING)
+      continue;
+    if (!qn_rings_add (&cutters, outline->ring.points, outline->ring.count))
       work->no_memory = TRUE;
+    outline->ring.count = 0;
   }
   QnStatus status = work->no_memory ? qn_diag_no_memory (diag) : QN_OK;
   guint count = work->outlines->len;
@@ -175,6 +164,6 @@ qn_import_cut_openings (QnImportWork *work, QnDiag *diag)
     qn_import_tell (work, FALSE, _ ("openings cut out: %zu, blocks cut or removed: %zu"),
                     cutters.count, changed);
   qn_rings_clear (&cutters);
-  qn_import_keep_outlines (work, is_block, NULL);
+  qn_import_drop_empty (work);
   return status;
 }

@@ -81,47 +81,32 @@ qn_import_sort_paths (QnImportWork *work)
     qn_import_tell (work, FALSE, _ ("open lines made into faces: %zu"), open);
 }
 
-typedef struct Flaws {
-  gsize crossing, flat;
-  guint first_crossing; /* line of the file */
-  gboolean no_memory;
-} Flaws;
-
-static gboolean
-is_flawless (const QnOutline *outline, gpointer data)
-{
-  Flaws *flaws = data;
-  QnPolygonFlaw flaw = qn_polygon_check (outline->ring.points, outline->ring.count);
-  if (flaw.problem == QN_PROBLEM_NO_MEMORY)
-    flaws->no_memory = TRUE;
-  if (flaw.problem == QN_PROBLEM_NONE || flaw.problem == QN_PROBLEM_NO_MEMORY)
-    return TRUE;
-  if (flaw.problem != QN_PROBLEM_SELF_CROSSING)
-    flaws->flat++;
-  else if (flaws->crossing++ == 0)
-    flaws->first_crossing = outline->line;
-  return FALSE;
-}
-
 void
 qn_import_drop_flawed (QnImportWork *work)
 {
-  Flaws flaws = { 0 };
-  qn_import_keep_outlines (work, is_flawless, &flaws);
-  if (flaws.no_memory)
-    work->no_memory = TRUE;
-  if (flaws.crossing > 0)
+  gsize crossing = 0, flat = 0;
+  guint first_crossing = 0; /* line of the file */
+  for (guint i = 0; i < work->outlines->len; i++) {
+    QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
+    QnPolygonFlaw flaw = qn_polygon_check (outline->ring.points, outline->ring.count);
+    if (flaw.problem == QN_PROBLEM_NO_MEMORY)
+      work->no_memory = TRUE;
+    if (flaw.problem == QN_PROBLEM_NONE || flaw.problem == QN_PROBLEM_NO_MEMORY)
+      continue;
+    if (flaw.problem != QN_PROBLEM_SELF_CROSSING)
+      flat++;
+    else if (crossing++ == 0)
+      first_crossing = outline->line;
+    outline->ring.count = 0;
+  }
+  qn_import_drop_empty (work);
+  if (crossing > 0)
     qn_import_tell (work, TRUE,
                     _ ("outlines left out that cross themselves: %zu, first at line %u"),
-                    flaws.crossing, flaws.first_crossing);
-  if (flaws.flat > 0)
-    qn_import_tell (work, FALSE, _ ("outlines without area left out: %zu"), flaws.flat);
+                    crossing, first_crossing);
+  if (flat > 0)
+    qn_import_tell (work, FALSE, _ ("outlines without area left out: %zu"), flat);
 }
-
-typedef struct Seen {
-  GHashTable *keys; /* char *: of the outlines kept so far */
-  double tolerance; /* m */
-} Seen;
 
 /* Key of an outline to the tolerance: centroid and area. */
 static char *
@@ -133,21 +118,18 @@ outline_key (const QnRing *ring, double tolerance)
                           sqrt (fabs (qn_ring_area (ring))) / t);
 }
 
-static gboolean
-is_new (const QnOutline *outline, gpointer data)
-{
-  Seen *seen = data;
-  return outline->role == QN_ROLE_OPENING
-         || g_hash_table_add (seen->keys, outline_key (&outline->ring, seen->tolerance));
-}
-
 void
 qn_import_drop_repeated (QnImportWork *work)
 {
   g_autoptr (GHashTable) keys =
     g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
-  gsize repeated =
-    qn_import_keep_outlines (work, is_new, &(Seen){ keys, work->tolerance });
+  for (guint i = 0; i < work->outlines->len; i++) {
+    QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
+    if (outline->role != QN_ROLE_OPENING
+        && !g_hash_table_add (keys, outline_key (&outline->ring, work->tolerance)))
+      outline->ring.count = 0;
+  }
+  gsize repeated = qn_import_drop_empty (work);
   if (repeated > 0)
     qn_import_tell (work, FALSE, _ ("outlines drawn twice: %zu"), repeated);
 }

@@ -47,14 +47,12 @@ qn_import_add_segments (QnImportWork *work, const QnRing *path, gboolean closed,
 }
 
 gsize
-qn_import_keep_outlines (QnImportWork *work,
-                         gboolean (*is_kept) (const QnOutline *outline, gpointer data),
-                         gpointer data)
+qn_import_drop_empty (QnImportWork *work)
 {
   guint count = work->outlines->len, kept = 0;
   for (guint i = 0; i < count; i++) {
     QnOutline outline = g_array_index (work->outlines, QnOutline, i);
-    if (is_kept (&outline, data))
+    if (outline.ring.count >= 3)
       g_array_index (work->outlines, QnOutline, kept++) = outline;
     else
       qn_ring_clear (&outline.ring);

@@ -50,11 +50,9 @@ void qn_import_add_outline (QnImportWork *work, const QnRing *ring,
 void qn_import_add_segments (QnImportWork *work, const QnRing *path, gboolean closed,
                              QnRole role);
 
-/* Removes the outlines for which `is_kept` is false, keeps the order. Returns the number removed. */
-gsize qn_import_keep_outlines (QnImportWork *work,
-                               gboolean (*is_kept) (const QnOutline *outline,
-                                                    gpointer data),
-                               gpointer data);
+/* Removes the outlines of fewer than three vertices, and so those whose count was set to 0; keeps the order.
+ * Returns the number removed. */
+gsize qn_import_drop_empty (QnImportWork *work);
 
 /* The upper median of doubles, which are sorted by it; 0 where there are none. */
 double qn_import_median (GArray *values);

@@ -57,7 +57,6 @@ static void
 write_settlements (QnFileWriter *writer, const QnModel *model, const QnResult *result,
                    const QnResult *values, size_t step)
 {
-
   static const char *const actions[] = { " Rx [N]", " Ry [N]", " M [N m]" };
   for (size_t s = 0; s < result->support_count; s++)
     for (int dof = 0; dof < QN_DOF_COUNT; dof++) {
@@ -81,7 +80,6 @@ static gboolean
 write_history (const char *path, const QnModel *model, const QnHistory *history,
                GError **error)
 {
-
   QnFileWriter *writer = qn_file_writer_open (path, error);
   if (writer == NULL)
     return FALSE;
@@ -170,18 +168,13 @@ qn_displacements_csv_write (const char *path, const QnProject *project,
     return FALSE;
   const double *displacements = qn_result_step_displacements (result, step);
   qn_file_writer_puts (writer, "block,x [m],y [m],ux [m],uy [m],rz [rad]\n");
-  for (size_t i = 0; i < result->block_count; i++) {
-    const QnBlock *block = &project->model.blocks[i];
-    qn_file_writer_csv (writer, "%s,%g,%g", block->name, block->centroid.x,
-                        block->centroid.y);
+  for (size_t i = 0; i < result->block_count + result->node_count; i++) {
+    QnVec2 at = i < result->block_count
+                  ? project->model.blocks[i].centroid
+                  : project->model.nodes[i - result->block_count].at;
+    qn_file_writer_csv (writer, "%s,%g,%g",
+                        qn_result_body_name (&project->model, (QnId) i), at.x, at.y);
     write_numbers (writer, displacements + i * QN_DOF_COUNT, QN_DOF_COUNT);
-    qn_file_writer_puts (writer, "\n");
-  }
-  for (size_t i = 0; i < result->node_count; i++) {
-    const QnNode *node = &project->model.nodes[i];
-    qn_file_writer_csv (writer, "%s,%g,%g", node->name, node->at.x, node->at.y);
-    write_numbers (writer, displacements + (result->block_count + i) * QN_DOF_COUNT,
-                   QN_DOF_COUNT);
     qn_file_writer_puts (writer, "\n");
   }
   return qn_file_writer_commit (writer, error);

@@ -73,16 +73,20 @@ set_row (double *rows, size_t index, QnVec2 vector)
   rows[3 * index + 1] = vector.y;
 }
 
-/* The elements Points and Cells for lines, each on two points of its own. */
+/* The elements Points and Cells: each cell has points of its own, up to its end, or without `ends` two. */
 static void
-put_lines (QnFileWriter *writer, size_t lines, const double *points)
+put_cells (QnFileWriter *writer, size_t points, const double *at, size_t cells,
+           const double *ends, int type)
 {
   qn_file_writer_puts (writer, "<Points>\n");
-  put_array (writer, "Float64", "Points", 3, 2 * lines, points);
+  put_array (writer, "Float64", "Points", 3, points, at);
   qn_file_writer_puts (writer, "</Points>\n<Cells>\n");
-  put_series (writer, "Int64", "connectivity", 2 * lines, 0, 1);
-  put_series (writer, "Int64", "offsets", lines, 2, 2);
-  put_series (writer, "UInt8", "types", lines, VTK_LINE, 0);
+  put_series (writer, "Int64", "connectivity", points, 0, 1);
+  if (ends != NULL)
+    put_array (writer, "Int64", "offsets", 1, cells, ends);
+  else
+    put_series (writer, "Int64", "offsets", cells, 2, 2);
+  put_series (writer, "UInt8", "types", cells, type, 0);
   qn_file_writer_puts (writer, "</Cells>\n");
 }
 
@@ -124,13 +128,8 @@ write_blocks (QnFileWriter *writer, const QnModel *model, const double *u, GErro
   }
 
   begin (writer, points, cells);
-  qn_file_writer_puts (writer, "<Points>\n");
-  put_array (writer, "Float64", "Points", 3, points, at);
-  qn_file_writer_puts (writer, "</Points>\n<Cells>\n");
-  put_series (writer, "Int64", "connectivity", points, 0, 1);
-  put_array (writer, "Int64", "offsets", 1, cells, ends);
-  put_series (writer, "UInt8", "types", cells, VTK_POLYGON, 0);
-  qn_file_writer_puts (writer, "</Cells>\n<PointData Vectors=\"displacement\">\n");
+  put_cells (writer, points, at, cells, ends, VTK_POLYGON);
+  qn_file_writer_puts (writer, "<PointData Vectors=\"displacement\">\n");
   put_array (writer, "Float64", "displacement", 3, points, moved);
   qn_file_writer_puts (writer, "</PointData>\n<CellData Scalars=\"block\">\n");
   put_series (writer, "Int64", "block", cells, 0, 1);
@@ -179,7 +178,7 @@ write_beams (QnFileWriter *writer, const QnModel *model, const QnResult *result,
   }
 
   begin (writer, points, cells);
-  put_lines (writer, cells, at);
+  put_cells (writer, points, at, cells, NULL, VTK_LINE);
   qn_file_writer_puts (writer, "<PointData Vectors=\"displacement\">\n");
   put_array (writer, "Float64", "displacement", 3, points, moved);
   if (forces != NULL)
@@ -233,7 +232,7 @@ write_forces (QnFileWriter *writer, const QnModel *model, const QnContacts *cont
   }
 
   begin (writer, 2 * cells, cells);
-  put_lines (writer, cells, points);
+  put_cells (writer, 2 * cells, points, cells, NULL, VTK_LINE);
   qn_file_writer_puts (writer, "<CellData Scalars=\"state\">\n");
   put_array (writer, "Int64", "state", 1, cells, states);
   put_array (writer, "Int64", "face", 1, cells, faces);
