@@ -155,30 +155,6 @@ parse_transform (Importer *importer, const char *text, Matrix all, guint line)
 
 /* ---- elements ---- */
 
-/* Where a percentage of a length counts from. */
-typedef enum { ALONG_X, ALONG_Y, ALONG_BOTH } Along;
-
-/* A length in user units; `otherwise` where it is not given. */
-static double
-length_of (Importer *importer, const xmlNode *node, const State *state, const char *key,
-           Along along, double otherwise)
-{
-  g_autofree char *text = qn_svg_dup_property (&importer->style, node, key);
-  const char *at = text;
-  double number;
-  if (text == NULL || !qn_svg_next_number (&at, &number))
-    return otherwise;
-  double across = hypot (state->width, state->height) / sqrt (2);
-  if (*at == '%')
-    return 0.01 * number
-           * (along == ALONG_X   ? state->width
-              : along == ALONG_Y ? state->height
-                                 : across);
-  double factor = unit_factor (at);
-  importer->physical = importer->physical || (factor > 0 && factor != 1);
-  return factor > 0 ? factor * number : number;
-}
-
 static void
 note (Importer *importer, const xmlNode *node, const char *text)
 {
@@ -189,6 +165,33 @@ static gboolean
 is (const xmlNode *node, const char *element)
 {
   return strcmp (qn_svg_name (node), element) == 0;
+}
+
+/* Where a percentage of a length counts from. */
+typedef enum { ALONG_X, ALONG_Y, ALONG_BOTH } Along;
+
+/* A length in user units; `otherwise` where it is not given or, which is told, no number. */
+static double
+length_of (Importer *importer, const xmlNode *node, const State *state, const char *key,
+           Along along, double otherwise)
+{
+  g_autofree char *text = qn_svg_dup_property (&importer->style, node, key);
+  const char *at = text;
+  double number;
+  if (text == NULL || !qn_svg_next_number (&at, &number)) {
+    if (text != NULL && strcmp (text, "auto") != 0)
+      note (importer, node, _ ("lengths that are no numbers, taken as not given"));
+    return otherwise;
+  }
+  double across = hypot (state->width, state->height) / sqrt (2);
+  if (*at == '%')
+    return 0.01 * number
+           * (along == ALONG_X   ? state->width
+              : along == ALONG_Y ? state->height
+                                 : across);
+  double factor = unit_factor (at);
+  importer->physical = importer->physical || (factor > 0 && factor != 1);
+  return factor > 0 ? factor * number : number;
 }
 
 static gboolean
@@ -207,6 +210,10 @@ read_shape (Importer *importer, QnSvgPen *pen, const xmlNode *node, const State 
   if (is (node, "rect")) {
     double x = LENGTH ("x", ALONG_X, 0), y = LENGTH ("y", ALONG_Y, 0);
     double w = LENGTH ("width", ALONG_X, 0), h = LENGTH ("height", ALONG_Y, 0);
+    if (w < 0 || h < 0) {
+      note (importer, node, _ ("shapes of negative size left out"));
+      return TRUE;
+    }
     if (LENGTH ("rx", ALONG_X, 0) > 0 || LENGTH ("ry", ALONG_Y, 0) > 0)
       note (importer, node, _ ("rounded corners drawn sharp"));
     qn_svg_pen_move (pen, qn_vec2 (x, y));
@@ -219,6 +226,10 @@ read_shape (Importer *importer, QnSvgPen *pen, const xmlNode *node, const State 
     double r = LENGTH ("r", ALONG_BOTH, 0);
     double rx = r > 0 ? r : LENGTH ("rx", ALONG_X, 0);
     double ry = r > 0 ? r : LENGTH ("ry", ALONG_Y, 0);
+    if (r < 0 || rx < 0 || ry < 0) {
+      note (importer, node, _ ("shapes of negative size left out"));
+      return TRUE;
+    }
     pen->path = qn_drawing_add_path (importer->drawing, pen->layer, pen->line);
     qn_drawing_path_add_ellipse (pen->path, centre, qn_vec2 (rx, 0), qn_vec2 (0, ry), 0,
                                  2 * G_PI);
@@ -285,12 +296,8 @@ fit_view_box (const xmlNode *node, const double *box, double width, double heigh
                  : strstr (how, "xMax") != NULL ? 1
                                                 : 0.5;
   double down = strstr (how, "YMin") != NULL ? 0 : strstr (how, "YMax") != NULL ? 1 : 0.5;
-  return (Matrix){ sx,
-                   0,
-                   0,
-                   sy,
-                   right * (width - sx * box[2]) - sx * box[0],
-                   down * (height - sy * box[3]) - sy * box[1] };
+  double dx = right * (width - sx * box[2]), dy = down * (height - sy * box[3]);
+  return (Matrix){ sx, 0, 0, sy, dx - sx * box[0], dy - sy * box[1] };
 }
 
 /* A view port within the drawing, of an svg element or a symbol that is used. */
@@ -327,8 +334,8 @@ metres_of (const xmlNode *node, const char *key)
   g_autofree char *text = qn_svg_dup_attribute (node, key);
   const char *at = text;
   double number;
-  if (text == NULL || !qn_svg_next_number (&at, &number) || strncmp (at, "px", 2) == 0
-      || strncmp (at, "e", 1) == 0)
+  if (text == NULL || !qn_svg_next_number (&at, &number) || *at == 'e'
+      || strncmp (at, "px", 2) == 0)
     return 0;
   return unit_factor (at) * number * METRES_PER_PIXEL;
 }
@@ -380,11 +387,6 @@ is_unpainted (const char *paint, const char *opacity, gboolean before)
 static QnVec2
 origin_of (const char *text, const State *state)
 {
-  static const struct {
-    const char *word;
-    double part;
-  } words[] = { { "left", 0 },  { "top", 0 },    { "center", 0.5 },
-                { "right", 1 }, { "bottom", 1 }, { NULL, 0 } };
   double number[2] = { 0 }, part[2] = { 0.5, 0.5 };
   g_auto (GStrv) given = g_strsplit_set (text, " \t\r\n", -1);
   guint count = 0;
@@ -393,11 +395,10 @@ origin_of (const char *text, const State *state)
                  : says (*one, "left") || says (*one, "right") ? 0
                                                                : count;
     const char *at = *one;
-    guint i = 0;
-    while (words[i].word != NULL && !says (*one, words[i].word))
-      i++;
-    part[axis] = words[i].part;
-    if (words[i].word == NULL && qn_svg_next_number (&at, &number[axis])) {
+    part[axis] = says (*one, "right") || says (*one, "bottom") ? 1
+                 : says (*one, "center")                       ? 0.5
+                                                               : 0;
+    if (qn_svg_next_number (&at, &number[axis])) {
       double factor = *at == '%' ? 0 : unit_factor (at);
       part[axis] = *at == '%' ? 0.01 * number[axis] : 0;
       number[axis] *= *at == '%' ? 0 : factor > 0 ? factor : 1;

@@ -94,27 +94,14 @@ pen_point (const QnSvgPen *pen, gboolean relative, double x, double y)
   return relative ? qn_vec2 (pen->at.x + x, pen->at.y + y) : qn_vec2 (x, y);
 }
 
+/* How many numbers a command has; 0 for what is none. */
 static guint
 number_count (char command)
 {
-  switch (command) {
-  case 'M':
-  case 'L':
-  case 'T':
-    return 2;
-  case 'H':
-  case 'V':
-    return 1;
-  case 'S':
-  case 'Q':
-    return 4;
-  case 'C':
-    return 6;
-  case 'A':
-    return 7;
-  default:
-    return 0;
-  }
+  static const char commands[] = "MLTHVSQCA";
+  static const guint counts[] = { 2, 2, 2, 1, 1, 4, 4, 6, 7 };
+  const char *at = strchr (commands, command);
+  return command != '\0' && at != NULL ? counts[at - commands] : 0;
 }
 
 /* One command with its numbers. */
@@ -127,15 +114,12 @@ pen_draw (QnSvgPen *pen, char command, gboolean relative, const double *n)
     qn_svg_pen_move (pen, pen->at);
   switch (command) {
   case 'L':
-    end = pen_point (pen, relative, n[0], n[1]);
-    qn_drawing_path_add (pen->path, end);
-    break;
   case 'H':
-    end.x = relative ? end.x + n[0] : n[0];
-    qn_drawing_path_add (pen->path, end);
-    break;
   case 'V':
-    end.y = relative ? end.y + n[0] : n[0];
+    if (command != 'V')
+      end.x = relative ? end.x + n[0] : n[0];
+    if (command != 'H')
+      end.y = relative ? end.y + n[command == 'L'] : n[command == 'L'];
     qn_drawing_path_add (pen->path, end);
     break;
   case 'C':
@@ -232,5 +216,5 @@ qn_svg_read_points (QnSvgPen *pen, const char *text, gboolean closed)
   }
   if (pen->path != NULL)
     pen->path->closed = closed;
-  return TRUE;
+  return text == NULL || *text == '\0';
 }

@@ -1,4 +1,5 @@
-/* The data of paths and lists of points in SVG. Private to reading SVG (svg-import.c). */
+/* The data of paths in SVG, and lists of numbers and points as other files have them, too. Private to reading
+ * drawings. */
 #pragma once
 
 #include "io/exchange/drawing.h"
@@ -13,7 +14,7 @@ typedef struct QnSvgPen {
   char last; /* command */
 } QnSvgPen;
 
-/* The next number of a list; FALSE where there is none. */
+/* The next number of a list, behind blanks and commas; FALSE where there is none. */
 gboolean qn_svg_next_number (const char **text, double *number);
 
 /* Begins a path. */

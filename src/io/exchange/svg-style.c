@@ -3,52 +3,50 @@
 #include <string.h>
 
 /* By QnSvgProperty, and the lengths that place shapes. Nothing else is kept of a style. */
-static const char *const names[] = {
-  "display",
-  "visibility",
-  "opacity",
-  "fill",
-  "fill-opacity",
-  "fill-rule",
-  "stroke",
-  "stroke-opacity",
-  "translate",
-  "rotate",
-  "scale",
-  "transform",
-  "transform-origin",
-  "transform-box",
-  "clip-path",
-  "x",
-  "y",
-  "width",
-  "height",
-  "rx",
-  "ry",
-  "r",
-  "cx",
-  "cy",
-  "x1",
-  "y1",
-  "x2",
-  "y2",
-};
+static const char *const property_names[] = { "display",
+                                              "visibility",
+                                              "opacity",
+                                              "fill",
+                                              "fill-opacity",
+                                              "fill-rule",
+                                              "stroke",
+                                              "stroke-opacity",
+                                              "translate",
+                                              "rotate",
+                                              "scale",
+                                              "transform",
+                                              "transform-origin",
+                                              "transform-box",
+                                              "clip-path",
+                                              "x",
+                                              "y",
+                                              "width",
+                                              "height",
+                                              "rx",
+                                              "ry",
+                                              "r",
+                                              "cx",
+                                              "cy",
+                                              "x1",
+                                              "y1",
+                                              "x2",
+                                              "y2" };
 
-#define NAME_COUNT G_N_ELEMENTS (names)
+#define PROPERTY_NAME_COUNT G_N_ELEMENTS (property_names)
 
 /* What styles say of each property: the value of the greatest rank. */
 typedef struct Declared {
   struct {
     guint64 rank; /* an id before a class before neither, then the later rule; 0: none */
-    const char *value;  /* borrowed */
-  } of[NAME_COUNT + 1]; /* the last one stands for all other names */
+    const char *value;           /* borrowed */
+  } of[PROPERTY_NAME_COUNT + 1]; /* the last one stands for all other names */
 } Declared;
 
 static guint
 index_of (const char *name)
 {
   guint i = 0;
-  while (i < NAME_COUNT && g_ascii_strcasecmp (name, names[i]) != 0)
+  while (i < PROPERTY_NAME_COUNT && g_ascii_strcasecmp (name, property_names[i]) != 0)
     i++;
   return i;
 }
@@ -74,9 +72,10 @@ read_declarations (char *text, guint64 rank, Declared *declared)
 void
 qn_svg_style_init (QnSvgStyle *style)
 {
-  *style = (QnSvgStyle){ .selectors = g_hash_table_new_full (g_str_hash, g_str_equal,
-                                                             g_free, g_free),
-                         .texts = g_ptr_array_new_with_free_func (g_free) };
+  *style =
+    (QnSvgStyle){ .selectors =
+                    g_hash_table_new_full (g_str_hash, g_str_equal, g_free, g_free),
+                  .texts = g_ptr_array_new_with_free_func ((GDestroyNotify) xmlFree) };
 }
 
 void
@@ -115,33 +114,22 @@ add_rule (QnSvgStyle *style, char *selector, const Declared *rule)
     all = g_new0 (Declared, 1);
     g_hash_table_insert (style->selectors, g_strdup (key), all);
   }
-  for (guint i = 0; i < NAME_COUNT; i++)
+  for (guint i = 0; i < PROPERTY_NAME_COUNT; i++)
     if (rule->of[i].rank > 0) {
       all->of[i] = rule->of[i];
       all->of[i].rank += weight << 32;
     }
 }
 
-/* A copy without comments. */
-static char *
-dup_code (const char *text)
-{
-  GString *code = g_string_new (NULL);
-  for (const char *open; text != NULL; text = open != NULL ? open + 2 : NULL) {
-    open = strstr (text, "/*");
-    g_string_append_len (code, text, open != NULL ? open - text : -1);
-    open = open != NULL ? strstr (open + 2, "*/") : NULL;
-  }
-  return g_string_free (code, FALSE);
-}
-
 void
 qn_svg_style_add (QnSvgStyle *style, const xmlNode *node)
 {
-  xmlChar *content = xmlNodeGetContent (node);
-  char *next = dup_code ((const char *) content);
-  xmlFree (content);
+  char *next = (char *) xmlNodeGetContent (node);
   g_ptr_array_add (style->texts, next);
+  for (char *open = next; (open = strstr (open, "/*")) != NULL;) {
+    const char *close = strstr (open + 2, "*/");
+    memset (open, ' ', close != NULL ? (gsize) (close + 2 - open) : strlen (open));
+  }
   for (char *rule = next; rule != NULL; rule = next) {
     if ((next = strchr (rule, '}')) != NULL)
       *next++ = '\0';
@@ -196,7 +184,7 @@ take_rules (const QnSvgStyle *style, const xmlNode *node, const char *mark,
   for (int own = 0; own < 2; own++) {
     g_autofree char *key = g_strconcat (own ? qn_svg_name (node) : "", mark, name, NULL);
     const Declared *rules = g_hash_table_lookup (style->selectors, key);
-    for (guint i = 0; rules != NULL && i < NAME_COUNT; i++)
+    for (guint i = 0; rules != NULL && i < PROPERTY_NAME_COUNT; i++)
       if (rules->of[i].rank > declared->of[i].rank)
         declared->of[i] = rules->of[i];
   }
@@ -221,7 +209,7 @@ take_properties (const QnSvgStyle *style, const xmlNode *node, guint first, guin
   for (guint i = 0; i < count; i++)
     values[i] = declared.of[first + i].rank > 0
                   ? g_strdup (declared.of[first + i].value)
-                  : qn_svg_dup_attribute (node, names[first + i]);
+                  : qn_svg_dup_attribute (node, property_names[first + i]);
 }
 
 QnSvgProperties

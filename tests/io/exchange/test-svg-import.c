@@ -95,6 +95,8 @@ test_bad_files (void)
     const char *text, *start;
   } cases[] = { { "<svg>\n<path d=\"M 0 0 L 1\"/></svg>", "bad.svg:2: " },
                 { "<svg>\n<path d=\"M 0 0 X 1\"/></svg>", "bad.svg:2: " },
+                { "<svg>\n<polygon points=\"0,0 1,0 nan,1\"/></svg>",
+                  "bad.svg:2: polygon: " },
                 { "<svg>\n\n<g></svg>", "bad.svg:3: " },
                 { "<html><svg/></html>", "bad.svg:1: not an SVG drawing" },
                 { "", "bad.svg:1: " } };
@@ -148,8 +150,8 @@ test_extreme_numbers (void)
     g_string_append (text, "</svg>");
     g_auto (QnDrawing) drawing;
     parse (text->str, &drawing);
-    g_assert_cmpuint (drawing.paths->len, ==, 1);
-    g_assert_cmpuint (path_at (&drawing, 0)->count, >=, 2);
+    g_assert_cmpuint (drawing.paths->len + drawing.notes->len, ==, 1);
+    g_assert_true (drawing.paths->len == 0 || path_at (&drawing, 0)->count >= 2);
     qn_drawing_drop_unbounded (&drawing);
     for (gsize k = 0; drawing.paths->len > 0 && k < path_at (&drawing, 0)->count; k++) {
       g_assert_cmpfloat (fabs (path_at (&drawing, 0)->points[k].x), <=, 1e15);
@@ -402,9 +404,41 @@ test_told (void)
   g_assert_true (path_at (&drawing, 0)->hidden);
 }
 
+/* Shapes of negative size are not drawn; a length that is no number counts as not given. Both are told with
+ * their place. */
+static void
+test_lengths (void)
+{
+  static const struct {
+    const char *shape, *note;
+    guint count;
+  } cases[] = {
+    { "<rect width='-1' height='2'/>", "shapes of negative size left out", 0 },
+    { "<rect width='1' height='-2mm'/>", "shapes of negative size left out", 0 },
+    { "<circle r='-1'/>", "shapes of negative size left out", 0 },
+    { "<ellipse rx='1' ry='-1'/>", "shapes of negative size left out", 0 },
+    { "<rect x='nan' width='1' height='2'/>",
+      "lengths that are no numbers, taken as not given", 1 },
+    { "<rect width='1' height='2' rx='auto'/>", NULL, 1 },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *text = g_strdup_printf ("<svg>\n%s</svg>", cases[i].shape);
+    g_auto (QnDrawing) drawing;
+    parse (text, &drawing);
+    g_assert_cmpuint (drawing.paths->len, ==, cases[i].count);
+    g_assert_cmpuint (drawing.notes->len, ==, cases[i].note != NULL);
+    if (cases[i].note == NULL)
+      continue;
+    const QnDrawingNote *note = drawing.notes->pdata[0];
+    g_assert_cmpstr (note->text, ==, cases[i].note);
+    g_assert_cmpuint (note->line, ==, 2);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/svg-import/told", test_told);
+  g_test_add_func ("/svg-import/lengths", test_lengths);
   g_test_add_func ("/svg-import/shapes", test_shapes);
   g_test_add_func ("/svg-import/filled", test_filled);
   g_test_add_func ("/svg-import/path-commands", test_path_commands);
