@@ -1,7 +1,9 @@
 #include "core/base/polygon.h"
 #include "core/base/union-find.h"
 #include "io/exchange/drawing.h"
+#include "io/exchange/svg-path.h"
 #include "io/json/json-value.h"
+#include "io/text/file-read.h"
 #include "io/text/io-error.h"
 #include "stereotomy/ring.h"
 
@@ -34,7 +36,8 @@ typedef struct Mesh {
   char *name;
   GArray *points, *faces; /* MeshPoint; guint */
   gboolean support;
-  double density; /* kg/m3, or 0 */
+  double density;  /* kg/m3, or 0 */
+  guint last_face; /* where it begins */
 } Mesh;
 
 static void
@@ -51,10 +54,41 @@ static Mesh *
 add_mesh (GPtrArray *meshes, const char *name, gboolean support, double density)
 {
   Mesh *mesh = g_new (Mesh, 1);
-  *mesh = (Mesh){ g_strdup (name), g_array_new (FALSE, FALSE, sizeof (MeshPoint)),
-                  g_array_new (FALSE, FALSE, sizeof (guint)), support, density };
+  *mesh = (Mesh){ g_strdup (name),
+                  g_array_new (FALSE, FALSE, sizeof (MeshPoint)),
+                  g_array_new (FALSE, FALSE, sizeof (guint)),
+                  support,
+                  density,
+                  0 };
   g_ptr_array_add (meshes, mesh);
   return mesh;
+}
+
+/* Begins a face with the first corner at this index of the points, or adds the next one to the last face. */
+static void
+add_corner (Mesh *mesh, gboolean first, guint index)
+{
+  if (first) {
+    mesh->last_face = mesh->faces->len;
+    g_array_append_val (mesh->faces, (guint){ 0 });
+  }
+  g_array_append_val (mesh->faces, index);
+  g_array_index (mesh->faces, guint, mesh->last_face)++;
+}
+
+/* The same with a point of a larger list, which the mesh gets a copy of; `indices`: where it has it, from 1. */
+static void
+copy_corner (Mesh *mesh, gboolean first, const GArray *points, guint index,
+             GHashTable *indices)
+{
+  gpointer key = GUINT_TO_POINTER (index);
+  guint own = GPOINTER_TO_UINT (g_hash_table_lookup (indices, key));
+  if (own == 0) {
+    g_array_append_val (mesh->points, g_array_index (points, MeshPoint, index));
+    own = mesh->points->len;
+    g_hash_table_insert (indices, key, GUINT_TO_POINTER (own));
+  }
+  add_corner (mesh, first, own - 1);
 }
 
 /* ---- prisms ---- */
@@ -184,12 +218,12 @@ is_on (const GArray *outline, QnVec2 p, double tolerance)
   return nearest <= tolerance;
 }
 
-/* The outline of a prism in a view, and how many holes it has. FALSE where the block is none: its front and
+/* The outline of a prism in a view, how many holes it has, and its least and greatest depth. FALSE where the block is none: its front and
  * its back have not one outline, or some vertex between them is not seen on it. */
 static gboolean
-outline_of (const Mesh *mesh, int view, GArray *outline, guint *holes)
+outline_of (const Mesh *mesh, int view, GArray *outline, guint *holes, double ends[2])
 {
-  double ends[2] = { 0 }, tolerance = PLANAR_TOLERANCE * extent_of (mesh, view, ends);
+  double tolerance = PLANAR_TOLERANCE * extent_of (mesh, view, ends);
   g_autoptr (GArray) back = g_array_new (FALSE, FALSE, sizeof (QnVec2));
   if (mesh->points->len > MOST_VERTICES)
     return FALSE;
@@ -232,6 +266,17 @@ find_covered (const QnDrawing *drawing)
   return NULL;
 }
 
+/* Notes so many things, if any. */
+static void
+tell (QnDrawing *drawing, const char *text, guint count, gboolean minor)
+{
+  if (count == 0)
+    return;
+  QnDrawingNote *note = qn_drawing_note (drawing, text, 0);
+  note->count += count - 1;
+  note->minor = minor;
+}
+
 /* Adds all blocks as seen in a view. Returns why that cannot be: the name of a block, and whether it is
  * no prism or lies behind others. */
 static char *
@@ -243,8 +288,7 @@ add_view (const GPtrArray *meshes, int view, QnDrawing *drawing)
     const Mesh *mesh = meshes->pdata[i];
     guint holes = 0;
     double ends[2] = { 0 };
-    extent_of (mesh, view, ends);
-    if (!outline_of (mesh, view, outline, &holes))
+    if (!outline_of (mesh, view, outline, &holes, ends))
       return g_strdup_printf (_ ("block %s is not a prism along %c"), mesh->name,
                               'x' + views[view].depth);
     QnRing ring = { (QnVec2 *) (void *) outline->data, outline->len };
@@ -261,22 +305,13 @@ add_view (const GPtrArray *meshes, int view, QnDrawing *drawing)
   }
   const QnDrawingPath *covered = find_covered (drawing);
   if (covered == NULL) {
-    if (hollow > 0)
-      qn_drawing_note (drawing, _ ("blocks with holes, which are taken as solid"), 0)
-        ->count = hollow;
-    QnDrawingNote *note =
-      qn_drawing_note (drawing, _ ("blocks as thick as in the file"), 0);
-    note->count = meshes->len;
-    note->minor = TRUE;
-    if (dense > 0) {
-      note = qn_drawing_note (drawing, _ ("blocks with a density of the file"), 0);
-      note->count = dense;
-      note->minor = TRUE;
-    }
+    tell (drawing, _ ("blocks with holes, which are taken as solid"), hollow, FALSE);
+    tell (drawing, _ ("blocks as thick as in the file"), meshes->len, TRUE);
+    tell (drawing, _ ("blocks with a density of the file"), dense, TRUE);
     return NULL;
   }
   const Mesh *mesh =
-    meshes->pdata[covered - &g_array_index (drawing->paths, QnDrawingPath, 0)];
+    meshes->pdata[covered - (QnDrawingPath *) (void *) drawing->paths->data];
   return g_strdup_printf (
     hollow > 0 ? _ ("block %s lies behind another one along %c, or in its hole: "
                     "blocks cannot be hollow")
@@ -284,85 +319,60 @@ add_view (const GPtrArray *meshes, int view, QnDrawing *drawing)
     mesh->name, 'x' + views[view].depth);
 }
 
-/* Adds the bodies of an object, which share no vertex: each is a block. Where one of them is
- * flat the object stays whole: its faces do not share their vertices, or it has no sides. */
+static gboolean
+is_plate (const Mesh *mesh)
+{
+  const guint *faces = (const guint *) (const void *) mesh->faces->data;
+  gboolean plate = mesh->faces->len == 0 || mesh->faces->len == faces[0] + 1;
+  for (int view = 0; view < (int) G_N_ELEMENTS (views); view++) {
+    double ends[2] = { 0 }, extent = extent_of (mesh, view, ends);
+    plate = plate || ends[1] - ends[0] <= PLANAR_TOLERANCE * extent;
+  }
+  return plate;
+}
+
+/* Replaces an object by its bodies, which share no vertex: each is a block. Where one of them is flat the
+ * object stays whole: its faces do not share their vertices, or it has no sides. */
 static void
 split_bodies (GPtrArray *meshes, guint number)
 {
   Mesh *mesh = meshes->pdata[number];
   const guint *faces = (const guint *) (const void *) mesh->faces->data;
-  guint length = mesh->faces->len, count = mesh->points->len, found = 0;
+  guint length = mesh->faces->len, count = mesh->points->len;
   g_autofree QnId *sets = g_new (QnId, count + 1);
-  g_autofree guint *own = g_new0 (guint, count + 1);
-  g_autofree MeshPoint *least = g_new (MeshPoint, count + 1);
-  g_autofree MeshPoint *most = g_new0 (MeshPoint, count + 1);
-  g_autofree Mesh **bodies = g_new0 (Mesh *, count + 1);
-  gboolean whole = TRUE;
+  g_autofree Mesh **own = g_new0 (Mesh *, count + 1);
+  g_autoptr (GPtrArray) bodies = g_ptr_array_new_with_free_func (free_mesh);
+  g_autoptr (GHashTable) indices = g_hash_table_new (NULL, NULL);
   qn_sets_init (sets, count);
   for (guint f = 0; f < length; f += faces[f] + 1)
     for (guint i = 2; i <= faces[f]; i++)
       qn_sets_join (sets, (QnId) faces[f + 1], (QnId) faces[f + i]);
-  for (guint f = 0; f < length; f += faces[f] + 1)
-    for (guint k = 1; k <= faces[f]; k++) {
-      QnId root = qn_sets_root (sets, (QnId) faces[f + k]);
-      const MeshPoint *p = &g_array_index (mesh->points, MeshPoint, faces[f + k]);
-      if (own[root]++ == 0)
-        least[root] = most[root] = *p;
-      for (int axis = 0; axis < 3; axis++) {
-        least[root].at[axis] = fmin (least[root].at[axis], p->at[axis]);
-        most[root].at[axis] = fmax (most[root].at[axis], p->at[axis]);
-      }
-    }
-  for (guint i = 0; i < count; i++) {
-    found += own[i] > 0;
-    for (int axis = 0; axis < 3 && own[i] > 0; axis++)
-      whole = whole && most[i].at[axis] > least[i].at[axis];
-    own[i] = 0;
-  }
-  if (found < 2 || !whole)
-    return;
-  found = 0;
   for (guint f = 0; f < length; f += faces[f] + 1) {
-    if (faces[f] == 0)
-      continue;
-    Mesh **body = &bodies[qn_sets_root (sets, (QnId) faces[f + 1])];
-    if (*body == NULL) {
-      g_autofree char *name = g_strdup_printf ("%s.%u", mesh->name, ++found);
-      *body = add_mesh (meshes, name, mesh->support, mesh->density);
-    }
-    g_array_append_val ((*body)->faces, faces[f]);
-    for (guint k = 1; k <= faces[f]; k++) {
-      guint corner = faces[f + k];
-      if (own[corner] == 0) {
-        g_array_append_val ((*body)->points,
-                            g_array_index (mesh->points, MeshPoint, corner));
-        own[corner] = (*body)->points->len;
-      }
-      guint index = own[corner] - 1;
-      g_array_append_val ((*body)->faces, index);
-    }
+    Mesh **body = &own[qn_sets_root (sets, (QnId) faces[f + 1])];
+    g_autofree char *name = g_strdup_printf ("%s.%u", mesh->name, bodies->len + 1);
+    if (*body == NULL)
+      *body = add_mesh (bodies, name, mesh->support, mesh->density);
+    for (guint k = 1; k <= faces[f]; k++)
+      copy_corner (*body, k == 1, mesh->points, faces[f + k], indices);
   }
-  g_array_set_size (mesh->faces, 0);
+  for (guint i = 0; i < bodies->len; i++)
+    if (bodies->len < 2 || is_plate (bodies->pdata[i]))
+      return;
+  g_ptr_array_extend_and_steal (meshes, g_steal_pointer (&bodies));
+  g_array_set_size (mesh->points, 0);
 }
 
-/* Takes out plates without thickness, such as a floor drawn as one face: they are no blocks. */
+/* Takes out plates without thickness, such as a floor drawn as one face: they are no blocks. Nor is what was
+ * taken apart. */
 static void
 drop_plates (GPtrArray *meshes, QnDrawing *drawing)
 {
   for (guint i = meshes->len; i-- > 0;) {
     const Mesh *mesh = meshes->pdata[i];
-    const guint *faces = (const guint *) (const void *) mesh->faces->data;
-    gboolean taken_apart = mesh->faces->len == 0;
-    gboolean plate = taken_apart || mesh->faces->len == faces[0] + 1;
-    for (int view = 0; view < (int) G_N_ELEMENTS (views); view++) {
-      double ends[2] = { 0 }, extent = extent_of (mesh, view, ends);
-      plate = plate || ends[1] - ends[0] <= PLANAR_TOLERANCE * extent;
-    }
-    if (!plate)
+    if (!is_plate (mesh))
       continue;
+    tell (drawing, _ ("meshes without thickness left out"), mesh->points->len > 0, FALSE);
     g_ptr_array_remove_index (meshes, i);
-    if (!taken_apart)
-      qn_drawing_note (drawing, _ ("meshes without thickness left out"), 0);
   }
 }
 
@@ -375,11 +385,8 @@ view_meshes (const GPtrArray *meshes, const char *name, QnDrawing *drawing,
   for (int view = 0; view < (int) G_N_ELEMENTS (views); view++) {
     g_autofree char *problem = add_view (meshes, view, drawing);
     if (problem == NULL) {
-      QnDrawingNote *note = qn_drawing_note (drawing, _ (views[view].text), 0);
-      note->count = meshes->len;
-      note->minor = view == 0;
-      if (first != NULL)
-        qn_drawing_note (drawing, first, 0);
+      tell (drawing, _ (views[view].text), meshes->len, view == 0);
+      tell (drawing, first, first != NULL, FALSE);
       return TRUE;
     }
     if (first == NULL)
@@ -394,6 +401,25 @@ view_meshes (const GPtrArray *meshes, const char *name, QnDrawing *drawing,
 }
 
 /* ---- files ---- */
+
+typedef struct Reading {
+  GPtrArray *meshes;
+  QnDrawing *drawing;
+  const char *name; /* of the file */
+  GError **error;
+} Reading;
+
+/* Of a vertex, or of a corner of a face. */
+static gboolean
+fail_mesh (const Reading *reading, guint line, const char *block, gboolean vertex)
+{
+  g_set_error (reading->error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s:%u: %s: %s",
+               reading->name, line, block,
+               vertex ? _ ("expected three coordinates of a vertex")
+                      : _ ("expected a face of three or more corners, each one of the "
+                           "vertices"));
+  return FALSE;
+}
 
 static const cJSON *
 member (const cJSON *object, const char *key)
@@ -432,45 +458,43 @@ transform (MeshPoint *p, const cJSON *matrix)
 }
 
 /* The mesh of a block: vertices and faces by keys. */
-static void
-take_mesh (GPtrArray *meshes, const cJSON *vertices, const cJSON *faces, const char *name,
-           gboolean support, double density, const cJSON *matrix)
+static gboolean
+take_mesh (const Reading *reading, const cJSON *vertices, const cJSON *faces,
+           const char *name, gboolean support, double density, const cJSON *matrix)
 {
-  Mesh *mesh = add_mesh (meshes, name, support, density);
+  Mesh *mesh = add_mesh (reading->meshes, name, support, density);
   g_autoptr (GHashTable) indices =
     g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
   guint next = 0;
   for (const cJSON *v = vertices->child; v != NULL; v = v->next, next++) {
     MeshPoint p = point_of (v);
     transform (&p, matrix);
+    if (!isfinite (p.at[0]) || !isfinite (p.at[1]) || !isfinite (p.at[2]))
+      return fail_mesh (reading, 1, name, TRUE);
     g_array_append_val (mesh->points, p);
     g_hash_table_insert (
       indices, v->string != NULL ? g_strdup (v->string) : g_strdup_printf ("%u", next),
       GUINT_TO_POINTER (next + 1));
   }
-  for (const cJSON *face = faces->child; face != NULL; face = face->next) {
-    guint start = mesh->faces->len, count = 0;
-    g_array_append_val (mesh->faces, count);
+  for (const cJSON *face = faces->child; face != NULL; face = face->next)
     for (const cJSON *entry = face->child; entry != NULL; entry = entry->next) {
       char key[32];
       g_snprintf (key, sizeof key, "%.0f", entry->valuedouble);
       guint index = GPOINTER_TO_UINT (
         g_hash_table_lookup (indices, cJSON_IsString (entry) ? entry->valuestring : key));
       if (index == 0)
-        continue;
-      index--;
-      g_array_append_val (mesh->faces, index);
-      count++;
+        return fail_mesh (reading, 1, name, FALSE);
+      add_corner (mesh, entry == face->child, index - 1);
     }
-    g_array_index (mesh->faces, guint, start) = count;
-  }
+  return TRUE;
 }
 
 /* Every mesh in the document that is no joint, whichever class has it: assemblies, networks, models with
- * elements. Support, density, name and place are those of what is nearest around it. In files of old assemblies the blocks stand beside the
- * nodes, which say what is a support. */
-static void
-collect (GPtrArray *meshes, const cJSON *item, const cJSON *nodes, const char *name,
+ * elements. Support, density, name and place are those of what is nearest around it. In files of old
+ * assemblies the blocks stand beside the nodes, which say what is a support. Nodes without a block are told
+ * where others have one. */
+static gboolean
+collect (const Reading *reading, const cJSON *item, const cJSON *nodes, const char *name,
          gboolean support, double density, const cJSON *matrix)
 {
   static const char *const joints[] = { "edge",       "edgedata", "adjacency",
@@ -489,76 +513,100 @@ collect (GPtrArray *meshes, const cJSON *item, const cJSON *nodes, const char *n
   if (cJSON_IsObject (placed))
     matrix = member (data != NULL ? data : placed, "matrix");
   /* Networks have their blocks in nodes, whatever else stands beside them. */
-  if (cJSON_GetArraySize (member (item, "node")) > 0) {
+  gboolean network = cJSON_GetArraySize (member (item, "node")) > 0;
+  if (network) {
     item = member (item, "node");
     support = FALSE;
   } else if (vertices != NULL && faces != NULL && cJSON_GetArraySize (faces) > 0) {
-    take_mesh (meshes, vertices, faces, name, support, density, matrix);
-    return;
+    return take_mesh (reading, vertices, faces, name, support, density, matrix);
   }
+  g_autoptr (GHashTable) idle = g_hash_table_new (g_str_hash, g_str_equal);
+  for (const cJSON *node = nodes != NULL ? nodes->child : NULL; node != NULL;
+       node = node->next)
+    g_hash_table_insert (idle, node->string, (gpointer) node);
   const cJSON *own = member (member (item, "assembly"), "vertex");
+  guint found = reading->meshes->len, without = 0;
   for (const cJSON *child = item->child; child != NULL; child = child->next) {
     if (child->string != NULL && g_strv_contains (joints, child->string))
       continue;
-    const cJSON *node = nodes != NULL ? member (nodes, child->string) : NULL;
+    const cJSON *node =
+      child->string != NULL ? g_hash_table_lookup (idle, child->string) : NULL;
     gboolean numbered = child->string != NULL && g_ascii_isdigit (child->string[0]);
     const char *inner = numbered ? child->string : name;
     const cJSON *title = member (child, "name");
+    guint before = reading->meshes->len;
     if (cJSON_IsString (title) && !numbered)
       inner = title->valuestring;
-    collect (meshes, child, child == blocks ? own : NULL, inner,
-             node != NULL ? cJSON_IsTrue (member (node, "is_support")) : support, density,
-             matrix);
+    if (!collect (reading, child, child == blocks && cJSON_IsObject (own) ? own : NULL,
+                  inner,
+                  node != NULL ? cJSON_IsTrue (member (node, "is_support")) : support,
+                  density, matrix))
+      return FALSE;
+    if (node != NULL)
+      g_hash_table_remove (idle, child->string);
+    without += reading->meshes->len == before;
   }
+  without += g_hash_table_size (idle);
+  if ((network || nodes != NULL) && reading->meshes->len > found)
+    tell (reading->drawing, _ ("nodes without a block left out"), without, FALSE);
+  return TRUE;
 }
 
-/* Wavefront's OBJ: an object or group is a block. */
-static void
-collect_objects (GPtrArray *meshes, const char *text)
+/* Adds the corners of "f 1 2/5 -1" behind its letter: a vertex by its number, or how far it is back. */
+static gboolean
+take_face (Mesh *mesh, const char *text, const GArray *points, GHashTable *indices)
 {
-  g_auto (GStrv) lines = g_strsplit_set (text, "\r\n", -1);
+  guint count = 0;
+  while (*(text += strspn (text, " \t")) != '\0') {
+    gint64 number = g_ascii_strtoll (text, NULL, 10);
+    gint64 index = number < 0 ? number + points->len : number - 1;
+    if (index < 0 || index >= points->len)
+      return FALSE;
+    copy_corner (mesh, count++ == 0, points, (guint) index, indices);
+    text += strcspn (text, " \t");
+  }
+  return count >= 3;
+}
+
+/* Wavefront's OBJ: an object or group is a block. A backslash at the end of a line continues it. */
+static gboolean
+collect_objects (const Reading *reading, const char *bytes, gsize size)
+{
+  gsize length;
+  g_autofree char *text = qn_text_decode (bytes, size, NULL, &length);
+  g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
   g_autoptr (GArray) points = g_array_new (FALSE, FALSE, sizeof (MeshPoint));
   g_autoptr (GHashTable) indices = g_hash_table_new (NULL, NULL);
   Mesh *mesh = NULL;
   g_autofree char *name = g_strdup ("1");
-  for (char **line = lines; *line != NULL; line++) {
-    if (g_str_has_prefix (*line, "v ")) {
+  for (guint i = 0; lines[i] != NULL; i++) {
+    guint number = i + 1;
+    g_autoptr (GString) line = g_string_new (lines[i]);
+    while (line->len > 0 && line->str[line->len - 1] == '\\') {
+      line->str[line->len - 1] = ' ';
+      g_string_append (line, lines[i + 1] != NULL ? lines[++i] : "");
+    }
+    if (g_str_has_prefix (line->str, "v ")) {
       MeshPoint p;
-      char *at = *line + 1;
-      for (int i = 0; i < 3; i++)
-        p.at[i] = g_ascii_strtod (at, &at);
+      const char *at = line->str + 1;
+      for (int axis = 0; axis < 3; axis++)
+        if (!qn_svg_next_number (&at, &p.at[axis]))
+          return fail_mesh (reading, number, name, TRUE);
       g_array_append_val (points, p);
-    } else if (g_str_has_prefix (*line, "o ") || g_str_has_prefix (*line, "g ")) {
+    } else if (g_str_has_prefix (line->str, "o ") || g_str_has_prefix (line->str, "g ")) {
       mesh = NULL;
       g_free (name);
-      name = g_strstrip (g_strdup (*line + 2));
-    } else if (g_str_has_prefix (*line, "f ")) {
+      name = g_strstrip (g_strdup (line->str + 2));
+    } else if (g_str_has_prefix (line->str, "f ")) {
       if (mesh == NULL) {
-        mesh = add_mesh (meshes, name, FALSE, 0);
+        mesh = add_mesh (reading->meshes, name, FALSE, 0);
         g_hash_table_remove_all (indices);
       }
-      g_auto (GStrv) corners = g_strsplit_set (*line + 2, " \t", -1);
-      guint start = mesh->faces->len, count = 0;
-      g_array_append_val (mesh->faces, count);
-      for (char **corner = corners; *corner != NULL; corner++) {
-        gint64 number = g_ascii_strtoll (*corner, NULL, 10);
-        gint64 index = number < 0 ? number + points->len : number - 1;
-        if (number == 0 || index < 0 || index >= points->len)
-          continue;
-        gpointer key = GUINT_TO_POINTER ((guint) index + 1);
-        guint own = GPOINTER_TO_UINT (g_hash_table_lookup (indices, key));
-        if (own == 0) {
-          g_array_append_val (mesh->points, g_array_index (points, MeshPoint, index));
-          own = mesh->points->len;
-          g_hash_table_insert (indices, key, GUINT_TO_POINTER (own));
-        }
-        own--;
-        g_array_append_val (mesh->faces, own);
-        count++;
-      }
-      g_array_index (mesh->faces, guint, start) = count;
+      if (!take_face (mesh, line->str + 2, points, indices))
+        return fail_mesh (reading, number, name, FALSE);
     }
   }
+  return TRUE;
 }
 
 gboolean
@@ -566,26 +614,26 @@ qn_compas_import (const char *text, gsize length, const char *name, QnDrawing *d
                   GError **error)
 {
   g_autoptr (GPtrArray) meshes = g_ptr_array_new_with_free_func (free_mesh);
+  const Reading reading = { meshes, drawing, name, error };
   const char *first = text + strspn (text, " \t\r\n");
   gboolean json = length == 0 || *first == '{' || *first == '[';
   cJSON *document = json ? qn_json_parse (text, length, name, error) : NULL;
   qn_drawing_init (drawing);
   drawing->unit = 1;
-  gboolean done = FALSE;
-  if (!json || document != NULL) {
-    if (json)
-      collect (meshes, document, NULL, "1", FALSE, 0, NULL);
-    else
-      collect_objects (meshes, text);
-    for (guint i = 0, count = meshes->len; i < count; i++)
-      split_bodies (meshes, i);
+  gboolean done = !json ? collect_objects (&reading, text, length)
+                  : document != NULL
+                    ? collect (&reading, document, NULL, "1", FALSE, 0, NULL)
+                    : FALSE;
+  for (guint i = 0, count = meshes->len; i < count && done; i++)
+    split_bodies (meshes, i);
+  if (done)
     drop_plates (meshes, drawing);
-    if (meshes->len == 0)
-      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                   _ ("%s:1: no assembly of blocks"), name);
-    else
-      done = view_meshes (meshes, name, drawing, error);
+  if (done && meshes->len == 0) {
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+                 _ ("%s:1: no assembly of blocks"), name);
+    done = FALSE;
   }
+  done = done && view_meshes (meshes, name, drawing, error);
   cJSON_Delete (document);
   if (!done)
     qn_drawing_clear (drawing);

@@ -219,16 +219,67 @@ test_density (void)
   g_assert_cmpfloat (g_array_index (drawing.paths, QnDrawingPath, 1).thickness, ==, 1);
 }
 
+/* A network and an old assembly with a node that has no block; the graph of a model, whose nodes have none. */
+static void
+test_nodes_without_block (void)
+{
+  g_autofree char *a = box (2, 1, 0.5, 0);
+  static const char *const forms[] = {
+    "{ \"node\": { \"0\": { \"block\": %s }, \"1\": { \"block\": null }, \"2\": {} } }",
+    "{ \"assembly\": { \"vertex\": { \"0\": {}, \"1\": {}, \"2\": {} } }, \"blocks\": "
+    "{ \"0\": %s } }",
+    "{ \"elements\": [ %s ], \"graph\": { \"node\": { \"0\": {}, \"1\": {} } } }"
+  };
+  for (guint i = 0; i < G_N_ELEMENTS (forms); i++) {
+    g_auto (QnDrawing) drawing;
+    g_autoptr (GString) text = g_string_new (forms[i]);
+    g_string_replace (text, "%s", a, 1);
+    g_assert_true (qn_compas_import (text->str, text->len, "test.json", &drawing, NULL));
+    g_assert_cmpuint (drawing.paths->len, ==, 1);
+    const QnDrawingNote *note = drawing.notes->pdata[0];
+    g_assert_cmpint (strcmp (note->text, "nodes without a block left out") == 0, ==,
+                     i < 2);
+    g_assert_cmpuint (note->count, ==, i < 2 ? 2 : 1);
+  }
+}
+
+/* Lines of OBJ that say less than they should, with their place; a line that goes on on the next one. */
+static void
+test_objects (void)
+{
+#define CORNER "expected a face of three or more corners, each one of the vertices"
+  static const char *const cases[][2] = {
+    { "v nan 0 0\n", "test.obj:1: 1: expected three coordinates of a vertex" },
+    { "v 1 2\n", "test.obj:1: 1: expected three coordinates of a vertex" },
+    { "o a\nv 0 \\\n0 0\nv 1 inf 0\n",
+      "test.obj:4: a: expected three coordinates of a vertex" },
+    { "o a\r\nv 0 0 0\r\nv 1 0 0\r\nf 1 2 999\r\n", "test.obj:4: a: " CORNER },
+    { "v 0 0 0\nv 1 0 0\nf 0 1 2\n", "test.obj:3: 1: " CORNER },
+    { "v 0 0 0\nv 1 0 0\nf -1 -2 -3\n", "test.obj:3: 1: " CORNER },
+    { "v 0 0 0\nv 1 0 0\nf 1 \\\n2\n", "test.obj:3: 1: " CORNER },
+    { "v 0 0 0\nf 1 1 one\n", "test.obj:2: 1: " CORNER },
+  };
+  for (guint i = 0; i < G_N_ELEMENTS (cases); i++)
+    parse (cases[i][0], cases[i][1], 0);
+  g_autoptr (GString) text = g_string_new (BOX ("a", "0", "1", "0", "1", "0", "1"));
+  g_string_replace (text, "f -8 -5 ", "f -8 \\\n-5 \\\n", 0);
+  parse (text->str,
+         "blocks as thick as in the file; seen from the front, along y; blocks; ", 1);
+}
+
 static void
 test_bad_files (void)
 {
   static const char *const texts[] = {
-    "{", "{}", "[]",
+    "{",
+    "{}",
+    "[]",
     "{ \"assembly\": { \"vertex\": { \"0\": {} } }, \"blocks\": "
     "{ \"0\": { \"vertex\": {}, \"face\": {} } } }",
     "{ \"assembly\": { \"vertex\": { \"0\": {} } }, \"blocks\": "
     "{ \"0\": { \"vertex\": [[0,0],[1]], \"face\": [[0,1,7]] } } "
-    "}"
+    "}",
+    "{ \"vertex\": [[0,0,0],[1,0,0]], \"face\": [[0,1,7]] }"
   };
   for (size_t i = 0; i < G_N_ELEMENTS (texts); i++) {
     QnDrawing drawing;
@@ -247,5 +298,7 @@ QN_TESTS
   g_test_add_func ("/compas-import/both-forms", test_both_forms);
   g_test_add_func ("/compas-import/holes", test_holes_and_inner_vertices);
   g_test_add_func ("/compas-import/density", test_density);
+  g_test_add_func ("/compas-import/nodes-without-block", test_nodes_without_block);
+  g_test_add_func ("/compas-import/objects", test_objects);
   g_test_add_func ("/compas-import/bad-files", test_bad_files);
 }
