@@ -165,6 +165,21 @@ pass_count (Reading *r)
   r->first++;
 }
 
+static gboolean
+fail_without_numbers (const Reading *r)
+{
+  gsize end = g_strv_length (r->lines);
+  while (end > 0 && is_passed_over (r->lines[end - 1]))
+    end--;
+  if (end == 0)
+    return fail (r, 0, _ ("record is empty: no line has numbers alone"));
+  const char *last = r->lines[end - 1];
+  g_autofree char *found = g_utf8_make_valid (last, (gssize) MIN (strlen (last), 40));
+  g_autofree char *message =
+    g_strdup_printf (_ ("no line has numbers alone; the last one is \"%s\""), found);
+  return fail (r, end, message);
+}
+
 /* Where the data begin: behind the line that announces them, else at the first line of numbers. */
 static gboolean
 find_data (Reading *r)
@@ -180,7 +195,7 @@ find_data (Reading *r)
              || count_numbers (r, r->lines[r->first], &first) == 0))
     r->first++;
   if (r->lines[r->first] == NULL)
-    return fail (r, 0, _ ("record is empty: no line has numbers alone"));
+    return fail_without_numbers (r);
   qn_record_heading_read (&r->heading, r->lines, r->first);
   pass_count (r);
   if (r->packed)
@@ -302,11 +317,23 @@ add_sample (Reading *r, gsize line, double time, double value)
   return TRUE;
 }
 
-/* Accelerations alone, any number in a line. */
+/* Of a number that ends here, with its letter: 4 of "1.07E-02". */
+static gsize
+exponent_length (const char *start, const char *end)
+{
+  const char *c = end;
+  while (c > start && strchr ("+-0123456789", c[-1]) != NULL)
+    c--;
+  return c > start && strchr ("eEdD", c[-1]) != NULL ? (gsize) (end - c) + 1 : 0;
+}
+
+/* Accelerations alone, any number in a line. A last number whose exponent alone is shorter than that of all
+ * others is cut. */
 static gboolean
 read_samples (Reading *r)
 {
-  gsize i = r->first;
+  gsize i = r->first, last_line = 0;
+  gsize first = 0, last = 0, others = 0; /* lengths of exponents; how many differ */
   if (!settle_unit (r, r->heading.unit_line, unit_of_heading (r))
       || !settle_time_step (r))
     return FALSE;
@@ -320,12 +347,19 @@ read_samples (Reading *r)
         && (qn_record_is_descriptor (at)
             || !strchr ("+-.0123456789", at[strspn (at, " ")])))
       break; /* the end mark, or velocities */
-    while (next_number (r, &at, &number, &bad))
+    for (const char *from = at; next_number (r, &at, &number, &bad); from = at) {
+      last = exponent_length (from, at);
+      last_line = i + 1;
+      first = r->points->len == 0 ? last : first;
+      others += last != first;
       if (!add_sample (r, i + 1, NAN, number))
         return FALSE;
+    }
     if (bad)
       return fail (r, i + 1, _ ("expected a number"));
   }
+  if (r->points->len == r->heading.count && others == 1 && last < first)
+    return fail (r, last_line, _ ("the file ends within its last number"));
   for (; r->lines[i] != NULL; i++)
     if (qn_record_is_descriptor (r->lines[i])
         && qn_record_quantity_of_name (r->lines[i]) == QN_RECORD_ACCELERATION)

@@ -65,6 +65,13 @@ test_at2 (void)
   assert_refused (cut, NULL, 0, "3 samples, and its heading states 6");
   g_autofree char *more = g_strconcat (text, "0\n", NULL);
   assert_refused (more, NULL, 0, "7 samples, and its heading states 6");
+  static const gsize cut_off[] = { 2, 5 }; /* "-.5000000E+0", "-.5000000" */
+  for (gsize i = 0; i < G_N_ELEMENTS (cut_off); i++) {
+    g_autofree char *within = g_strndup (text, strlen (text) - cut_off[i]);
+    assert_refused (within, NULL, 0, "r:6: the file ends within its last number");
+  }
+  assert_samples (parse ("unit: g\nNPTS=3, DT=1\n1e2\n2\n3\n", NULL, 0), 3, 2,
+                  3 * 9.80665);
   assert_refused ("unit: g\nNPTS=3\n0 0\n0.1 1\n", NULL, 0, "2 samples"); /* a table */
 }
 
@@ -279,6 +286,11 @@ test_headings (void)
   assert_refused ("DATA_TYPE: ACCELERATION SPECTRUM\nUNITS: g\n0 1\n1 2\n", NULL, 0,
                   "this is a spectrum");
   assert_refused ("<a>1 2</a>\n", NULL, 0, "no line has numbers alone");
+  assert_refused ("TIMESERIES XX_A_00_HNZ_D, 2 samples, TSPAIR, FLOAT, M/S**2\n"
+                  "2011-01-01T00:00:00.000000  1.5\n2011-01-01T00:00:00.010000  -2\n\n",
+                  NULL, 0,
+                  "r:3: no line has numbers alone; the last one is "
+                  "\"2011-01-01T00:00:00.010000  -2\"");
 }
 
 static void
