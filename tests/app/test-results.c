@@ -195,9 +195,36 @@ test_answer (void)
   driver_discard (window);
 }
 
+/* A tie is selected where the mechanism has moved it, and deleted there; one that is drawn nearly level is
+ * level, and its end on the edge of the wall. */
+static void
+test_tie (void)
+{
+  QnWindow *window = driver_open_example ("47-gable-with-tie.quoin");
+  solve (window, "win.run-limit::associative");
+  driver_activate (window, "win.view::mechanism");
+  driver_click (window, -1.5, 4.9);
+  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_TIE), ==, 0);
+  driver_screenshot (GTK_WIDGET (window), "tie-of-mechanism");
+  driver_key ("Delete");
+  g_assert_cmpuint (model_of (window)->tie_count, ==, 0);
+
+  driver_activate (window, "win.view::model");
+  driver_key ("k");
+  driver_drag (window, -1, 2.2, 0, 2.24);
+  g_assert_cmpuint (model_of (window)->tie_count, ==, 1);
+  const QnTieEnd *ends = model_of (window)->ties[0].ends;
+  const QnTieEnd *held = &ends[ends[0].block == QN_NONE];
+  g_assert_cmpint (held->block, !=, QN_NONE);
+  g_assert_cmpfloat_with_epsilon (held->at.x, 0, 1e-12);
+  g_assert_cmpfloat_with_epsilon (ends[0].at.y, ends[1].at.y, 1e-12);
+  driver_discard (window);
+}
+
 QN_TESTS
 {
   gtk_init ();
+  g_test_add_func ("/app/results/tie", test_tie);
   g_test_add_func ("/app/results/demand", test_demand);
   g_test_add_func ("/app/results/curve-of-sliding", test_curve_of_sliding);
   g_test_add_func ("/app/results/curve", test_curve);

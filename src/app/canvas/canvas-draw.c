@@ -197,62 +197,57 @@ qn_canvas_trace_line (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
   cairo_line_to (cr, t.x, t.y);
 }
 
-/* What the scene draws of a load, and the edges that it lies on. */
+/* What the scene draws of a load, bar or tie, where it is displaced too; of a load with the edges it lies on. */
 static void
-trace_load (QnCanvas *self, cairo_t *cr, gboolean live, QnId load)
+trace_item (QnCanvas *self, cairo_t *cr, QnItemKind kind, QnId item, gboolean displaced)
 {
+  static const QnPickKind picks[QN_ITEM_COUNT] = {
+    [QN_ITEM_DEAD_LOAD] = QN_PICK_DEAD_LOAD,
+    [QN_ITEM_LIVE_LOAD] = QN_PICK_LIVE_LOAD,
+    [QN_ITEM_BAR] = QN_PICK_BAR,
+    [QN_ITEM_TIE] = QN_PICK_TIE,
+  };
   const QnScene *scene = qn_canvas_get_scene (self);
   const QnModel *model = qn_canvas_get_model (self);
-  const QnPickKind pick = live ? QN_PICK_LIVE_LOAD : QN_PICK_DEAD_LOAD;
+  const gboolean live = kind == QN_ITEM_LIVE_LOAD;
   for (guint i = 0; scene != NULL && i < scene->commands->len; i++) {
     const QnCommand *command = qn_scene_command (scene, i);
     const QnVec2 *v = qn_scene_points (scene, command);
-    for (uint32_t k = 1; command->pick == pick && command->id == load
+    for (uint32_t k = 1; command->pick == picks[kind] && command->id == item
                          && command->kind == QN_COMMAND_STROKE && k < command->count;
          k++)
       qn_canvas_trace_line (self, cr, v[k - 1], v[k]);
   }
   gsize count = 0;
+  if (displaced || !(live || kind == QN_ITEM_DEAD_LOAD))
+    return;
+  qn_model_loads (model, live, &count);
+  if ((gsize) item >= count)
+    return;
   const QnEdgeForce *forces = qn_model_edge_forces_of (
-    model, (gsize) load + (live ? model->dead_load_count : 0), &count);
+    model, (gsize) item + (live ? model->dead_load_count : 0), &count);
   for (gsize i = 0; i < count; i++)
     qn_canvas_trace_line (self, cr, forces[i].ends[0], forces[i].ends[1]);
 }
 
-/* Beams along their axes, wider than these are drawn; so a bar, and the arrows of a load. */
+/* Beams along their axes, wider than these are drawn; so bars, ties and the arrows of loads. */
 static void
-draw_selected_lines (QnCanvas *self, cairo_t *cr)
+draw_selected_lines (QnCanvas *self, cairo_t *cr, gboolean displaced)
 {
   const QnModel *model = qn_canvas_get_model (self);
   guint count = 0;
   QnSelection *selection = qn_canvas_get_selection (self);
   const QnId *ids = qn_selection_get (selection, QN_PART_BEAM, &count);
-  for (guint i = 0; i < count; i++) {
+  for (guint i = 0; i < count && !displaced; i++) {
     if ((gsize) ids[i] >= model->beam_count)
       continue;
     const QnId *ends = model->beams[ids[i]].nodes;
     qn_canvas_trace_line (self, cr, model->nodes[ends[0]].at, model->nodes[ends[1]].at);
   }
-  QnId bar = qn_selection_get_item (selection, QN_ITEM_BAR);
-  for (gsize i = 0; bar != QN_NONE && (gsize) bar < model->bar_count
-                    && i < qn_bar_line_count (&model->bars[bar]);
-       i++) {
-    QnVec2 line_ends[2];
-    qn_bar_line (&model->bars[bar], i, line_ends);
-    qn_canvas_trace_line (self, cr, line_ends[0], line_ends[1]);
-  }
-  QnId tie = qn_selection_get_item (selection, QN_ITEM_TIE);
-  if (tie != QN_NONE && (gsize) tie < model->tie_count)
-    qn_canvas_trace_line (self, cr, model->ties[tie].ends[0].at,
-                          model->ties[tie].ends[1].at);
-  for (int live = 0; live < 2; live++) {
-    QnId load =
-      qn_selection_get_item (selection, live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD);
-    gsize loads;
-    qn_model_loads (model, live, &loads);
-    if (load != QN_NONE && (gsize) load < loads)
-      trace_load (self, cr, live, load);
-  }
+  QnItemKind kind;
+  const QnId item = qn_selection_get_any_item (selection, &kind);
+  if (item != QN_NONE)
+    trace_item (self, cr, kind, item, displaced);
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
   const QnColor c = qn_ink (QN_INK_SELECTION, false);
   GdkRGBA ink = { c.r / 255.0f, c.g / 255.0f, c.b / 255.0f, 1.0f }, halo = ink;
@@ -303,6 +298,7 @@ draw_selection (QnCanvas *self, cairo_t *cr)
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
   cairo_stroke (cr);
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
+  draw_selected_lines (self, cr, displaced);
 }
 
 /* A warning triangle at the place of each finding. */
@@ -642,7 +638,6 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
   if (undeformed) {
     qn_gap_marks_draw (&self->gaps, &self->camera, cr);
     draw_initial (self, cr);
-    draw_selected_lines (self, cr);
     draw_findings (self, cr);
   }
   if (scene != NULL)

@@ -38,8 +38,10 @@ make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers,
     self->hit.point = qn_vec2 (round (self->hit.point.x / round_to) * round_to,
                                round (self->hit.point.y / round_to) * round_to);
   }
-  return (QnToolEvent){ self->pointer, qn_camera_to_model (&self->camera, self->pointer),
-                        self->hit.point, modifiers, press_count };
+  return (
+    QnToolEvent){ self->pointer,   qn_camera_to_model (&self->camera, self->pointer),
+                  self->hit.point, self->hit,
+                  modifiers,       press_count };
 }
 
 /* What the tool does with an event, if anything. */

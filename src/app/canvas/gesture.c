@@ -1,5 +1,6 @@
 #include "app/canvas/gesture.h"
 
+#include "app/widgets/settings.h"
 #include <math.h>
 
 /* Objects with more blocks are drawn as a frame while they are dragged. */
@@ -9,6 +10,10 @@
 #define LABEL_ASIDE 10.0
 
 #define ANGLE_STEP (G_PI / 12.0)
+
+/* A line is level or upright within so many px and this part of its length. */
+#define STRAIGHT_PX   9.0
+#define STRAIGHT_PART 0.1
 
 static void
 complete (QnCanvas *canvas)
@@ -37,13 +42,32 @@ qn_gesture_motion (QnCanvas *canvas, const QnToolEvent *event)
     qn_canvas_get_gesture (canvas)->to = event->point;
 }
 
+/* Where a line ends that is level or upright but for a few px: it is so then, unless a corner, node or middle is
+ * meant, or an edge that it would leave. */
+static QnVec2
+straighten (QnCanvas *canvas, const QnToolEvent *event)
+{
+  const QnVec2 from = qn_canvas_get_gesture (canvas)->from, to = event->point;
+  const QnVec2 edge = qn_vec2_sub (event->hit.b, event->hit.a);
+  const double x = fabs (to.x - from.x), y = fabs (to.y - from.y);
+  const double reach = STRAIGHT_PX / qn_canvas_get_camera (canvas)->scale;
+  const QnMagnetKind kind = event->hit.kind;
+  if (!qn_canvas_snaps (canvas) || (kind != QN_MAGNET_NOTHING && kind < QN_MAGNET_EDGE))
+    return to;
+  if (y < fmin (reach, STRAIGHT_PART * x) && (kind != QN_MAGNET_EDGE || edge.x == 0.0))
+    return qn_vec2 (to.x, from.y);
+  if (x < fmin (reach, STRAIGHT_PART * y) && (kind != QN_MAGNET_EDGE || edge.y == 0.0))
+    return qn_vec2 (from.x, to.y);
+  return to;
+}
+
 void
 qn_gesture_motion_straight (QnCanvas *canvas, const QnToolEvent *event)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
   if (!qn_canvas_is_in_gesture (canvas))
     return;
-  gesture->to = event->point;
+  gesture->to = straighten (canvas, event);
   if ((event->modifiers & GDK_SHIFT_MASK) == 0)
     return;
   QnVec2 d = qn_vec2_sub (event->model, gesture->from);
@@ -203,6 +227,14 @@ qn_gesture_draw_words (QnCanvas *canvas, cairo_t *cr, const char *text, QnVec2 a
                         qn_vec2 (screen.x + LABEL_ASIDE, screen.y + LABEL_ASIDE));
 }
 
+char *
+qn_gesture_dup_angle (const QnGesture *gesture)
+{
+  const QnVec2 way = qn_vec2_sub (gesture->to, gesture->from);
+  return qn_units_format_full (qn_settings_get_units (), QN_QUANTITY_ANGLE,
+                               atan2 (way.y, way.x), 4);
+}
+
 void
 qn_gesture_draw_held (QnCanvas *canvas, cairo_t *cr,
                       char *(*dup_text) (const QnModel *model, QnVec2 at))
@@ -211,7 +243,10 @@ qn_gesture_draw_held (QnCanvas *canvas, cairo_t *cr,
   const QnVec2 ends[] = { gesture->from, gesture->to };
   qn_gesture_draw_line (canvas, cr, ends[0], ends[1]);
   for (gsize i = 0; i < G_N_ELEMENTS (ends); i++) {
-    g_autofree char *text = dup_text (qn_canvas_get_model (canvas), ends[i]);
+    g_autofree char *held = dup_text (qn_canvas_get_model (canvas), ends[i]);
+    g_autofree char *angle = qn_gesture_dup_angle (gesture);
+    g_autofree char *text =
+      i == 0 ? g_steal_pointer (&held) : g_strdup_printf ("%s; %s", angle, held);
     /* Beside the length, which stands at the middle of the line. */
     const double aside =
       i == 0 && ends[1].y <= ends[0].y ? -3 * LABEL_ASIDE : LABEL_ASIDE;

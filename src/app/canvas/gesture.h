@@ -8,7 +8,8 @@
 /* For QnTool.press, .motion and .release. */
 void qn_gesture_press (QnCanvas *canvas, const QnToolEvent *event);
 void qn_gesture_motion (QnCanvas *canvas, const QnToolEvent *event);
-/* The same, held to multiples of 15 degrees while Shift is pressed. */
+/* The same, level or upright where it is nearly so, and held to multiples of 15 degrees while Shift is
+ * pressed. */
 void qn_gesture_motion_straight (QnCanvas *canvas, const QnToolEvent *event);
 void qn_gesture_release (QnCanvas *canvas, const QnToolEvent *event);
 
@@ -50,6 +51,9 @@ void qn_gesture_draw_line (QnCanvas *canvas, cairo_t *cr, QnVec2 a, QnVec2 b);
 
 /* Words beside a point. */
 void qn_gesture_draw_words (QnCanvas *canvas, cairo_t *cr, const char *text, QnVec2 at);
+
+/* The angle of the way from gesture.from to gesture.to, in words; the caller frees it. */
+char *qn_gesture_dup_angle (const QnGesture *gesture);
 
 /* A line with words beside its ends: what each is held by, as `dup_text` says. */
 void qn_gesture_draw_held (QnCanvas *canvas, cairo_t *cr,

@@ -21,6 +21,7 @@ typedef struct QnToolEvent {
   QnVec2 screen; /* px of the canvas */
   QnVec2 model;  /* m, exactly there */
   QnVec2 point;  /* m, where the magnet puts it */
+  QnMagnetHit hit;
   GdkModifierType modifiers;
   int press_count;
 } QnToolEvent;

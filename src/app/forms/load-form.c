@@ -454,6 +454,17 @@ show_list (Form *form, int32_t list)
   form->shown = list;
 }
 
+/* The sideways weight that new drawings grow by goes where it is alone: a vehicle is not meant to grow with it. */
+static gboolean
+make_room (QnModel *model, GError **error)
+{
+  const QnLoad *load = qn_model_get_load (model, 0, 0);
+  if (qn_model_count_loads (model, 0) != 1 || load->kind != QN_LOAD_WEIGHT
+      || load->vector.x != 1.0 || load->vector.y != 0.0)
+    return TRUE;
+  return qn_edit_remove_load (model, 0, 0, error);
+}
+
 static gboolean
 add (Form *form, QnModel *model, guint field, GError **error)
 {
@@ -475,6 +486,7 @@ add (Form *form, QnModel *model, guint field, GError **error)
   if ((field == ADD_FORCE && !make_force (form, model, &load, error))
       || (field == ADD_LINE && !make_line (form, &load, error))
       || (field == ADD_SETTLEMENT && !make_settlement (form, model, &load, error))
+      || (field == ADD_VEHICLE && list == 0 && !make_room (model, error))
       || !qn_edit_append_load (model, list, load, error))
     return FALSE;
   if (list != form->shown)

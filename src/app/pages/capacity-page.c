@@ -477,7 +477,10 @@ static QnPlot *
 make_plot (gpointer data, gboolean zoomed, char **message)
 {
   const Form *form = data;
-  return form->found ? qn_capacity_answer_plot (&form->answer) : NULL;
+  if (form->found)
+    return qn_capacity_answer_plot (&form->answer);
+  *message = g_strdup (_ ("Choose a spectrum, then compute the curve: it appears here."));
+  return NULL;
 }
 
 /* Takes up what the project keeps; what it does not say is as at first. */

@@ -65,10 +65,10 @@ find_selected (QnCanvas *canvas, Put *put)
 {
   QnSelection *selection = qn_canvas_get_selection (canvas);
   const QnModel *model = qn_canvas_get_model (canvas);
-  put->live = qn_selection_get_item (selection, QN_ITEM_LIVE_LOAD) != QN_NONE;
-  put->load =
-    qn_selection_get_item (selection, put->live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD);
-  return put->load != QN_NONE
+  QnItemKind kind;
+  put->load = qn_selection_get_any_item (selection, &kind);
+  put->live = kind == QN_ITEM_LIVE_LOAD;
+  return put->load != QN_NONE && (put->live || kind == QN_ITEM_DEAD_LOAD)
          && qn_model_loads (model, put->live, NULL)[put->load].kind == QN_LOAD_EDGE;
 }
 

@@ -80,9 +80,7 @@ draw (QnCanvas *canvas, cairo_t *cr)
   QnUnits units = qn_settings_get_units ();
   g_autofree char *size = qn_units_format_full (
     units, QN_QUANTITY_FORCE, qn_canvas_get_tool_settings (canvas)->force, 4);
-  QnVec2 way = qn_vec2_sub (gesture->to, gesture->from);
-  g_autofree char *turned =
-    qn_units_format_full (units, QN_QUANTITY_ANGLE, atan2 (way.y, way.x), 4);
+  g_autofree char *turned = qn_gesture_dup_angle (gesture);
   g_autofree char *text = g_strdup_printf ("%s; %s", size, turned);
   qn_gesture_draw_words (canvas, cr, text, gesture->to);
 }

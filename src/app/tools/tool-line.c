@@ -1,5 +1,6 @@
-/* What is drawn as a line from point to point: reinforcing bars across joints, and ties, an end of which
- * is fixed to the block that it lies on, elsewhere to the ground. */
+/* What is drawn as a line from point to point: beams, reinforcing bars across joints, ties, and
+ * mirrors. An end of a beam
+ * or tie on a block, or of a beam on another, is held there, elsewhere free or on the ground. */
 #include "app/canvas/gesture.h"
 #include "app/tools/tools.h"
 
@@ -7,31 +8,54 @@
 #include "doc/edit/edit-tie.h"
 #include <glib/gi18n.h>
 
+static gboolean
+add_beam (QnCanvas *canvas, QnDraft *draft, QnVec2 from, QnVec2 to)
+{
+  const QnToolSettings *settings = qn_canvas_get_tool_settings (canvas);
+  g_autofree char *section = g_strdup (settings->section);
+  const QnBeamStyle style = { .section = section,
+                              .hinge = { settings->hinges[0], settings->hinges[1] },
+                              .element_count = settings->elements };
+  return qn_edit_add_beam (draft->model, from, to, style, &draft->error);
+}
+
+/* What is new is selected, so that its handles and numbers are there. */
 static void
 complete (QnCanvas *canvas)
 {
-  const gboolean tie = qn_canvas_get_tool (canvas) == &qn_tool_tie;
+  const QnTool *tool = qn_canvas_get_tool (canvas);
+  const gboolean tie = tool == &qn_tool_tie, beam = tool == &qn_tool_beam;
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   const QnVec2 from = gesture->from, to = gesture->to;
   QnDraft draft;
   qn_canvas_set_in_gesture (canvas, FALSE);
   if ((from.x == to.x && from.y == to.y) || !qn_canvas_begin_edit (canvas, &draft)
-      || !qn_canvas_end_edit (canvas, &draft, tie ? _ ("Add Tie") : _ ("Add Bar"), NULL,
-                              (tie ? qn_edit_draw_tie : qn_edit_draw_bar) (
-                                draft.model, from, to, &draft.error)))
+      || !qn_canvas_end_edit (canvas, &draft,
+                              beam  ? _ ("Add Beam")
+                              : tie ? _ ("Add Tie")
+                                    : _ ("Add Bar"),
+                              NULL,
+                              beam ? add_beam (canvas, &draft, from, to)
+                                   : (tie ? qn_edit_draw_tie : qn_edit_draw_bar) (
+                                     draft.model, from, to, &draft.error)))
     return;
-  /* What is new is selected, so that its numbers are there. */
+  QnSelection *selection = qn_canvas_get_selection (canvas);
   const QnModel *model = qn_canvas_get_model (canvas);
   const gsize count = tie ? model->tie_count : model->bar_count;
-  qn_selection_set_item (qn_canvas_get_selection (canvas),
-                         tie ? QN_ITEM_TIE : QN_ITEM_BAR, (QnId) count - 1);
+  const QnId last = (QnId) (beam ? model->beam_count : count) - 1;
+  if (beam)
+    qn_selection_set (selection, QN_PART_BEAM, &last, 1);
+  else
+    qn_selection_set_item (selection, tie ? QN_ITEM_TIE : QN_ITEM_BAR, last);
 }
 
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  g_autofree char *angle = qn_gesture_dup_angle (gesture);
   qn_gesture_draw_line (canvas, cr, gesture->from, gesture->to);
+  qn_gesture_draw_words (canvas, cr, angle, gesture->to);
 }
 
 static void
@@ -39,6 +63,56 @@ draw_tie (QnCanvas *canvas, cairo_t *cr)
 {
   qn_gesture_draw_held (canvas, cr, qn_tie_end_dup_text);
 }
+
+static void
+draw_beam (QnCanvas *canvas, cairo_t *cr)
+{
+  qn_gesture_draw_held (canvas, cr, qn_beam_end_dup_text);
+}
+
+static void
+complete_mirror (QnCanvas *canvas)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnVec2 a = gesture->from, b = gesture->to;
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  if (a.x != b.x || a.y != b.y)
+    qn_canvas_transform (canvas, _ ("Mirror"), NULL, qn_transform_mirror (a, b),
+                         qn_canvas_get_tool_settings (canvas)->mirror_copy ? 1 : 0);
+}
+
+static void
+draw_mirror (QnCanvas *canvas, cairo_t *cr)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  qn_gesture_draw_moved (canvas, cr, qn_transform_mirror (gesture->from, gesture->to));
+  draw (canvas, cr);
+}
+
+/* Control, or the switch in the panel, keeps the original. */
+const QnTool qn_tool_mirror = {
+  .name = "mirror",
+  .icon = "quoin-mirror-symbolic",
+  .label = N_ ("Mirror"),
+  .hint = N_ ("Drag the line about which to mirror what is selected; Shift holds it "
+              "straight"),
+  .accel = "y",
+  QN_GESTURE_LINE,
+  .complete = complete_mirror,
+  .draw = draw_mirror,
+};
+
+const QnTool qn_tool_beam = {
+  .name = "beam",
+  .icon = "quoin-beam-symbolic",
+  .label = N_ ("Beam"),
+  .hint = N_ ("Drag from end to end; an end on a block or on another beam is held there; "
+              "Shift holds it straight"),
+  .accel = "b",
+  QN_GESTURE_LINE,
+  .complete = complete,
+  .draw = draw_beam,
+};
 
 const QnTool qn_tool_bar = {
   .name = "bar",

@@ -37,17 +37,11 @@ release (QnCanvas *canvas, const QnToolEvent *event)
     gesture->dragging = FALSE;
 }
 
-/* Marks off a length in the pointer's direction, or at an angle. */
-static gboolean
-numbers (QnCanvas *canvas, const double *values, int count)
+/* A length is marked off in the pointer's direction, or at an angle. */
+static void
+complete (QnCanvas *canvas)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  QnVec2 way;
-  if (!qn_gesture_typed_way (gesture, values, count, &way))
-    return FALSE;
-  gesture->to = qn_vec2_add (gesture->from, way);
-  gesture->dragging = FALSE;
-  return TRUE;
+  qn_canvas_get_gesture (canvas)->dragging = FALSE;
 }
 
 static void
@@ -74,6 +68,7 @@ const QnTool qn_tool_measure = {
   .press = press,
   .motion = motion,
   .release = release,
-  .numbers = numbers,
+  .numbers = qn_gesture_line_numbers,
+  .complete = complete,
   .draw = draw,
 };

@@ -124,36 +124,25 @@ press_on_face (QnCanvas *canvas, const QnToolEvent *event)
 
 /* ---- loads, bars, ties ---- */
 
-/* px: a bar or tie this near to the pointer is meant. */
-#define BAR_PX 5.0
-
-/* The load, bar or tie under the pointer. Loads in weights are chosen in the list: their arrows lie in the
- * middle of blocks, where these are taken hold of. */
+/* The load, bar or tie under the pointer; bars and ties also where a result has moved them. Loads in weights
+ * are chosen in the list: their arrows lie in the middle of blocks, where these are taken hold of. */
 static gboolean
 select_item (QnCanvas *canvas, QnVec2 screen)
 {
-  QnSelection *selection = qn_canvas_get_selection (canvas);
   const QnModel *model = qn_canvas_get_model (canvas);
-  const QnCamera *camera = qn_canvas_get_camera (canvas);
   QnPick pick =
     qn_canvas_pick (canvas, screen, 1u << QN_PICK_DEAD_LOAD | 1u << QN_PICK_LIVE_LOAD);
-  gboolean live = pick.kind == QN_PICK_LIVE_LOAD;
-  if (!shows_undeformed (canvas))
-    return FALSE;
-  if (pick.kind != QN_PICK_NOTHING && pick.id != QN_NONE
-      && qn_model_loads (model, live, NULL)[pick.id].kind != QN_LOAD_WEIGHT) {
-    qn_selection_set_item (selection, live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD,
-                           pick.id);
-    return TRUE;
+  const gboolean live = pick.kind == QN_PICK_LIVE_LOAD;
+  QnItemKind kind = live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD;
+  if (!shows_undeformed (canvas) || pick.id == QN_NONE
+      || qn_model_loads (model, live, NULL)[pick.id].kind == QN_LOAD_WEIGHT) {
+    pick = qn_canvas_pick (canvas, screen, 1u << QN_PICK_BAR | 1u << QN_PICK_TIE);
+    kind = pick.kind == QN_PICK_TIE ? QN_ITEM_TIE : QN_ITEM_BAR;
   }
-  const QnVec2 at = qn_camera_to_model (camera, screen);
-  QnId bar = qn_model_find_bar (model, at, BAR_PX / camera->scale);
-  QnId tie = qn_model_find_tie_near (model, at, BAR_PX / camera->scale);
-  if (bar != QN_NONE)
-    qn_selection_set_item (selection, QN_ITEM_BAR, bar);
-  else if (tie != QN_NONE)
-    qn_selection_set_item (selection, QN_ITEM_TIE, tie);
-  return bar != QN_NONE || tie != QN_NONE;
+  if (pick.id == QN_NONE || !shows_document (canvas))
+    return FALSE;
+  qn_selection_set_item (qn_canvas_get_selection (canvas), kind, pick.id);
+  return TRUE;
 }
 
 /* Where the button is let go without a drag: a load, a bar, or in the view of the model a joint. */
@@ -169,18 +158,24 @@ click (QnCanvas *canvas, const QnToolEvent *event)
     qn_selection_set_face (qn_canvas_get_selection (canvas), face);
 }
 
-/* The document's block of the same name as one that the view shows, or QN_NONE. */
-static QnId
-to_document (QnCanvas *canvas, QnId block)
+/* The block or beam under the pointer, by its number in the document, which has it under the same name; QN_NONE:
+ * not any more. FALSE: there is none. */
+static gboolean
+part_under (QnCanvas *canvas, QnVec2 screen, QnPartKind *part, QnId *id)
 {
-  const QnModel *shown;
+  const QnModel *shown, *model = qn_canvas_get_model (canvas);
   const QnContacts *contacts;
   const QnResult *result;
-  if (shows_document (canvas)
-      || !qn_view_state_get_content (qn_canvas_get_state (canvas), &shown, &contacts,
-                                     &result))
-    return block;
-  return qn_model_find_block (qn_canvas_get_model (canvas), shown->blocks[block].name);
+  QnPick pick = qn_canvas_pick (canvas, screen, 1u << QN_PICK_BLOCK | 1u << QN_PICK_BEAM);
+  *part = pick.kind == QN_PICK_BEAM ? QN_PART_BEAM : QN_PART_BLOCK;
+  *id = pick.id;
+  if (pick.kind != QN_PICK_NOTHING && !shows_document (canvas)
+      && qn_view_state_get_content (qn_canvas_get_state (canvas), &shown, &contacts,
+                                    &result))
+    *id = *part == QN_PART_BEAM
+            ? qn_model_find_beam (model, shown->beams[pick.id].name)
+            : qn_model_find_block (model, shown->blocks[pick.id].name);
+  return pick.kind != QN_PICK_NOTHING;
 }
 
 /* ---- openings and handles ---- */
@@ -228,16 +223,11 @@ press (QnCanvas *canvas, const QnToolEvent *event)
   }
   if (press_on_face (canvas, event))
     return;
-  QnPick pick =
-    qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK | 1u << QN_PICK_BEAM);
-  if (pick.kind == QN_PICK_BEAM) {
-    press_on_part (canvas, QN_PART_BEAM, pick.id, event);
-    return;
-  }
-  if (pick.kind == QN_PICK_BLOCK) {
-    QnId block = to_document (canvas, pick.id);
-    if (block != QN_NONE)
-      press_on_part (canvas, QN_PART_BLOCK, block, event);
+  QnPartKind part;
+  QnId id;
+  if (part_under (canvas, event->screen, &part, &id)) {
+    if (id != QN_NONE)
+      press_on_part (canvas, part, id, event);
     return;
   }
   if (press_on_opening (canvas, event))
@@ -285,16 +275,11 @@ qn_tool_select_under (QnCanvas *canvas, QnVec2 screen)
       qn_selection_set_face (selection, face);
     return;
   }
-  QnPick pick = qn_canvas_pick (canvas, screen, 1u << QN_PICK_BLOCK | 1u << QN_PICK_BEAM);
-  QnId block = pick.kind == QN_PICK_BLOCK ? to_document (canvas, pick.id) : QN_NONE;
-  if (block != QN_NONE) {
-    if (!qn_selection_has (selection, QN_PART_BLOCK, block))
-      qn_selection_set (selection, QN_PART_BLOCK, &block, 1);
-    return;
-  }
-  if (pick.kind == QN_PICK_BEAM && shows_document (canvas)) {
-    if (!qn_selection_has (selection, QN_PART_BEAM, pick.id))
-      qn_selection_set (selection, QN_PART_BEAM, &pick.id, 1);
+  QnPartKind part;
+  QnId id;
+  if (part_under (canvas, screen, &part, &id) && id != QN_NONE) {
+    if (!qn_selection_has (selection, part, id))
+      qn_selection_set (selection, part, &id, 1);
     return;
   }
   qn_selection_clear (selection);

@@ -13,14 +13,13 @@ static void
 update (Panel *panel)
 {
   QnSelection *selection = qn_canvas_get_selection (panel->canvas);
-  gboolean item = FALSE, empty = qn_selection_is_empty (selection);
-  for (int kind = 0; kind < QN_ITEM_COUNT; kind++)
-    item = item || qn_selection_get_item (selection, (QnItemKind) kind) != QN_NONE;
+  QnItemKind kind;
+  const gboolean item = qn_selection_get_any_item (selection, &kind) != QN_NONE;
   gtk_label_set_text (GTK_LABEL (panel->hint),
                       item ? _ ("Numbers of loads, bars and ties are under Analysis.")
                            : _ ("Select blocks, beams or an opening, or joints in the "
                                 "contacts view, to change them here."));
-  gtk_widget_set_visible (panel->hint, item || empty);
+  gtk_widget_set_visible (panel->hint, item || qn_selection_is_empty (selection));
 }
 
 GtkWidget *

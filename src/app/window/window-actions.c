@@ -309,9 +309,8 @@ find_facts (QnWindow *self)
   qn_selection_get (selection, QN_PART_BLOCK, &blocks);
   qn_selection_get (selection, QN_PART_BEAM, &beams);
   gboolean opening = qn_selection_get_opening (selection, &object, &number);
-  gboolean item = FALSE;
-  for (QnItemKind kind = 0; kind < QN_ITEM_COUNT; kind++)
-    item = item || qn_selection_get_item (selection, kind) != QN_NONE;
+  QnItemKind kind;
+  gboolean item = qn_selection_get_any_item (selection, &kind) != QN_NONE;
   const struct {
     gboolean holds;
     QnNeeds fact;

@@ -61,61 +61,48 @@ selected_opening (QnWindow *self, OpeningEdit *edit)
 
 /* ---- loads and bars ---- */
 
-typedef struct ItemEdit {
-  QnItemKind kind;
-  QnId item;
-} ItemEdit;
+/* Names of the steps that remove and copy one. */
+static const char *const item_steps[QN_ITEM_COUNT][2] = {
+  [QN_ITEM_DEAD_LOAD] = { N_ ("Remove Load"), N_ ("Duplicate Load") },
+  [QN_ITEM_LIVE_LOAD] = { N_ ("Remove Load"), N_ ("Duplicate Load") },
+  [QN_ITEM_BAR] = { N_ ("Remove Bar"), N_ ("Duplicate Bar") },
+  [QN_ITEM_TIE] = { N_ ("Remove Tie"), N_ ("Duplicate Tie") },
+};
 
+/* Removes or copies the selected one, and selects the copy: that of a load is behind it, that of a bar or tie the
+ * last one. FALSE where none is selected. */
 static gboolean
-selected_item (QnWindow *self, ItemEdit *edit)
+edit_item (QnWindow *self, gboolean copy)
 {
   QnSelection *selection = qn_document_get_selection (self->document);
-  for (edit->kind = 0; edit->kind < QN_ITEM_COUNT; edit->kind++) {
-    edit->item = qn_selection_get_item (selection, edit->kind);
-    if (edit->item != QN_NONE)
-      return TRUE;
-  }
-  return FALSE;
-}
-
-static gboolean
-delete_item (QnModel *model, const ItemEdit *edit, GError **error)
-{
-  if (edit->kind == QN_ITEM_BAR)
-    return qn_edit_remove_bar (model, edit->item, error);
-  if (edit->kind == QN_ITEM_TIE)
-    return qn_edit_remove_tie (model, edit->item, error);
-  return qn_edit_delete_load (model, edit->kind == QN_ITEM_LIVE_LOAD, edit->item, error);
-}
-
-static gboolean
-copy_item (QnModel *model, const ItemEdit *edit, GError **error)
-{
-  if (edit->kind == QN_ITEM_BAR)
-    return qn_edit_duplicate_bar (model, edit->item, error);
-  if (edit->kind == QN_ITEM_TIE)
-    return qn_edit_duplicate_tie (model, edit->item, error);
-  return qn_edit_duplicate_load (model, edit->kind == QN_ITEM_LIVE_LOAD, edit->item,
-                                 error);
-}
-
-/* The copy is selected: that of a load is behind it, that of a bar or tie the last one. */
-static void
-duplicate_item (QnWindow *self, ItemEdit edit)
-{
-  const char *name = edit.kind == QN_ITEM_BAR   ? _ ("Duplicate Bar")
-                     : edit.kind == QN_ITEM_TIE ? _ ("Duplicate Tie")
-                                                : _ ("Duplicate Load");
+  QnItemKind kind;
+  const QnId item = qn_selection_get_any_item (selection, &kind);
+  gboolean done;
   QnDraft draft;
-  if (!qn_canvas_begin_edit (self->canvas, &draft)
-      || !qn_canvas_end_edit (self->canvas, &draft, name, NULL,
-                              copy_item (draft.model, &edit, &draft.error)))
-    return;
-  const QnModel *model = qn_document_get_model (self->document);
-  QnId copy = edit.kind == QN_ITEM_BAR   ? (QnId) model->bar_count - 1
-              : edit.kind == QN_ITEM_TIE ? (QnId) model->tie_count - 1
-                                         : edit.item + 1;
-  qn_selection_set_item (qn_document_get_selection (self->document), edit.kind, copy);
+  if (item == QN_NONE)
+    return FALSE;
+  if (!copy)
+    qn_selection_clear (selection);
+  if (!qn_canvas_begin_edit (self->canvas, &draft))
+    return TRUE;
+  if (kind == QN_ITEM_BAR)
+    done = (copy ? qn_edit_duplicate_bar : qn_edit_remove_bar) (draft.model, item,
+                                                                &draft.error);
+  else if (kind == QN_ITEM_TIE)
+    done = (copy ? qn_edit_duplicate_tie : qn_edit_remove_tie) (draft.model, item,
+                                                                &draft.error);
+  else
+    done = (copy ? qn_edit_duplicate_load : qn_edit_delete_load) (
+      draft.model, kind == QN_ITEM_LIVE_LOAD, item, &draft.error);
+  if (qn_canvas_end_edit (self->canvas, &draft, _ (item_steps[kind][copy]), NULL, done)
+      && copy) {
+    const QnModel *model = qn_document_get_model (self->document);
+    qn_selection_set_item (selection, kind,
+                           kind == QN_ITEM_BAR   ? (QnId) model->bar_count - 1
+                           : kind == QN_ITEM_TIE ? (QnId) model->tie_count - 1
+                                                 : item + 1);
+  }
+  return TRUE;
 }
 
 /* ---- actions ---- */
@@ -124,28 +111,19 @@ static void
 delete_selected (QnWindow *self, GVariant *parameter)
 {
   OpeningEdit opening = { 0 };
-  ItemEdit item;
-  gboolean is_item = selected_item (self, &item);
-  gboolean is_opening = !is_item && selected_opening (self, &opening), done;
-  QnPartSet parts = qn_canvas_get_parts (self->canvas);
-  const char *name = is_opening                 ? _ ("Fill Opening")
-                     : !is_item                 ? _ ("Delete")
-                     : item.kind == QN_ITEM_BAR ? _ ("Remove Bar")
-                     : item.kind == QN_ITEM_TIE ? _ ("Remove Tie")
-                                                : _ ("Remove Load");
+  const gboolean is_opening = selected_opening (self, &opening);
+  const QnPartSet parts = qn_canvas_get_parts (self->canvas);
   QnDraft draft;
-  if (is_item || is_opening)
-    qn_selection_clear (qn_document_get_selection (self->document));
-  if (!qn_canvas_begin_edit (self->canvas, &draft))
+  if (edit_item (self, FALSE))
     return;
-  if (is_item)
-    done = delete_item (draft.model, &item, &draft.error);
-  else if (is_opening)
-    done = qn_edit_remove_opening (&draft.project, opening.object,
-                                   (gsize) opening.opening, &draft.error);
-  else
-    done = qn_edit_delete_all (draft.model, parts, &draft.error);
-  qn_canvas_end_edit (self->canvas, &draft, name, NULL, done);
+  if (is_opening)
+    qn_selection_clear (qn_document_get_selection (self->document));
+  if (qn_canvas_begin_edit (self->canvas, &draft))
+    qn_canvas_end_edit (
+      self->canvas, &draft, is_opening ? _ ("Fill Opening") : _ ("Delete"), NULL,
+      is_opening ? qn_edit_remove_opening (&draft.project, opening.object,
+                                           (gsize) opening.opening, &draft.error)
+                 : qn_edit_delete_all (draft.model, parts, &draft.error));
 }
 
 static void
@@ -193,16 +171,25 @@ mirror (QnWindow *self, GVariant *parameter)
                        qn_transform_mirror (middle, other), 0);
 }
 
-/* Degrees, counter-clockwise, about the middle of the selection. */
+/* Copies, each turned about the middle of the selection, rad, and moved against the one before; 0: itself. */
+static void
+repeat (QnWindow *self, const char *name, double turn, QnVec2 by, int copies)
+{
+  QnVec2 low, high;
+  if (qn_canvas_get_parts_box (self->canvas, &low, &high))
+    qn_canvas_transform (
+      self->canvas, name, NULL,
+      qn_transform_compose (qn_transform_rotation (qn_vec2_lerp (low, high, 0.5), turn),
+                            qn_transform_translation (by.x, by.y)),
+      copies);
+}
+
+/* Degrees, counter-clockwise. */
 static void
 rotate (QnWindow *self, GVariant *parameter)
 {
-  QnVec2 low, high;
-  if (!qn_canvas_get_parts_box (self->canvas, &low, &high))
-    return;
-  double angle = g_variant_get_double (parameter) * G_PI / 180.0;
-  qn_canvas_transform (self->canvas, _ ("Rotate"), NULL,
-                       qn_transform_rotation (qn_vec2_lerp (low, high, 0.5), angle), 0);
+  repeat (self, _ ("Rotate"), g_variant_get_double (parameter) * G_PI / 180.0,
+          qn_vec2 (0.0, 0.0), 0);
 }
 
 /* What an edit has added: named otherwise than everything that was there. */
@@ -235,12 +222,7 @@ duplicate (QnWindow *self, GVariant *parameter)
 {
   QnVec2 low, high;
   QnModel before;
-  ItemEdit item;
-  if (selected_item (self, &item)) {
-    duplicate_item (self, item);
-    return;
-  }
-  if (!qn_canvas_get_parts_box (self->canvas, &low, &high)
+  if (edit_item (self, TRUE) || !qn_canvas_get_parts_box (self->canvas, &low, &high)
       || qn_model_copy (qn_document_get_model (self->document), &before, NULL) != QN_OK)
     return;
   double aside = 1.25 * (high.x - low.x);
@@ -259,16 +241,8 @@ array (QnWindow *self, GVariant *parameter)
 {
   int copies;
   double dx, dy, turn;
-  QnVec2 low, high;
   g_variant_get (parameter, "(iddd)", &copies, &dx, &dy, &turn);
-  if (!qn_canvas_get_parts_box (self->canvas, &low, &high))
-    return;
-  QnTransform transform = qn_transform_translation (dx, dy);
-  if (turn != 0.0)
-    transform = qn_transform_compose (
-      qn_transform_rotation (qn_vec2_lerp (low, high, 0.5), turn), transform);
-  qn_canvas_transform (self->canvas, _ ("Array"), NULL, transform,
-                       CLAMP (copies, 1, 10000));
+  repeat (self, _ ("Array"), turn, qn_vec2 (dx, dy), CLAMP (copies, 1, 10000));
 }
 
 static void
@@ -523,7 +497,7 @@ is_free (const QnModel *model, QnBox box, QnVec2 by)
 static QnVec2
 find_room (const QnModel *model, QnBox box)
 {
-  double width = box.max.x - box.min.x, right = -INFINITY;
+  double width = box.max.x - box.min.x;
   if (is_free (model, box, qn_vec2 (0.0, 0.0)))
     return qn_vec2 (0.0, 0.0);
   for (int i = 1; i <= MOST_PLACES; i++)
@@ -532,9 +506,8 @@ find_room (const QnModel *model, QnBox box)
       if (is_free (model, box, by))
         return by;
     }
-  for (gsize i = 0; i < model->vertex_count; i++)
-    right = MAX (right, model->vertices[i].x);
-  return qn_vec2 (right - box.min.x + 0.25 * width, 0.0);
+  const QnBox all = qn_box_of_points (model->vertices, model->vertex_count);
+  return qn_vec2 (all.max.x - box.min.x + 0.25 * width, 0.0);
 }
 
 static void

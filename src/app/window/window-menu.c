@@ -54,18 +54,16 @@ make_for_selection (QnWindow *self)
   const char *id = "paper";
   guint blocks = 0, beams = 0;
   QnId object;
+  QnItemKind kind;
   int opening;
   const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &blocks);
   qn_selection_get (selection, QN_PART_BEAM, &beams);
   if (qn_selection_get_opening (selection, &object, &opening))
     id = "opening";
-  else if (qn_selection_get_item (selection, QN_ITEM_BAR) != QN_NONE)
-    return g_object_ref (get (builder, "bar"));
-  else if (qn_selection_get_item (selection, QN_ITEM_TIE) != QN_NONE)
-    return g_object_ref (get (builder, "tie"));
-  else if (qn_selection_get_item (selection, QN_ITEM_DEAD_LOAD) != QN_NONE
-           || qn_selection_get_item (selection, QN_ITEM_LIVE_LOAD) != QN_NONE)
-    return g_object_ref (get (builder, "load"));
+  else if (qn_selection_get_any_item (selection, &kind) != QN_NONE)
+    return g_object_ref (get (builder, kind == QN_ITEM_BAR   ? "bar"
+                                       : kind == QN_ITEM_TIE ? "tie"
+                                                             : "load"));
   else if (qn_selection_get_face (selection) != QN_NONE) {
     id = "joint";
     complete_joint_menu (builder, model);

@@ -540,7 +540,8 @@ is_sliver (const QnModel *model, size_t block, double width)
          && width_of (model, block) < SLIVER_WIDTH * width;
 }
 
-/* With the neighbour that each touches most, of those that are no lintel above or below it if it has one. */
+/* With the neighbour that each touches most, of those that are no lintel above or below it if it has one. Of
+ * slivers side by side the first is told, with their number. */
 static void
 examine_slivers (Doubts *d)
 {
@@ -552,6 +553,8 @@ examine_slivers (Doubts *d)
     return;
   double *sizes = qn_pool_alloc (&contacts->room, n, sizeof *sizes);
   QnId *beside = qn_pool_alloc (&contacts->room, n, sizeof *beside);
+  QnId *row = qn_pool_alloc (&contacts->room, n, sizeof *row);         /* its first */
+  QnId *slivers = qn_pool_alloc (&contacts->room, n, sizeof *slivers); /* in its row */
   size_t count = 0;
   if (contacts->room.failed)
     return;
@@ -560,7 +563,9 @@ examine_slivers (Doubts *d)
   qsort (sizes, n, sizeof *sizes, qn_compare_doubles);
   const double width = sizes[n / 2];
   for (size_t i = 0; i < n; i++) {
-    count += is_sliver (model, i, width);
+    slivers[i] = is_sliver (model, i, width);
+    row[i] = (QnId) i;
+    count += (size_t) slivers[i];
     sizes[i] = 0; /* from now on the longest face of each */
     beside[i] = QN_NONE;
   }
@@ -569,6 +574,10 @@ examine_slivers (Doubts *d)
   for (size_t f = 0; f < contacts->face_count; f++) {
     const QnContactFace *face = &contacts->faces[f];
     const QnId ends[2] = { face->a, face->b };
+    if (slivers[face->a] > 0 && slivers[face->b] > 0 && row[face->b] == face->b) {
+      row[face->b] = row[face->a];
+      slivers[row[face->a]]++;
+    }
     for (int k = 0; k < 2; k++) {
       const double part = model->blocks[ends[1 - k]].area > LINTEL_AREA * unit ? 1e-3 : 1;
       if (part * face->length > sizes[ends[k]]) {
@@ -578,12 +587,12 @@ examine_slivers (Doubts *d)
     }
   }
   for (size_t i = 0; i < n; i++)
-    if (is_sliver (model, i, width))
+    if (slivers[i] > 0 && row[i] == (QnId) i)
       qn_contacts_report (contacts, (QnFinding){ .problem = QN_PROBLEM_BLOCK_SLIVER,
                                                  .block_a = (QnId) i,
                                                  .block_b = beside[i],
                                                  .at = model->blocks[i].centroid,
-                                                 .subject = QN_NONE });
+                                                 .subject = slivers[i] });
 }
 
 void

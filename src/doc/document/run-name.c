@@ -16,6 +16,9 @@ static const char *const members[] = { "laws",     "masonry", "walls",   "blocks
                                        "sections", "beams",   "bars",    "ties",
                                        "contact",  "loads",   "gravity", "analysis" };
 
+/* Those that only say which blocks there are. */
+static const char *const masonry[] = { "masonry", "walls", "blocks", NULL };
+
 /* Keys that read better otherwise than with a space for "_", and their units; values that are choices. */
 static const struct {
   const char *key, *words, *unit;
@@ -164,6 +167,19 @@ compare_values (Changes *changes, const cJSON *from, const cJSON *to)
     tell (changes, cJSON_GetArraySize (to) > 0 ? NULL : _ ("none"));
 }
 
+/* How many blocks have gone where all others are as they were; 0: something else is different too. */
+static gulong
+count_removed (const QnModel *from, const QnModel *to)
+{
+  size_t left = 0;
+  for (size_t i = 0; i < from->block_count && left < to->block_count; i++) {
+    const QnBlock *old = &from->blocks[i], *new = &to->blocks[left];
+    left += g_str_equal (old->name, new->name) && old->area == new->area
+            && old->centroid.x == new->centroid.x && old->centroid.y == new->centroid.y;
+  }
+  return left == to->block_count ? (gulong) (from->block_count - left) : 0;
+}
+
 GPtrArray *
 qn_run_list_changes (const QnRun *from, const QnRun *to)
 {
@@ -171,7 +187,15 @@ qn_run_list_changes (const QnRun *from, const QnRun *to)
     return NULL;
   cJSON *old = cJSON_Parse (from->text), *new = cJSON_Parse (to->text);
   Changes changes = { .found = g_ptr_array_new_with_free_func (g_free) };
+  const gulong removed = count_removed (&from->model, &to->model);
+  if (removed > 0)
+    g_ptr_array_add (
+      changes.found,
+      g_strdup_printf (ngettext ("%lu block removed", "%lu blocks removed", removed),
+                       removed));
   for (gsize i = 0; i < G_N_ELEMENTS (members); i++) {
+    if (removed > 0 && g_strv_contains (masonry, members[i]))
+      continue;
     const cJSON *a = cJSON_GetObjectItemCaseSensitive (old, members[i]);
     const cJSON *b = cJSON_GetObjectItemCaseSensitive (new, members[i]);
     changes.key = members[i];

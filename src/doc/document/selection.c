@@ -229,6 +229,13 @@ qn_selection_get_item (QnSelection *self, QnItemKind kind)
   return self->kind == kind ? self->item : QN_NONE;
 }
 
+QnId
+qn_selection_get_any_item (QnSelection *self, QnItemKind *kind)
+{
+  *kind = self->kind;
+  return self->item;
+}
+
 /* ---- what belongs together ---- */
 
 typedef gboolean (*BlockTest) (const QnModel *model, QnId candidate, QnId block);

@@ -54,6 +54,8 @@ typedef enum {
 void qn_selection_set_item (QnSelection *selection, QnItemKind kind, QnId id);
 /* The selected one of this kind, or QN_NONE. */
 QnId qn_selection_get_item (QnSelection *selection, QnItemKind kind);
+/* The one of any kind, and which. */
+QnId qn_selection_get_any_item (QnSelection *selection, QnItemKind *kind);
 
 /* Every block and beam. */
 void qn_selection_select_all (QnSelection *selection, const QnModel *model);

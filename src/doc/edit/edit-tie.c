@@ -207,21 +207,6 @@ qn_edit_rename_tie (QnModel *model, QnId tie, const char *name, GError **error)
          && qn_edit_rebuild (model, NULL, error); /* names are found by places */
 }
 
-QnId
-qn_model_find_tie_near (const QnModel *model, QnVec2 at, double reach)
-{
-  QnId nearest = QN_NONE;
-  for (gsize i = 0; i < model->tie_count; i++) {
-    const QnTieEnd *ends = model->ties[i].ends;
-    double distance = qn_segment_distance (ends[0].at, ends[1].at, at);
-    if (distance > reach)
-      continue;
-    reach = distance;
-    nearest = (QnId) i;
-  }
-  return nearest;
-}
-
 static const char *
 name_of_end (const QnModel *model, const QnTieEnd *end)
 {
@@ -362,24 +347,6 @@ qn_edit_duplicate_bar (QnModel *model, QnId bar, GError **error)
   added->start = qn_vec2_add (added->start, aside);
   added->end = qn_vec2_add (added->end, aside);
   return TRUE;
-}
-
-QnId
-qn_model_find_bar (const QnModel *model, QnVec2 at, double reach)
-{
-  QnId nearest = QN_NONE;
-  for (gsize i = 0; i < model->bar_count; i++) {
-    for (gsize k = 0; k < qn_bar_line_count (&model->bars[i]); k++) {
-      QnVec2 ends[2];
-      qn_bar_line (&model->bars[i], k, ends);
-      double distance = qn_segment_distance (ends[0], ends[1], at);
-      if (distance > reach)
-        continue;
-      reach = distance;
-      nearest = (QnId) i;
-    }
-  }
-  return nearest;
 }
 
 static char *

@@ -36,9 +36,6 @@ gboolean qn_edit_place_tie_end (QnModel *model, QnId tie, int end, QnVec2 at,
                                 GError **error);
 gboolean qn_edit_rename_tie (QnModel *model, QnId tie, const char *name, GError **error);
 
-/* The tie nearest to a point, within `reach`, m; or QN_NONE. */
-QnId qn_model_find_tie_near (const QnModel *model, QnVec2 at, double reach);
-
 /* "t1, Ø 20 mm: left – right"; the caller frees it. */
 char *qn_tie_dup_text (const QnModel *model, const QnTie *tie, QnUnits units);
 
@@ -55,9 +52,6 @@ gboolean qn_edit_draw_bar (QnModel *model, QnVec2 start, QnVec2 end, GError **er
 gboolean qn_edit_remove_bar (QnModel *model, QnId bar, GError **error);
 /* Adds one like it as the last, four diameters to the left of it. */
 gboolean qn_edit_duplicate_bar (QnModel *model, QnId bar, GError **error);
-
-/* The bar nearest to a point, within `reach`, m; or QN_NONE. */
-QnId qn_model_find_bar (const QnModel *model, QnVec2 at, double reach);
 
 /* "steel, Ø 16 mm: 0; 0.2 m – 2.9; 0.2 m"; the caller frees it. */
 char *qn_bar_dup_text (const QnModel *model, const QnBar *bar, QnUnits units);

@@ -278,6 +278,8 @@ qn_project_dup_finding_value (const QnFinding *finding, const char *unit, double
                 "unsafe; use a law by area with the default pairs, or with 20 even ones",
                 joints),
       finding->value, joints);
+  if (finding->problem == QN_PROBLEM_BLOCK_SLIVER && joints > 1)
+    return g_strdup_printf (_ ("the first of %lu side by side"), joints);
   return finding->value != 0 ? g_strdup_printf ("%.3g %s", factor * finding->value, unit)
                              : NULL;
 }

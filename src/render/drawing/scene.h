@@ -63,6 +63,8 @@ typedef enum {
   QN_PICK_DEAD_LOAD,
   QN_PICK_LIVE_LOAD,
   QN_PICK_BEAM,
+  QN_PICK_BAR,
+  QN_PICK_TIE,
   QN_PICK_FOUND /* a contact found on the way */
 } QnPickKind;
 

@@ -112,7 +112,9 @@ add_part (QnSceneBuilder *b, const GArray *crossings, guint first, guint count,
     line[n++] = place (b, c->to, c->point);
   }
   line[n++] = place (b, tail->to, end);
-  qn_scene_stroke (b->scene, QN_LAYER_JOINTS, line, n, false, width, color);
+  qn_command_set_pick (
+    qn_scene_stroke (b->scene, QN_LAYER_JOINTS, line, n, false, width, color),
+    QN_PICK_BAR, head->at.bar);
 }
 
 static void

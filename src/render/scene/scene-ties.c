@@ -38,8 +38,9 @@ color_of (const QnSceneBuilder *b, QnTieState state)
 }
 
 static void
-add_tie (QnSceneBuilder *b, const QnTie *tie, const QnTieResult *result)
+add_tie (QnSceneBuilder *b, size_t index, const QnTieResult *result)
 {
+  const QnTie *tie = &b->model->ties[index];
   const QnTieState state = result != NULL ? result->state : QN_TIE_ELASTIC;
   const QnColor color = color_of (b, state);
   QnVec2 line[2];
@@ -52,8 +53,10 @@ add_tie (QnSceneBuilder *b, const QnTie *tie, const QnTieResult *result)
   QnVec2 along = qn_vec2_sub (line[1], line[0]);
   QnVec2 across = qn_vec2_scale (
     PLATE * qn_box_diagonal (b->box) / qn_vec2_length (along), qn_vec2_perp (along));
-  qn_scene_stroke (b->scene, QN_LAYER_JOINTS, line, 2, false, WIDTH_TIE, color)->dashed =
-    state == QN_TIE_SLACK;
+  QnCommand *command =
+    qn_scene_stroke (b->scene, QN_LAYER_JOINTS, line, 2, false, WIDTH_TIE, color);
+  command->dashed = state == QN_TIE_SLACK;
+  qn_command_set_pick (command, QN_PICK_TIE, (QnId) index);
   for (int end = 0; end < 2; end++) {
     QnVec2 plate[2] = { qn_vec2_sub (line[end], across),
                         qn_vec2_add (line[end], across) };
@@ -79,7 +82,7 @@ qn_build_ties (QnSceneBuilder *b)
   bool met[QN_TIE_STATE_COUNT] = { false };
   for (size_t i = 0; i < b->model->tie_count; i++) {
     const QnTieResult *result = results != NULL ? &results[i] : NULL;
-    add_tie (b, &b->model->ties[i], result);
+    add_tie (b, i, result);
     met[result != NULL ? result->state : QN_TIE_ELASTIC] = true;
   }
   if (results != NULL && b->options->symbols)

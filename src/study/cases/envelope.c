@@ -355,6 +355,7 @@ qn_envelope_dup_text (const QnEnvelope *e, QnEnvelopePlace at, gboolean whole)
   const double factor = qn_envelope_multiplier (e, at);
   g_autofree char *sentence = qn_envelope_dup_factor (e, at);
   GString *text = g_string_new (sentence);
+  gboolean others = FALSE;
   double sum = 0, largest = 0;
   for (int32_t i = 0; i < vehicle->axle_count; i++) {
     sum += share * vehicle->axles[i].load;
@@ -366,6 +367,11 @@ qn_envelope_dup_text (const QnEnvelope *e, QnEnvelopePlace at, gboolean whole)
       text, _ ("axles of %.5g kN in all carry %.5g kN, the heaviest %.5g kN"), sum / 1000,
       factor * sum / 1000, factor * largest / 1000);
   }
+  for (gsize i = 0; i < e->model.live_load_count; i++)
+    others |= i != e->load && e->model.live_loads[i].set == 0;
+  if (whole && others)
+    g_string_append_printf (
+      text, "\n%s", _ ("Other growing loads grow with the vehicle, by the same factor."));
   if (whole && bounds)
     g_string_append_printf (text, "\n%s",
                             _ ("All are bounds from above where joints slide: "

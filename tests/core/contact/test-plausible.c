@@ -440,9 +440,29 @@ test_slivers (void)
   }
 }
 
+/* A thin course on top is one finding, with the number of its blocks. */
+static void
+test_thin_course (void)
+{
+  g_auto (QnModel) model;
+  QnContacts contacts;
+  test_model_init_stack (&model, 24, 1, 0.5);
+  test_model_add_weight_loads (&model, 1);
+  const QnVec2 corner = qn_model_block_vertices (&model, 24)[3];
+  test_model_add_rectangle (&model, "left", corner.x, corner.y, 0.5, 0.025);
+  test_model_add_rectangle (&model, "right", corner.x + 0.5, corner.y, 0.5, 0.025);
+  test_detect (&model, &contacts);
+  const QnFinding *course = test_the_finding (&contacts, QN_PROBLEM_BLOCK_SLIVER);
+  g_assert_cmpint (course->block_a, ==, (QnId) model.block_count - 2);
+  g_assert_cmpint (course->block_b, ==, 24);
+  g_assert_cmpint (course->subject, ==, 2);
+  qn_contacts_clear (&contacts);
+}
+
 QN_TESTS
 {
   g_test_add_func ("/plausible/rows", test_rows);
+  g_test_add_func ("/plausible/thin-course", test_thin_course);
   g_test_add_func ("/plausible/counts", test_counts);
   g_test_add_func ("/plausible/no-dead-load", test_no_dead_load);
   g_test_add_func ("/plausible/sinking", test_sinking);

@@ -1,6 +1,7 @@
 /* What runs are called: proposed from what differs, said by the user, kept with the project. */
 #include "doc/document/run-name.h"
 
+#include "doc/edit/edit.h"
 #include "doc/fixture.h"
 #include "io/project/project.h"
 #include "support/room.h"
@@ -111,8 +112,26 @@ test_changes (void)
   }
 }
 
+static gboolean
+remove_block (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_delete_blocks (model, (QnBlockSet){ data, 1 }, error);
+}
+
+/* Blocks that are gone are counted where nothing else has changed. */
+static void
+test_removed (void)
+{
+  g_autoptr (QnDocument) document = open_example ("05-stack.quoin");
+  QnRun *first = solve_example (document);
+  QnId last = (QnId) first->model.block_count - 1;
+  g_assert_true (qn_document_edit (document, "Delete", NULL, remove_block, &last, NULL));
+  g_assert_cmpstr (solve_example (document)->label, ==, "1 block removed");
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/run-name/removed", test_removed);
   g_test_add_func ("/run-name/proposed", test_proposed);
   g_test_add_func ("/run-name/given", test_given);
   g_test_add_func ("/run-name/changes", test_changes);

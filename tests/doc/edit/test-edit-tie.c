@@ -62,8 +62,6 @@ test_add (void)
                    qn_model_find_block (model, "right"));
   g_assert_cmpint (model->ties[1].ends[1].block, ==, QN_NONE);
   g_assert_cmpstr (model->ties[1].name, ==, "t2");
-  g_assert_cmpint (qn_model_find_tie_near (model, qn_vec2 (2, 1.01), 0.05), ==, 0);
-  g_assert_cmpint (qn_model_find_tie_near (model, qn_vec2 (2, 1.2), 0.05), ==, QN_NONE);
   const Line inside = { { 0.2, 1.2 }, { 0.8, 1.8 } }; /* both ends on one block */
   refuse (document, add, &inside);
   const Line nowhere = { { -5, 5 }, { -6, 5 } };
