@@ -226,8 +226,8 @@ test_nodes_without_block (void)
   g_autofree char *a = box (2, 1, 0.5, 0);
   static const char *const forms[] = {
     "{ \"node\": { \"0\": { \"block\": %s }, \"1\": { \"block\": null }, \"2\": {} } }",
-    "{ \"assembly\": { \"vertex\": { \"0\": {}, \"1\": {}, \"2\": {} } }, \"blocks\": { "
-    "\"0\": %s } }",
+    ("{ \"assembly\": { \"vertex\": { \"0\": {}, \"1\": {}, \"2\": {} } }, \"blocks\": { "
+     "\"0\": %s } }"),
     "{ \"elements\": [ %s ], \"graph\": { \"node\": { \"0\": {}, \"1\": {} } } }"
   };
   for (guint i = 0; i < G_N_ELEMENTS (forms); i++) {
