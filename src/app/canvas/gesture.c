@@ -241,12 +241,12 @@ qn_gesture_draw_held (QnCanvas *canvas, cairo_t *cr,
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   const QnVec2 ends[] = { gesture->from, gesture->to };
+  g_autofree char *angle = qn_gesture_dup_angle (gesture);
   qn_gesture_draw_line (canvas, cr, ends[0], ends[1]);
   for (gsize i = 0; i < G_N_ELEMENTS (ends); i++) {
     g_autofree char *held = dup_text (qn_canvas_get_model (canvas), ends[i]);
-    g_autofree char *angle = qn_gesture_dup_angle (gesture);
     g_autofree char *text =
-      i == 0 ? g_steal_pointer (&held) : g_strdup_printf ("%s; %s", angle, held);
+      i == 0 ? g_strdup (held) : g_strconcat (angle, "; ", held, NULL);
     /* Beside the length, which stands at the middle of the line. */
     const double aside =
       i == 0 && ends[1].y <= ends[0].y ? -3 * LABEL_ASIDE : LABEL_ASIDE;

@@ -1,12 +1,14 @@
-/* What is drawn as a line from point to point: beams, reinforcing bars across joints, ties, and
- * mirrors. An end of a beam
- * or tie on a block, or of a beam on another, is held there, elsewhere free or on the ground. */
+/* Lines from point to point: beams, reinforcing bars across joints, ties, and mirrors. An end of a beam or
+ * tie on a block, or of a beam on another, is held there; elsewhere it is free or on the ground. */
 #include "app/canvas/gesture.h"
 #include "app/tools/tools.h"
 
 #include "doc/edit/edit-frame.h"
 #include "doc/edit/edit-tie.h"
 #include <glib/gi18n.h>
+
+/* Adds to the draft the line between two points. */
+typedef gboolean (*AddFunc) (QnCanvas *canvas, QnDraft *draft, QnVec2 from, QnVec2 to);
 
 static gboolean
 add_beam (QnCanvas *canvas, QnDraft *draft, QnVec2 from, QnVec2 to)
@@ -19,34 +21,60 @@ add_beam (QnCanvas *canvas, QnDraft *draft, QnVec2 from, QnVec2 to)
   return qn_edit_add_beam (draft->model, from, to, style, &draft->error);
 }
 
-/* What is new is selected, so that its handles and numbers are there. */
-static void
-complete (QnCanvas *canvas)
+static gboolean
+add_bar (QnCanvas *canvas, QnDraft *draft, QnVec2 from, QnVec2 to)
 {
-  const QnTool *tool = qn_canvas_get_tool (canvas);
-  const gboolean tie = tool == &qn_tool_tie, beam = tool == &qn_tool_beam;
+  return qn_edit_draw_bar (draft->model, from, to, &draft->error);
+}
+
+static gboolean
+add_tie (QnCanvas *canvas, QnDraft *draft, QnVec2 from, QnVec2 to)
+{
+  return qn_edit_draw_tie (draft->model, from, to, &draft->error);
+}
+
+/* One undo step with the drawn line; NULL where there is none, else the model, of which it is the last. */
+static const QnModel *
+add (QnCanvas *canvas, const char *name, AddFunc func)
+{
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   const QnVec2 from = gesture->from, to = gesture->to;
   QnDraft draft;
   qn_canvas_set_in_gesture (canvas, FALSE);
   if ((from.x == to.x && from.y == to.y) || !qn_canvas_begin_edit (canvas, &draft)
-      || !qn_canvas_end_edit (canvas, &draft,
-                              beam  ? _ ("Add Beam")
-                              : tie ? _ ("Add Tie")
-                                    : _ ("Add Bar"),
-                              NULL,
-                              beam ? add_beam (canvas, &draft, from, to)
-                                   : (tie ? qn_edit_draw_tie : qn_edit_draw_bar) (
-                                     draft.model, from, to, &draft.error)))
-    return;
-  QnSelection *selection = qn_canvas_get_selection (canvas);
-  const QnModel *model = qn_canvas_get_model (canvas);
-  const gsize count = tie ? model->tie_count : model->bar_count;
-  const QnId last = (QnId) (beam ? model->beam_count : count) - 1;
-  if (beam)
-    qn_selection_set (selection, QN_PART_BEAM, &last, 1);
-  else
-    qn_selection_set_item (selection, tie ? QN_ITEM_TIE : QN_ITEM_BAR, last);
+      || !qn_canvas_end_edit (canvas, &draft, name, NULL,
+                              func (canvas, &draft, from, to)))
+    return NULL;
+  return qn_canvas_get_model (canvas);
+}
+
+/* What is new is selected, so that its handles and numbers are there. */
+
+static void
+complete_beam (QnCanvas *canvas)
+{
+  const QnModel *model = add (canvas, _ ("Add Beam"), add_beam);
+  const QnId last = model != NULL ? (QnId) model->beam_count - 1 : QN_NONE;
+  if (model != NULL)
+    qn_selection_set (qn_canvas_get_selection (canvas), QN_PART_BEAM, &last, 1);
+}
+
+static void
+complete_bar (QnCanvas *canvas)
+{
+  const QnModel *model = add (canvas, _ ("Add Bar"), add_bar);
+  if (model != NULL)
+    qn_selection_set_item (qn_canvas_get_selection (canvas), QN_ITEM_BAR,
+                           (QnId) model->bar_count - 1);
+}
+
+static void
+complete_tie (QnCanvas *canvas)
+{
+  const QnModel *model = add (canvas, _ ("Add Tie"), add_tie);
+  if (model != NULL)
+    qn_selection_set_item (qn_canvas_get_selection (canvas), QN_ITEM_TIE,
+                           (QnId) model->tie_count - 1);
 }
 
 static void
@@ -110,7 +138,7 @@ const QnTool qn_tool_beam = {
               "Shift holds it straight"),
   .accel = "b",
   QN_GESTURE_LINE,
-  .complete = complete,
+  .complete = complete_beam,
   .draw = draw_beam,
 };
 
@@ -122,7 +150,7 @@ const QnTool qn_tool_bar = {
               "straight; law and diameter are in the panel Analysis"),
   .accel = "e",
   QN_GESTURE_LINE,
-  .complete = complete,
+  .complete = complete_bar,
   .draw = draw,
 };
 
@@ -135,6 +163,6 @@ const QnTool qn_tool_tie = {
         "Shift holds it straight; steel and anchors are in the panel Analysis"),
   .accel = "k",
   QN_GESTURE_LINE,
-  .complete = complete,
+  .complete = complete_tie,
   .draw = draw_tie,
 };
