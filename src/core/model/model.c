@@ -378,7 +378,12 @@ qn_model_deepest_block (const QnModel *model, QnId first, bool masonry, QnVec2 a
 
   *depth = -INFINITY;
   for (QnId i = first; i < (QnId) model->block_count; i++) {
-    if (masonry && model->blocks[i].masonry == QN_NONE)
+    /* So far away it lies outside at least. */
+    const QnBox box = qn_model_block_box (model, i);
+    double outside = fmax (fmax (box.min.x - at.x, at.x - box.max.x),
+                           fmax (box.min.y - at.y, at.y - box.max.y));
+    if ((masonry && model->blocks[i].masonry == QN_NONE)
+        || (outside > 0 && -outside <= *depth))
       continue;
     double here = qn_polygon_depth (qn_model_block_vertices (model, i),
                                     (size_t) model->blocks[i].vertex_count, at);

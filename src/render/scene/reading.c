@@ -244,7 +244,7 @@ add_force (QnBlockReading *reading, const QnBlock *block, QnVec2 at, QnVec2 f)
   add_stress (reading, r, f);
 }
 
-/* The forces of loads on one block, or on that of each reading where it is QN_NONE. */
+/* The forces of loads, each on the reading of its block. */
 static void
 add_loads (QnBlockReading *readings, const QnModel *model, const double *factors)
 {
