@@ -36,8 +36,7 @@ qn_compare_doubles (const void *a, const void *b)
   return (x > y) - (x < y);
 }
 
-/* Range of input numbers other than 0: stiffnesses, moments and
- * energies, which are products of several of
+/* Range of input numbers other than 0: stiffnesses, moments and energies, which are products of several of
  * them, then have finite squares and quotients in double precision. */
 #define QN_LARGEST_NUMBER 1e30
 #define QN_LEAST_NUMBER   1e-30

@@ -1,10 +1,8 @@
 /* LU factorisation of sparse matrices with a symmetric pattern, in dense fronts.
  *
- * Multifrontal (Duff & Reid 1983): unknowns with mostly the same
- * neighbours are eliminated together as
- * a dense matrix (a front), and the Schur complement of each front
- * is kept. A front is eliminated again
- * only if one of its entries, or a front below it, has changed.
+ * Multifrontal (Duff & Reid 1983): unknowns with mostly the same neighbours are eliminated together as a
+ * dense matrix (a front), and the Schur complement of each front is kept. A front is eliminated again only
+ * if one of its entries, or a front below it, has changed.
  *
  * Subtrees of a large tree are eliminated and solved with in parallel where threads are lent. Which
  * subtrees depends on the matrix alone, and so do all results, to the bit.

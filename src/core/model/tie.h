@@ -4,9 +4,8 @@
  *
  *   N = E A / L (e - slack - plastic),   0 <= N <= min (A yield, anchor)
  *
- * where e is the increase of the distance of its ends and L the length as drawn. At the strength the
- * steel yields or the anchor gives, at constant force: `plastic` grows, and stays. A shortened tie is
- * slack.
+ * where e is the increase of the distance of its ends and L the length as drawn. At the strength the steel
+ * yields or the anchor gives, at constant force: `plastic` grows, and stays. A shortened tie is slack.
  *
  * A tie with a prestress P is tensioned under the dead load: its force there is P, whatever the
  * deformation, or more where the dead load stretches it,
@@ -40,9 +39,9 @@ typedef struct QnTiePlate {
   double compression; /* strength of the masonry across the wall, Pa */
 } QnTiePlate;
 
-/* A strip of fibres that is glued to blocks. Beside a joint it debonds at a constant force as long as there
- * is glued length behind. Per debonded length the strip releases N^2/(2 E A), and width times fracture
- * energy is dissipated:
+/* A strip of fibres that is glued to blocks. Beside a joint it debonds at a constant force as long as
+ * there is glued length behind. Per debonded length the strip releases N^2/(2 E A), and width times
+ * fracture energy is dissipated:
  *
  *   debonding   width sqrt (2 E t fracture_energy),  t = area / width
  *

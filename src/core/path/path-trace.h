@@ -27,8 +27,7 @@ typedef struct QnPathTrace {
   bool jumped;     /* the last step was a jump */
   bool *reverses;  /* until the first step is solved: see qn_path_trace(); nullable */
   double end;      /* largest multiplier */
-  double
-    extent; /* m: a structure that no load brings down ends farther away (core/check/unlimited.h) */
+  double extent;   /* m: the path ends beyond it where no load is a limit (unlimited.h) */
   double
     unit; /* multiplier at which the largest live load on a block equals the dead load */
   double step;    /* next step */

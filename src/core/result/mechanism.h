@@ -75,8 +75,7 @@ typedef struct QnMechanism {
 extern const char *const qn_joint_kind_names[QN_JOINT_KIND_COUNT];
 extern const char *const qn_mechanism_kind_names[QN_MECHANISM_KIND_COUNT];
 
-/* Displacements at which the mechanism of a result begins, in
- * large displacements; NULL: those of the
+/* Displacements at which the mechanism of a result begins, in large displacements; NULL: those of the
  * undeformed structure: modes of vibration and of buckling, limit analysis, mechanisms with beams. */
 const double *qn_mechanism_base (const QnModel *model, const QnResult *result);
 

@@ -462,8 +462,7 @@ qn_result_step_displacements (const QnResult *result, size_t step)
   return result->displacements + step * qn_result_body_count (result) * QN_DOF_COUNT;
 }
 
-/* Ties at a step, and section forces of beams by element;
- * NULL where they are not known. */
+/* Ties at a step, and section forces of beams by element; NULL where they are not known. */
 static inline const QnTieResult *
 qn_result_step_ties (const QnResult *result, size_t step)
 {

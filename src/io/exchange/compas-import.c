@@ -218,8 +218,9 @@ is_on (const GArray *outline, QnVec2 p, double tolerance)
   return nearest <= tolerance;
 }
 
-/* The outline of a prism in a view, how many holes it has, and its least and greatest depth. FALSE where the block is none: its front and
- * its back have not one outline, or some vertex between them is not seen on it. */
+/* The outline of a prism in a view, how many holes it has, and its least and greatest depth. FALSE where the
+ * block is none: its front and its back have not one outline, or some vertex between them is not seen on
+ * it. */
 static gboolean
 outline_of (const Mesh *mesh, int view, GArray *outline, guint *holes, double ends[2])
 {

@@ -9,9 +9,8 @@
 
 #include <glib.h>
 
-/* Chords of curves deviate from them by about this part of the radius.
- * Up to a radius of a hundred blocks that
- * is less than the tolerance of fitting neighbours to each other (0.2 % of a block). */
+/* Chords of curves deviate from them by about this part of the radius. Up to a radius of a hundred blocks
+ * that is less than the tolerance of fitting neighbours to each other (0.2 % of a block). */
 #define QN_DRAWING_SAGITTA 2e-5
 
 /* Largest coordinate, in any unit: beyond it a double does not resolve a millimetre. */

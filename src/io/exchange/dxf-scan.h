@@ -55,10 +55,9 @@ typedef struct QnDxfScan {
 
 enum { QN_DXF_OFF = 1, QN_DXF_FROZEN };
 
-/* `name` stands for the file in messages. The text is as qn_text_decode() gives it, and cut into lines that
- * the scan points to. Notes and the
- * declared unit go to `drawing`. `scan` is overwritten without being cleared. FALSE with an error,
- * domain QN_IO_ERROR. */
+/* `name` stands for the file in messages. The text is as qn_text_decode() gives it, and cut into lines
+ * that the scan points to. Notes and the declared unit go to `drawing`. `scan` is overwritten without
+ * being cleared. FALSE with an error, domain QN_IO_ERROR. */
 gboolean qn_dxf_scan (char *text, const char *name, QnDrawing *drawing, QnDxfScan *scan,
                       GError **error);
 

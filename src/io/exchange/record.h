@@ -10,13 +10,12 @@
  *               K-NET and KiK-net, AFAD with one component
  *
  * The kind is told from the contents, encoded in UTF-8, UTF-16 or Windows-1252. Units are m/s2, cm/s2
- * (also gal), mm/s2, um/s2, nm/s2, ft/s2, in/s2 and g = 9.80665 m/s2 (also mg, %g, g/10), however
- * spelt. If a file does not state its unit or its time step, they must be given. Errors: a given unit
- * or time step that differs from the file's; a heading with two of them, or with another number of
- * samples; a largest acceleration in the heading, which alone states
- * the unit, that the data do not have.
- * Records of velocity and of displacement, and spectra, are refused. The offset of raw data of K-NET
- * is removed if the largest acceleration in their heading is one without it.
+ * (also gal), mm/s2, um/s2, nm/s2, ft/s2, in/s2 and g = 9.80665 m/s2 (also mg, %g, g/10), however spelt.
+ * If a file does not state its unit or its time step, they must be given. Errors: a given unit or time
+ * step that differs from the file's; a heading with two of them, or with another number of samples; a
+ * largest acceleration in the heading, which alone states the unit, that the data do not have. Records of
+ * velocity and of displacement, and spectra, are refused. The offset of raw data of K-NET is removed if
+ * the largest acceleration in their heading is one without it.
  */
 #pragma once
 
@@ -29,10 +28,9 @@ typedef struct QnRecord {
   double offset;    /* m/s2, taken off raw data */
 } QnRecord;
 
-/* Reads a record, or if `spectrum` accelerations by periods, s. `unit` (nullable) and `time_step` (s; 0: not
- * given): of files that do not state them. `record` is overwritten
- * without being cleared and holds nothing on
- * failure. Errors: QN_IO_ERROR, with the line where there is one. */
+/* Reads a record, or if `spectrum` accelerations by periods, s. `unit` (nullable) and `time_step` (s; 0:
+ * not given): of files that do not state them. `record` is overwritten without being cleared and holds
+ * nothing on failure. Errors: QN_IO_ERROR, with the line where there is one. */
 gboolean qn_record_read (const char *path, const char *unit, double time_step,
                          gboolean spectrum, QnRecord *record, GError **error);
 

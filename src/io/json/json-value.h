@@ -116,10 +116,9 @@ gboolean qn_member_choice (const QnJsonValue *object, const char *key, QnNeed ne
  * range of a double are infinite. */
 cJSON *qn_json_parse (const char *text, gsize length, const char *name, GError **error);
 
-/* The one of `words` nearest to `word` by the number of typing errors:
- * a letter added, missing, wrong, or two
- * exchanged (optimal string alignment, F. J. Damerau, Communications of the ACM 7 (1964) 171-176; bytes,
- * not characters). NULL if it has two errors or more, and more than a third of the longer word. */
+/* The one of `words` nearest to `word` by the number of typing errors: a letter added, missing, wrong, or
+ * two exchanged (optimal string alignment, F. J. Damerau, Communications of the ACM 7 (1964) 171-176;
+ * bytes, not characters). NULL if it has two errors or more, and more than a third of the longer word. */
 const char *qn_nearest_word (const char *word, const char *const *words, gsize count);
 
 /* Replaces or adds one value of `root`, whose members and elements keep their order. The part

@@ -7,8 +7,7 @@
  *   qn_file_writer_puts (writer, "…");
  *   return qn_file_writer_commit (writer, &error);
  *
- * The first error is kept and reported by the commit:
- * callers need no checks before.
+ * The first error is kept and reported by the commit: callers need no checks before.
  */
 #pragma once
 

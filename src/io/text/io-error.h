@@ -22,8 +22,7 @@ typedef enum {
 
 GQuark qn_io_error_quark (void);
 
-/* Sets *error to "<file>: <what>: <reason of error_number>", domain
- * QN_IO_ERROR, code FILE, or NO_MEMORY for
- * ENOMEM. `what` is a translated phrase such as "cannot be read". */
+/* Sets *error to "<file>: <what>: <reason of error_number>", domain QN_IO_ERROR, code FILE, or NO_MEMORY
+ * for ENOMEM. `what` is a translated phrase such as "cannot be read". */
 void qn_io_error_set_errno (GError **error, const char *file, const char *what,
                             int error_number);

@@ -19,9 +19,8 @@ typedef struct QnTextStyle {
   void *place_data;
 } QnTextStyle;
 
-/* A number as text, with the decimal sign of the language of the
- * words, whatever the locale of numbers, and
- * powers as "2·10⁻⁷"; `format` is one printf() conversion of a double. Newly allocated. */
+/* A number as text, with the decimal sign of the language of the words, whatever the locale of numbers,
+ * and powers as "2·10⁻⁷"; `format` is one printf() conversion of a double. Newly allocated. */
 char *qn_label_number (const char *format, double value);
 
 /* A number and the text behind it, with the exponent as a power: "2e-07 m" as "2·10⁻⁷ m". Takes over the

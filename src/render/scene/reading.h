@@ -59,8 +59,7 @@ typedef struct QnBlockReading {
   double largest;         /* m, of its vertices */
 } QnBlockReading;
 
-/* A contact found during the motion, at a step, with its two
- * blocks: that of the side, and that of the
+/* A contact found during the motion, at a step, with its two blocks: that of the side, and that of the
  * corner. Places and forces are those on the undeformed blocks, as of joints. */
 typedef struct QnTouch {
   QnId found; /* index into the result's contacts found on the way */
@@ -98,10 +97,9 @@ bool *qn_step_left (const QnContacts *contacts, const QnResult *result, size_t s
  *   w = q - max (F, 0) / k
  *
  * for joints by contact and by material alike: in a dry joint (F = 0) the opening; in a softening bond or
- * concrete the crack opening (Hillerborg), 0 while the joint is whole.
- * Joints of bilinear, elastic-plastic and
- * steel laws do not crack. Slip is not counted. w is computed at the ends of the joint, with the force of the
- * pair next to them, and at its pairs, without those of bars. */
+ * concrete the crack opening (Hillerborg), 0 while the joint is whole. Joints of bilinear, elastic-plastic
+ * and steel laws do not crack. Slip is not counted. w is computed at the ends of the joint, with the force
+ * of the pair next to them, and at its pairs, without those of bars. */
 typedef struct QnCrack {
   const QnContactFace *face; /* NULL: there is no crack */
   double width, mean;        /* m: largest, and mean over the length of the joint */
