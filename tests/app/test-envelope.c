@@ -96,6 +96,7 @@ test_bridge (void)
   g_assert_null (strstr (words (page), "has changed"));
 
   gtk_widget_activate_action (page, "envelope.export-path", "s", pdf);
+  g_assert_nonnull (strstr (words (page), pdf));
   gtk_widget_activate_action (page, "envelope.export-path", "s", csv);
   g_assert_true (g_file_get_contents (pdf, &bytes, NULL, NULL));
   g_assert_true (g_file_get_contents (csv, &table, NULL, NULL));

@@ -267,6 +267,31 @@ test_actions (void)
   driver_discard (window);
 }
 
+/* What is typed is searched in words and keys; Escape takes it back, then closes. */
+static void
+test_search_shortcuts (void)
+{
+  QnWindow *window = driver_open_example ("06-arch.quoin");
+  driver_activate (window, "win.shortcuts");
+  GtkWidget *shortcuts = driver_find_dialog ("Keyboard shortcuts");
+  driver_type ("solve");
+  g_assert_nonnull (driver_find_widget (shortcuts, driver_says, "Solve, or run"));
+  g_assert_null (driver_find_widget (shortcuts, driver_says, "Files"));
+  driver_key ("Escape");
+  g_assert_nonnull (driver_find_widget (shortcuts, driver_says, "Files"));
+  driver_type ("ctrl+z");
+  g_assert_nonnull (driver_find_widget (shortcuts, driver_says, "Redo"));
+  g_assert_null (driver_find_widget (shortcuts, driver_says, "Save"));
+  driver_type ("zz");
+  g_assert_nonnull (driver_find_widget (shortcuts, driver_says, "No shortcut has"));
+  driver_key ("Tab");
+  driver_key ("Escape");
+  g_assert_null (driver_find_widget (shortcuts, driver_says, "No shortcut has"));
+  driver_key ("Escape");
+  g_assert_null (driver_find_dialog ("Keyboard shortcuts"));
+  driver_discard (window);
+}
+
 /* A wall and an opening drawn with the pointer, a block typed, all of it undone. */
 static void
 test_draw (void)
@@ -740,6 +765,7 @@ QN_TESTS
   g_test_add_func ("/app/window/uninstalled", test_uninstalled);
   g_test_add_func ("/app/window/examples", test_examples);
   g_test_add_func ("/app/window/actions", test_actions);
+  g_test_add_func ("/app/window/search-shortcuts", test_search_shortcuts);
   g_test_add_func ("/app/window/draw", test_draw);
   g_test_add_func ("/app/window/edit", test_edit);
   g_test_add_func ("/app/window/solve", test_solve);

@@ -210,70 +210,7 @@ find (Form *form)
   say (form, NULL);
 }
 
-/* ---- files ---- */
-
-static void
-read_points (Form *form, const char *path)
-{
-  QnRecord record;
-  g_autoptr (GError) error = NULL;
-  if (!qn_capacity_read_spectrum (path, units[form->unit], &record, &error)) {
-    say (form, error->message);
-    return;
-  }
-  qn_record_clear (&form->points);
-  form->points = record;
-  g_free (form->file);
-  form->file = g_strdup (path);
-  check (form);
-  say (form, NULL);
-}
-
-static void
-on_points_chosen (gpointer form, const char *path, const GError *error)
-{
-  if (path == NULL) {
-    say (form, error->message);
-    return;
-  }
-  read_points (form, path);
-  store (form);
-}
-
-static void
-on_export_chosen (gpointer data, const char *path, const GError *refused)
-{
-  Form *form = data;
-  g_autoptr (GError) error = refused != NULL ? g_error_copy (refused) : NULL;
-  QnMetadata metadata;
-  qn_document_get_metadata (form->document, &metadata);
-  if (path != NULL)
-    qn_capacity_answer_export (&form->answer, form->title, &metadata, path, &error);
-  if (error != NULL)
-    say (form, error->message);
-}
-
-/* Asks for the file of what a button reads or writes. */
-static void
-ask (Form *form, guint field)
-{
-  static const char *const pictures[] = { ".png", ".svg", ".pdf", NULL };
-  static const char *const tables[] = { ".csv", NULL };
-  const QnFileQuestion question =
-    field == FILE_BUTTON
-      ? (QnFileQuestion){ .title = _ ("Read Spectrum"),
-                          .accept = _ ("_Open"),
-                          .chosen = on_points_chosen }
-      : (QnFileQuestion){ .title = _ ("Export Capacity Curve"),
-                          .accept = _ ("_Export"),
-                          .name = field == EXPORT_PICTURE ? _ ("capacity.pdf")
-                                                          : _ ("capacity.csv"),
-                          .endings = field == EXPORT_PICTURE ? pictures : tables,
-                          .chosen = on_export_chosen };
-  qn_chooser_ask (form->base.root, &form->chooser, &question, form);
-}
-
-/* ---- fields ---- */
+/* ---- what is told ---- */
 
 static char *
 dup_facts (const Form *form)
@@ -307,6 +244,78 @@ dup_facts (const Form *form)
     }
   return g_string_free (text, FALSE);
 }
+
+/* ---- files ---- */
+
+static void
+read_points (Form *form, const char *path)
+{
+  QnRecord record;
+  g_autoptr (GError) error = NULL;
+  if (!qn_capacity_read_spectrum (path, units[form->unit], &record, &error)) {
+    say (form, error->message);
+    return;
+  }
+  qn_record_clear (&form->points);
+  form->points = record;
+  g_free (form->file);
+  form->file = g_strdup (path);
+  check (form);
+  say (form, NULL);
+}
+
+static void
+on_points_chosen (gpointer form, const char *path, const GError *error)
+{
+  if (path == NULL) {
+    say (form, error->message);
+    return;
+  }
+  read_points (form, path);
+  store (form);
+}
+
+static gboolean
+write_file (gpointer data, const char *path, GError **error)
+{
+  Form *form = data;
+  QnMetadata metadata;
+  qn_document_get_metadata (form->document, &metadata);
+  return qn_capacity_answer_export (&form->answer, form->title, &metadata, path, error);
+}
+
+/* Above what there is to say of the curve, which is still there. */
+static void
+on_told (gpointer form, const char *message, gboolean trouble)
+{
+  say (form, NULL);
+  g_autofree char *facts = dup_facts (form);
+  g_autofree char *both = g_strjoin ("\n\n", message, facts, NULL);
+  say (form, both);
+}
+
+/* Asks for the file of what a button reads or writes. */
+static void
+ask (Form *form, guint field)
+{
+  static const char *const pictures[] = { ".png", ".svg", ".pdf", NULL };
+  static const char *const tables[] = { ".csv", NULL };
+  const QnFileQuestion question =
+    field == FILE_BUTTON
+      ? (QnFileQuestion){ .title = _ ("Read Spectrum"),
+                          .accept = _ ("_Open"),
+                          .chosen = on_points_chosen }
+      : (QnFileQuestion){ .title = _ ("Export Capacity Curve"),
+                          .accept = _ ("_Export"),
+                          .name = field == EXPORT_PICTURE ? _ ("capacity.pdf")
+                                                          : _ ("capacity.csv"),
+                          .endings = field == EXPORT_PICTURE ? pictures : tables,
+                          .write = write_file,
+                          .told = on_told };
+  qn_chooser_ask (form->base.root, &form->chooser, &question, form);
+}
+
+/* ---- fields ---- */
 
 static void
 set_cell (Form *form, int column, int row, const char *text)

@@ -564,19 +564,21 @@ qn_compare_export (const GPtrArray *runs, const char *const *titles, const char 
   return qn_comparison_export (sheet, runs->len, 0, NULL, FALSE, path, &output, error);
 }
 
-static void
-on_file_chosen (gpointer data, const char *path, const GError *refused)
+static gboolean
+write_sheet (gpointer data, const char *path, GError **error)
 {
   Compare *compare = data;
-  g_autoptr (GError) error = refused != NULL ? g_error_copy (refused) : NULL;
   g_autoptr (GPtrArray) titles = g_ptr_array_new_with_free_func (g_free);
   for (guint i = 0; i < compare->shown->len; i++)
     g_ptr_array_add (titles, qn_compare_dup_title (compare, compare->shown->pdata[i]));
-  gboolean written = path != NULL
-                     && qn_compare_export (
-                       compare->shown, (const char *const *) titles->pdata, path, &error);
-  g_autofree char *message = written ? g_strdup_printf (_ ("Written to %s"), path) : NULL;
-  tell (compare, written ? message : error->message);
+  return qn_compare_export (compare->shown, (const char *const *) titles->pdata, path,
+                            error);
+}
+
+static void
+on_told (gpointer compare, const char *message, gboolean trouble)
+{
+  tell (compare, message);
 }
 
 static void
@@ -587,7 +589,8 @@ export_sheet (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .accept = _ ("_Export"),
                                     .name = _ ("comparison.png"),
                                     .endings = endings,
-                                    .chosen = on_file_chosen };
+                                    .write = write_sheet,
+                                    .told = on_told };
   Compare *compare = data;
   qn_chooser_ask (compare->page, &compare->chooser, &question, compare);
 }

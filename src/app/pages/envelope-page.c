@@ -484,27 +484,34 @@ put (GSimpleAction *action, GVariant *parameter, gpointer data)
 
 /* ---- files ---- */
 
-static void
-export_to (gpointer data, const char *path, const GError *refused)
+static gboolean
+write_file (gpointer data, const char *path, GError **error)
 {
   Page *self = data;
   QnMetadata metadata;
   QnOutput output;
-  g_autoptr (GError) error = refused != NULL ? g_error_copy (refused) : NULL;
   qn_document_get_metadata (self->document, &metadata);
   qn_output_init (&output);
   metadata.title = self->envelope.model.title;
-  if (path != NULL && g_str_has_suffix (path, ".csv"))
-    qn_envelope_write_table (&self->envelope, path, &error);
-  else if (path != NULL)
-    qn_envelope_export (&self->envelope, self->figure.shown, path, &output, &metadata,
-                        &error);
-  if (error != NULL)
-    tell (self, error->message);
+  if (g_str_has_suffix (path, ".csv"))
+    return qn_envelope_write_table (&self->envelope, path, error);
+  return qn_envelope_export (&self->envelope, self->figure.shown, path, &output,
+                             &metadata, error);
 }
 
+/* Below what there is to say of the position. */
 static void
-export_file (GSimpleAction *action, GVariant *parameter, gpointer data)
+on_told (gpointer data, const char *message, gboolean trouble)
+{
+  Page *self = data;
+  tell_position (self);
+  g_autofree char *both = g_strjoin ("\n", self->told, message, NULL);
+  tell (self, both);
+}
+
+/* Asks for the file, but where it is given. */
+static void
+export_file (GSimpleAction *action, GVariant *path, gpointer data)
 {
   static const char *const endings[] = { ".pdf", ".svg", ".png", ".csv", NULL };
   Page *self = data;
@@ -512,15 +519,12 @@ export_file (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .accept = _ ("_Export"),
                                     .name = _ ("envelope.pdf"),
                                     .endings = endings,
-                                    .chosen = export_to };
-  qn_chooser_ask (self->base.root, &self->chooser, &question, self);
-}
-
-/* The same without asking. */
-static void
-export_path (GSimpleAction *action, GVariant *parameter, gpointer data)
-{
-  export_to (data, g_variant_get_string (parameter, NULL), NULL);
+                                    .write = write_file,
+                                    .told = on_told };
+  if (path != NULL)
+    qn_chooser_write (&question, self, g_variant_get_string (path, NULL), NULL);
+  else
+    qn_chooser_ask (self->base.root, &self->chooser, &question, self);
 }
 
 /* ---- the page ---- */
@@ -547,7 +551,7 @@ connect (Page *self)
     { .name = "worst", .activate = go_to_worst },
     { .name = "put", .activate = put },
     { .name = "export", .activate = export_file },
-    { .name = "export-path", .activate = export_path, .parameter_type = "s" },
+    { .name = "export-path", .activate = export_file, .parameter_type = "s" },
   };
   GtkGesture *drag = gtk_gesture_drag_new ();
   GtkWidget *area = self->base.widgets[AREA], *page = self->base.root;

@@ -63,12 +63,13 @@ make_all (Figures *figures)
   QnDocument *document = figures->document;
   g_autoptr (GError) error = NULL;
   g_autoptr (GPtrArray) recipes = qn_document_get_figures (document, &error);
-  guint made = 0;
+  g_autoptr (GPtrArray) made = g_ptr_array_new ();
   if (recipes != NULL)
     qn_recipes_check_files (recipes, NULL, &error);
   for (guint i = 0; error == NULL && i < recipes->len; i++) {
     const QnRecipe *recipe = g_ptr_array_index (recipes, i);
-    made += qn_document_export_figure (document, recipe, NULL, &error);
+    if (qn_document_export_figure (document, recipe, NULL, &error))
+      g_ptr_array_add (made, recipe->file);
     if (g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE))
       ask_to_allow (figures, recipe, error->message);
   }
@@ -76,8 +77,9 @@ make_all (Figures *figures)
     tell (figures, error->message);
     return;
   }
-  g_autofree char *text = g_strdup_printf (
-    ngettext ("%u figure made again.", "%u figures made again.", made), made);
+  g_ptr_array_add (made, NULL);
+  g_autofree char *files = g_strjoinv (", ", (char **) made->pdata);
+  g_autofree char *text = g_strdup_printf (_ ("Written to %s"), files);
   tell (figures, text);
 }
 

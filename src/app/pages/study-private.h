@@ -57,9 +57,8 @@ void qn_study_page_show_statistics (QnStudyPage *self);
 void qn_study_page_run (GSimpleAction *action, GVariant *parameter, gpointer self);
 /* The chosen case, analysed again, in the drawing. */
 void qn_study_page_open_case (QnStudyPage *self);
-/* Of actions: "table", "figure" or "mechanisms", to a file that is asked for; (what, path). */
+/* Of actions: "table", "figure" or "mechanisms", to a file that is asked for; or (what, path). */
 void qn_study_page_export (GSimpleAction *action, GVariant *what, gpointer self);
-void qn_study_page_export_path (GSimpleAction *action, GVariant *where, gpointer self);
 
 /* study-plot.c: the figure, and its points under the pointer. FALSE: nothing to draw. */
 void qn_study_page_connect_plot (QnStudyPage *self);

@@ -351,8 +351,10 @@ qn_study_page_open_case (QnStudyPage *self)
 /* ---- files ---- */
 
 static gboolean
-write_to (QnStudyPage *self, const char *what, const char *path, GError **error)
+write_file (gpointer data, const char *path, GError **error)
 {
+  QnStudyPage *self = data;
+  const char *what = self->exported;
   QnOutput output;
   QnStudyFigure figure = { .kind = QN_STUDY_FIGURE_MECHANISMS };
   if (g_str_equal (what, "table"))
@@ -367,40 +369,20 @@ write_to (QnStudyPage *self, const char *what, const char *path, GError **error)
 }
 
 static void
-export_to (QnStudyPage *self, const char *what, const char *path)
+on_told (gpointer self, const char *message, gboolean trouble)
 {
-  g_autoptr (GError) error = NULL;
-  g_autofree char *text = NULL;
-  if (self->folder == NULL)
-    return;
-  if (write_to (self, what, path, &error))
-    text = g_strdup_printf (_ ("Written to %s"), path);
-  qn_study_page_tell (self, text != NULL ? text : error->message);
-}
-
-static void
-on_chosen (gpointer data, const char *path, const GError *error)
-{
-  QnStudyPage *self = data;
-  if (path != NULL)
-    export_to (self, self->exported, path);
-  else
-    qn_study_page_tell (self, error->message);
-}
-
-void
-qn_study_page_export_path (GSimpleAction *action, GVariant *parameter, gpointer data)
-{
-  const char *what, *path;
-  g_variant_get (parameter, "(&s&s)", &what, &path);
-  export_to (data, what, path);
+  qn_study_page_tell (self, message);
 }
 
 void
 qn_study_page_export (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   QnStudyPage *self = data;
-  const char *what = g_variant_get_string (parameter, NULL);
+  const char *what = NULL, *path = NULL;
+  if (g_variant_is_of_type (parameter, G_VARIANT_TYPE_STRING))
+    what = g_variant_get_string (parameter, NULL);
+  else
+    g_variant_get (parameter, "(&s&s)", &what, &path);
   static const char *const tables[] = { ".csv", NULL };
   static const char *const figures[] = { ".png", ".svg", ".pdf", NULL };
   gboolean table = g_str_equal (what, "table");
@@ -409,7 +391,11 @@ qn_study_page_export (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .accept = _ ("_Export"),
                                     .name = table ? "study.csv" : "study.png",
                                     .endings = table ? tables : figures,
-                                    .chosen = on_chosen };
+                                    .write = write_file,
+                                    .told = on_told };
   self->exported = g_intern_string (what);
-  qn_chooser_ask (self->page, &self->chooser, &question, self);
+  if (path == NULL)
+    qn_chooser_ask (self->page, &self->chooser, &question, self);
+  else if (self->folder != NULL)
+    qn_chooser_write (&question, self, path, NULL);
 }

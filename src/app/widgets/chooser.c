@@ -49,6 +49,20 @@ qn_chooser_complete_path (const char *path, const char *const *endings, GError *
   return g_steal_pointer (&whole);
 }
 
+void
+qn_chooser_write (const QnFileQuestion *question, gpointer data, const char *path,
+                  const GError *refused)
+{
+  g_autoptr (GError) error = NULL;
+  gboolean written = path != NULL && question->write (data, path, &error);
+  g_autofree char *where = written ? g_strdup_printf (_ ("Written to %s"), path) : NULL;
+  question->told (data,
+                  written         ? where
+                  : error != NULL ? error->message
+                                  : refused->message,
+                  !written);
+}
+
 static void
 tell (const Asked *asked, GFile *file)
 {
@@ -63,7 +77,10 @@ tell (const Asked *asked, GFile *file)
     path = qn_chooser_complete_path (chosen, asked->question.endings, &error);
   else
     path = g_steal_pointer (&chosen);
-  asked->question.chosen (asked->data, path, error);
+  if (asked->question.write != NULL)
+    qn_chooser_write (&asked->question, asked->data, path, error);
+  else
+    asked->question.chosen (asked->data, path, error);
 }
 
 /* NULL: nothing was chosen. The chooser is gone before anybody hears of it. */

@@ -26,6 +26,9 @@ typedef struct QnFileQuestion {
   const char *const *endings;
   /* The file, each of many; NULL with the reason why it is none. Not called where none was chosen. */
   void (*chosen) (gpointer data, const char *path, const GError *error);
+  /* In place of it, for a file to be written: writes it; `told` says where it is, or why it is not there. */
+  gboolean (*write) (gpointer data, const char *path, GError **error);
+  void (*told) (gpointer data, const char *message, gboolean trouble);
   void (*left) (gpointer data); /* none was chosen; or NULL */
   const QnFileKind *kind;       /* that alone is shown; NULL: all files */
   const char *path;      /* of the file that is proposed, instead of a name; or NULL */
@@ -36,6 +39,10 @@ typedef struct QnFileQuestion {
  * place of what it held, and `data` must live as long. */
 void qn_chooser_ask (GtkWidget *widget, GObject **kept, const QnFileQuestion *question,
                      gpointer data);
+
+/* Writes and tells as for a file that was chosen; `path` is NULL with the reason why it is none. */
+void qn_chooser_write (const QnFileQuestion *question, gpointer data, const char *path,
+                       const GError *refused);
 
 /* The path of a file to be written with its ending, as above; NULL with an error. The caller frees it. */
 char *qn_chooser_complete_path (const char *path, const char *const *endings,

@@ -1,8 +1,10 @@
 #include "app/window/action-table.h"
 
 #include "app/tools/tools.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
 #include <glib/gi18n.h>
+#include <string.h>
 
 /* In its group of the window of shortcuts. */
 #define KEYED(group, name, reach, keys, label)                                           \
@@ -171,11 +173,15 @@ qn_action_add_accelerators (GtkApplication *application)
 
 /* ---- the window of shortcuts ---- */
 
+/* Of a row: what the search looks in. */
+#define TEXT "qn-text"
+
 static void
 add_shortcut (GtkGrid *grid, int row, const char *label, const char *accelerators)
 {
   g_auto (GStrv) keys = g_strsplit (accelerators, " ", -1);
   GtkWidget *keycaps = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 4);
+  GString *text = g_string_new (label);
   for (char **key = keys; *key != NULL; key++) {
     guint keyval = 0;
     GdkModifierType modifiers = 0;
@@ -184,10 +190,54 @@ add_shortcut (GtkGrid *grid, int row, const char *label, const char *accelerator
     GtkWidget *keycap = gtk_label_new (shown);
     gtk_widget_add_css_class (keycap, "keycap");
     gtk_box_append (GTK_BOX (keycaps), keycap);
+    g_string_append_printf (text, " %s", shown);
   }
   GtkWidget *words = g_object_new (GTK_TYPE_LABEL, "label", label, "xalign", 0.0, NULL);
+  g_object_set_data_full (G_OBJECT (words), TEXT,
+                          g_utf8_casefold (text->str, (gssize) text->len), g_free);
+  g_string_free (text, TRUE);
   gtk_grid_attach (grid, keycaps, 0, row, 1, 1);
   gtk_grid_attach (grid, words, 1, row, 1, 1);
+}
+
+/* The rows whose words or keys have what is typed, with the titles of their groups. */
+static void
+on_searched (GtkEditable *entry, GtkWidget *columns)
+{
+  const char *typed = gtk_editable_get_text (entry);
+  g_autofree char *folded = g_utf8_casefold (typed, -1);
+  gboolean in_columns = FALSE;
+  for (GtkWidget *grid = gtk_widget_get_first_child (columns); grid != NULL;
+       grid = gtk_widget_get_next_sibling (grid)) {
+    gboolean in_group = FALSE, in_grid = FALSE;
+    for (GtkWidget *words = gtk_widget_get_last_child (grid), *keys; words != NULL;
+         words = gtk_widget_get_prev_sibling (keys)) {
+      const char *text = g_object_get_data (G_OBJECT (words), TEXT);
+      gboolean found =
+        text != NULL
+          ? strstr (text, folded) != NULL
+              || g_str_match_string (typed, gtk_label_get_text (GTK_LABEL (words)), TRUE)
+          : in_group;
+      keys = text != NULL ? gtk_widget_get_prev_sibling (words) : words;
+      in_group = text != NULL && (in_group || found);
+      in_grid = in_grid || found;
+      gtk_widget_set_visible (keys, found);
+      gtk_widget_set_visible (words, found);
+    }
+    gtk_widget_set_visible (grid, in_grid);
+    in_columns = in_columns || in_grid;
+  }
+  gtk_widget_set_visible (gtk_widget_get_next_sibling (columns), !in_columns);
+}
+
+static gboolean
+on_escape (GtkWidget *entry, guint key)
+{
+  gboolean clears =
+    key == GDK_KEY_Escape && *gtk_editable_get_text (GTK_EDITABLE (entry)) != '\0';
+  if (clears)
+    gtk_editable_set_text (GTK_EDITABLE (entry), "");
+  return clears;
 }
 
 void
@@ -198,14 +248,11 @@ qn_action_show_shortcuts (GtkWindow *parent)
     [QN_GROUP_TOOLS] = N_ ("Tools"), [QN_GROUP_ANALYSIS] = N_ ("Analysis"),
     [QN_GROUP_VIEW] = N_ ("View"),   [QN_GROUP_GENERAL] = N_ ("General"),
   };
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("shortcuts");
   GtkWidget *dialog = qn_dialog_new (parent, _ ("Keyboard shortcuts"), -1, -1);
-  GtkWidget *columns = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 36);
-  /* The focus is for the keys that scroll. */
-  GtkWidget *scrolled =
-    g_object_new (GTK_TYPE_SCROLLED_WINDOW, "child", columns, "propagate-natural-width",
-                  TRUE, "propagate-natural-height", TRUE, "focusable", TRUE, NULL);
+  GtkWidget *columns = qn_builder_get_widget (builder, "columns");
+  GtkWidget *entry = qn_builder_get_widget (builder, "search");
   GtkGrid *grid = NULL;
-  gtk_widget_add_css_class (columns, "shortcuts");
   for (int group = QN_GROUP_FILES, row = 0; group < QN_GROUP_COUNT; group++) {
     if (grid == NULL || group == QN_GROUP_TOOLS || group == QN_GROUP_ANALYSIS) {
       grid = GTK_GRID (gtk_grid_new ());
@@ -221,6 +268,14 @@ qn_action_show_shortcuts (GtkWindow *parent)
       if ((int) qn_action_rows[i].group == group)
         add_shortcut (grid, row++, _ (qn_action_rows[i].label), qn_action_rows[i].keys);
   }
-  gtk_window_set_child (GTK_WINDOW (dialog), scrolled);
-  qn_dialog_present (dialog, scrolled);
+  GtkEventController *keys = gtk_event_controller_key_new ();
+  gtk_event_controller_set_propagation_phase (keys, GTK_PHASE_CAPTURE);
+  g_signal_connect_object (keys, "key-pressed", G_CALLBACK (on_escape), entry,
+                           G_CONNECT_SWAPPED);
+  gtk_widget_add_controller (dialog, keys);
+  gtk_search_entry_set_key_capture_widget (GTK_SEARCH_ENTRY (entry), dialog);
+  g_signal_connect (entry, "changed", G_CALLBACK (on_searched), columns);
+  g_signal_connect_swapped (entry, "stop-search", G_CALLBACK (gtk_window_close), dialog);
+  gtk_window_set_child (GTK_WINDOW (dialog), qn_builder_take_widget (builder, "page"));
+  qn_dialog_present (dialog, entry);
 }

@@ -19,6 +19,15 @@
 /* ---- what is written ---- */
 
 static void
+tell (GtkWindow *window, const char *message, gboolean trouble)
+{
+  if (trouble)
+    qn_window_show_error (QN_WINDOW (window), message);
+  else
+    qn_window_show_message (QN_WINDOW (window), message);
+}
+
+static void
 tell_written (QnWindow *self, const char *path)
 {
   g_autofree char *message = g_strdup_printf (_ ("Written to %s"), path);
@@ -87,15 +96,16 @@ static const struct {
 
 /* Results with the project as it was solved, whatever has been drawn since; the drawing in metres. */
 static gboolean
-write_file (QnWindow *self, gsize i, const char *path, GError **error)
+write_file (gpointer data, const char *path, GError **error)
 {
+  QnWindow *self = data;
   const QnRun *run = qn_document_get_run (self->document);
   QnProject project = *qn_document_get_project (self->document);
-  if (i == DRAWING)
+  if (self->exported == DRAWING)
     return qn_dxf_export (&project.model, qn_document_get_contacts (self->document), NULL,
                           1.0, 1.0, path, error);
   project.model = run->model;
-  switch (i) {
+  switch (self->exported) {
   case RESULT:
     return qn_document_write_result (self->document, run, path, error);
   case STEPS:
@@ -112,54 +122,43 @@ write_file (QnWindow *self, gsize i, const char *path, GError **error)
 }
 
 static void
-export_to (QnWindow *self, gsize i, const char *path)
+on_report_chosen (gpointer self, const char *path, const GError *error)
 {
-  g_autoptr (GError) error = NULL;
-  if (i != DRAWING && qn_document_get_run (self->document) == NULL)
-    return;
-  if (i == REPORT) {
-    write_report (self, path);
-    return;
-  }
-  if (!write_file (self, i, path, &error)) {
-    qn_window_show_error (self, error->message);
-    return;
-  }
-  tell_written (self, path);
-}
-
-static void
-on_chosen (gpointer data, const char *path, const GError *error)
-{
-  QnWindow *self = data;
   if (path != NULL)
-    export_to (self, self->exported, path);
+    write_report (self, path);
   else
     qn_window_show_error (self, error->message);
 }
 
 static void
-choose_file (QnWindow *self, gsize i)
+on_told (gpointer self, const char *message, gboolean trouble)
+{
+  tell (self, message, trouble);
+}
+
+/* To a file that is asked for, where `path` is NULL. */
+static void
+export_to (QnWindow *self, gsize i, const char *path)
 {
   const QnFileQuestion question = { .title = _ (exports[i].title),
                                     .accept = _ ("_Export"),
                                     .name = _ (exports[i].file),
                                     .endings = exports[i].endings,
-                                    .chosen = on_chosen };
+                                    .write = i == REPORT ? NULL : write_file,
+                                    .told = on_told,
+                                    .chosen = on_report_chosen };
+  if (i != DRAWING && qn_document_get_run (self->document) == NULL)
+    return;
   self->exported = i;
-  qn_chooser_ask (GTK_WIDGET (self), &self->chooser, &question, self);
+  if (path == NULL)
+    qn_chooser_ask (GTK_WIDGET (self), &self->chooser, &question, self);
+  else if (i == REPORT)
+    write_report (self, path);
+  else
+    qn_chooser_write (&question, self, path, NULL);
 }
 
 /* ---- figures and what else has a dialog of its own ---- */
-
-static void
-tell (GtkWindow *window, const char *message, gboolean trouble)
-{
-  if (trouble)
-    qn_window_show_error (QN_WINDOW (window), message);
-  else
-    qn_window_show_message (QN_WINDOW (window), message);
-}
 
 static void
 repeat_export (QnWindow *self, GVariant *parameter)
@@ -196,7 +195,7 @@ export_figure (QnWindow *self, GVariant *parameter)
 static void
 choose_report (GtkWindow *window)
 {
-  choose_file (QN_WINDOW (window), REPORT);
+  export_to (QN_WINDOW (window), REPORT, NULL);
 }
 
 static void
@@ -213,13 +212,13 @@ export_result (QnWindow *self, GVariant *parameter)
   }
   for (gsize i = 0; i < DRAWING; i++)
     if (g_str_equal (exports[i].name, name))
-      choose_file (self, i);
+      export_to (self, i, NULL);
 }
 
 static void
 export_drawing (QnWindow *self, GVariant *parameter)
 {
-  choose_file (self, DRAWING);
+  export_to (self, DRAWING, NULL);
 }
 
 /* The same without asking: (what, path). */
