@@ -92,10 +92,10 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     form->wanted = (int) model->bar_count - 1;
     return TRUE;
   case DUPLICATE:
-    form->wanted = (int) model->bar_count;
-    return qn_edit_duplicate_bar (model, form->selected, error);
+    form->wanted = qn_edit_duplicate_item (model, QN_ITEM_BAR, form->selected, error);
+    return form->wanted >= 0;
   case REMOVE:
-    return qn_edit_remove_bar (model, form->selected, error);
+    return qn_edit_remove_item (model, QN_ITEM_BAR, form->selected, error);
   default:
     return TRUE;
   }

@@ -118,7 +118,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   guint x = live ? LOAD + 2 : LOAD;
   switch (field) {
   case NAME:
-    return qn_edit_rename_beam (model, set.ids[0], value->text, error);
+    return qn_edit_take_name (&model->beams[set.ids[0]].name, value->text, error);
   case SECTION:
   case KIND:
   case ELEMENTS:

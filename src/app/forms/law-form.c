@@ -215,27 +215,15 @@ show (gpointer data, guint field, QnValue *value)
   }
 }
 
-/* `like`, or the first of "like 2", "like 3", … that no law is called. */
-static char *
-dup_free_name (const QnModel *model, const char *like)
-{
-  char *name = g_strdup (like);
-  for (guint i = 2; qn_model_find_law (model, name) != QN_NONE; i++) {
-    g_free (name);
-    name = g_strdup_printf ("%s %u", like, i);
-  }
-  return name;
-}
-
 /* A law like the one that is shown, or a typical joint's. */
 static gboolean
 add (Form *form, QnModel *model, const QnValue *joint, GError **error)
 {
   int kind = joint != NULL ? (int) joint->number - 1 : -1;
-  g_autofree char *name =
-    dup_free_name (model, joint != NULL ? _ (qn_typical_joints[kind].name)
-                                        : model->laws[form->shown].name);
-  if (!qn_edit_add_law (model, form->shown, name, error))
+  if (!qn_edit_add_law (model, form->shown,
+                        joint != NULL ? _ (qn_typical_joints[kind].name)
+                                      : model->laws[form->shown].name,
+                        error))
     return FALSE;
   form->shown = (QnId) model->law_count - 1;
   return joint == NULL

@@ -1,5 +1,5 @@
 /* Loads one by one: those that are constant, those that grow, and those of further sets; settlements in a
- * form of their own. The selected one is that of the drawing. */
+ * form of their own. The selected one is that of the drawing: its number is that in the model. */
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "app/tools/tools.h"
@@ -14,8 +14,8 @@
 /* Lines of a list; of more loads the rest is only counted. */
 #define MOST_SHOWN 200
 
-/* Rows of the choice of list before the sets. */
-enum { ROW_DEAD, ROW_LIVE };
+/* The list of dead loads; 0 is that of live loads, those behind it are of the sets. */
+#define DEAD_LOADS (-1)
 
 typedef struct Form {
   QnBoundForm base;
@@ -86,54 +86,64 @@ typedef struct Form {
   FIELD (REMOVE, "remove", N_ ("Remove Load"))
 QN_FORM_FIELDS;
 
+static QnItemKind
+kind_of (const Form *form)
+{
+  return QN_ITEM_LOAD (form->shown != DEAD_LOADS);
+}
+
 static const QnLoad *
 selected_load (const Form *form)
 {
   return form->base.selected >= 0
-           ? qn_model_get_load (qn_canvas_get_model (form->base.canvas), form->shown,
-                                (gsize) form->base.selected)
+           ? &qn_model_loads (qn_canvas_get_model (form->base.canvas),
+                              form->shown != DEAD_LOADS, NULL)[form->base.selected]
            : NULL;
 }
 
-/* Number in the model of a load of the list; QN_NONE for none. */
-static QnId
-id_of (const Form *form, int index)
-{
-  return index >= 0 ? qn_model_get_load_id (qn_canvas_get_model (form->base.canvas),
-                                            form->shown, (gsize) index)
-                    : QN_NONE;
-}
-
 static void
-select_load (const Form *form, int index)
+select_load (const Form *form, QnId load)
 {
-  qn_selection_set_item (qn_canvas_get_selection (form->base.canvas),
-                         form->shown == QN_DEAD_LOADS ? QN_ITEM_DEAD_LOAD
-                                                      : QN_ITEM_LIVE_LOAD,
-                         id_of (form, index));
+  qn_selection_set_item (qn_canvas_get_selection (form->base.canvas), kind_of (form),
+                         load);
 }
 
-/* Whether the form is about the i-th load of the list. */
+/* Whether the list has a load. */
 static gboolean
-shows (const Form *form, gsize index)
+shows (const Form *form, const QnLoad *load)
+{
+  return (form->shown == DEAD_LOADS || load->set == form->shown)
+         && (load->kind == QN_LOAD_SETTLEMENT) == form->settles;
+}
+
+/* The row of a load, or how many rows the loads before it have; the load of a row, or QN_NONE. */
+static int
+row_of (const Form *form, QnId load)
+{
+  const QnLoad *loads = qn_model_loads (qn_canvas_get_model (form->base.canvas),
+                                        form->shown != DEAD_LOADS, NULL);
+  int row = 0;
+  for (QnId i = 0; i < load; i++)
+    row += shows (form, &loads[i]);
+  return row;
+}
+
+static QnId
+load_of (const Form *form, int row)
 {
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
-  return (qn_model_get_load (model, form->shown, index)->kind == QN_LOAD_SETTLEMENT)
-         == form->settles;
+  gsize count;
+  const QnLoad *loads = qn_model_loads (model, form->shown != DEAD_LOADS, &count);
+  for (QnId i = 0; row >= 0 && i < (QnId) count; i++)
+    if (shows (form, &loads[i]) && row-- == 0)
+      return i;
+  return QN_NONE;
 }
 
 static gboolean
 shows_any (const Form *form)
 {
-  const gboolean dead = form->shown == QN_DEAD_LOADS;
-  gsize count;
-  const QnLoad *loads =
-    qn_model_loads ((QnModel *) qn_canvas_get_model (form->base.canvas), !dead, &count);
-  gboolean any = FALSE;
-  for (gsize i = 0; i < count && !any; i++)
-    any = (dead || loads[i].set == form->shown)
-          && (loads[i].kind == QN_LOAD_SETTLEMENT) == form->settles;
-  return any;
+  return load_of (form, 0) != QN_NONE;
 }
 
 /* A load that is selected in the drawing is shown in its list. */
@@ -146,25 +156,20 @@ look (gpointer data)
   if (form->shown > (int32_t) model->load_set_count)
     form->shown = 0;
   if (form->base.wanted >= 0
-      && (gsize) form->base.wanted < qn_model_count_loads (model, form->shown))
+      && (gsize) form->base.wanted < qn_model_count_items (model, kind_of (form)))
     select_load (form, form->base.wanted);
   const int before = form->base.selected;
-  const int32_t list = form->shown;
   form->base.wanted = form->base.selected = -1;
   for (int live = 0; live < 2; live++) {
-    QnId id =
-      qn_selection_get_item (selection, live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD);
-    gsize index, count;
-    qn_model_loads (model, live, &count);
-    if (id == QN_NONE || (gsize) id >= count)
+    QnId id = qn_selection_get_item (selection, QN_ITEM_LOAD (live));
+    gsize count;
+    const QnLoad *loads = qn_model_loads (model, live, &count);
+    if (id == QN_NONE || (gsize) id >= count
+        || (loads[id].kind == QN_LOAD_SETTLEMENT) != form->settles)
       continue;
-    qn_model_place_load (model, live, id, &form->shown, &index);
-    if (!shows (form, index)) {
-      form->shown = list;
-      continue;
-    }
-    form->base.selected = (int) index;
-    if (form->base.selected != before)
+    form->shown = live ? loads[id].set : DEAD_LOADS;
+    form->base.selected = id;
+    if (id != before)
       qn_bound_form_reveal (form);
   }
   return TRUE;
@@ -172,7 +177,6 @@ look (gpointer data)
 
 /* ---- what is shown ---- */
 
-/* Loads that the form is not about have empty rows, which hide. */
 static void
 add_loads (const Form *form, QnValue *value, const QnModel *model)
 {
@@ -188,13 +192,13 @@ add_loads (const Form *form, QnValue *value, const QnModel *model)
     [QN_LOAD_FILL] = "quoin-arch-symbolic",
     [QN_LOAD_VEHICLE] = "quoin-beam-symbolic",
   };
-  const gsize count = qn_model_count_loads (model, form->shown);
-  for (gsize i = 0; i < MIN (count, MOST_SHOWN); i++) {
-    const QnLoad *load = qn_model_get_load (model, form->shown, i);
-    g_autofree char *what = shows (form, i)
-                              ? qn_load_dup_text (model, load, qn_settings_get_units ())
-                              : g_strdup ("");
-    if (load->load_case > 0 && *what != '\0')
+  gsize count;
+  const QnLoad *loads = qn_model_loads (model, form->shown != DEAD_LOADS, &count);
+  const int rows = row_of (form, (QnId) count);
+  for (int i = 0; i < MIN (rows, MOST_SHOWN); i++) {
+    const QnLoad *load = &loads[load_of (form, i)];
+    g_autofree char *what = qn_load_dup_text (model, load, qn_settings_get_units ());
+    if (load->load_case > 0)
       qn_value_take_row (
         value,
         g_strdup_printf ("%s: %s", model->load_cases[load->load_case - 1].name, what));
@@ -202,9 +206,9 @@ add_loads (const Form *form, QnValue *value, const QnModel *model)
       qn_value_take_row (value, g_steal_pointer (&what));
     qn_value_set_icon (value, icons[load->kind]);
   }
-  if (count > MOST_SHOWN) {
+  if (rows > MOST_SHOWN) {
     qn_value_take_row (value,
-                       g_strdup_printf (_ ("and %u more"), (guint) (count - MOST_SHOWN)));
+                       g_strdup_printf (_ ("and %u more"), (guint) (rows - MOST_SHOWN)));
     qn_value_set_icon (value, NULL);
   }
 }
@@ -213,9 +217,9 @@ static gpointer
 subject (gpointer data, QnModel *model, guint field)
 {
   const Form *form = data;
-  return form->base.selected >= 0 ? (QnLoad *) qn_model_get_load (
-           model, form->shown, (gsize) form->base.selected)
-                                  : NULL;
+  return form->base.selected >= 0
+           ? &qn_model_loads (model, form->shown != DEAD_LOADS, NULL)[form->base.selected]
+           : NULL;
 }
 
 #define KIND(kind) (1u << QN_LOAD_##kind)
@@ -329,7 +333,7 @@ show (gpointer data, guint field, QnValue *value)
     qn_value_add_row (value, _ ("Growing"));
     for (gsize i = 0; i < model->load_set_count; i++)
       qn_value_add_row (value, model->load_sets[i]);
-    value->number = form->shown + ROW_LIVE;
+    value->number = form->shown - DEAD_LOADS;
     return TRUE;
   case NAME:
     if (form->shown > 0)
@@ -343,7 +347,7 @@ show (gpointer data, guint field, QnValue *value)
   case LOADS:
     if (shows_any (form))
       add_loads (form, value, model);
-    value->number = form->base.selected;
+    value->number = form->base.selected >= 0 ? row_of (form, form->base.selected) : -1;
     return TRUE;
   case EMPTY:
     value->text = g_strdup (
@@ -356,12 +360,11 @@ show (gpointer data, guint field, QnValue *value)
   case CHOOSE_EDGE:
     return selected_load (form) != NULL && selected_load (form)->kind == QN_LOAD_EDGE;
   case UP:
-    value->disabled = form->base.selected <= 0;
-    return TRUE;
   case DOWN:
-    value->disabled =
-      form->base.selected < 0
-      || (gsize) form->base.selected + 1 >= qn_model_count_loads (model, form->shown);
+    value->disabled = form->base.selected < 0
+                      || qn_model_load_beside (model, form->shown != DEAD_LOADS,
+                                               form->base.selected, field == UP ? -1 : 1)
+                           == QN_NONE;
     return TRUE;
   case DUPLICATE:
   case REMOVE:
@@ -455,14 +458,19 @@ show_list (Form *form, int32_t list)
 }
 
 /* The sideways weight that new drawings grow by goes where it is alone: a vehicle is not meant to grow with it. */
-static gboolean
-make_room (QnModel *model, GError **error)
+static void
+make_room (QnModel *model)
 {
-  const QnLoad *load = qn_model_get_load (model, 0, 0);
-  if (qn_model_count_loads (model, 0) != 1 || load->kind != QN_LOAD_WEIGHT
-      || load->vector.x != 1.0 || load->vector.y != 0.0)
-    return TRUE;
-  return qn_edit_remove_load (model, 0, 0, error);
+  QnId only = QN_NONE;
+  for (QnId i = 0; i < (QnId) model->live_load_count; i++)
+    if (model->live_loads[i].set == 0 && only != QN_NONE)
+      return;
+    else if (model->live_loads[i].set == 0)
+      only = i;
+  const QnLoad *load = only != QN_NONE ? &model->live_loads[only] : NULL;
+  if (load != NULL && load->kind == QN_LOAD_WEIGHT && load->vector.x == 1.0
+      && load->vector.y == 0.0)
+    qn_edit_remove_item (model, QN_ITEM_LIVE_LOAD, only, NULL);
 }
 
 static gboolean
@@ -470,12 +478,13 @@ add (Form *form, QnModel *model, guint field, GError **error)
 {
   /* A vehicle comes and goes, whichever list is looked at. */
   const int32_t list = field == ADD_VEHICLE ? MAX (form->shown, 0) : form->shown;
-  gboolean dead = list == QN_DEAD_LOADS;
+  const gboolean dead = list == DEAD_LOADS;
   QnLoad load = { .kind = QN_LOAD_WEIGHT,
                   .vector = { dead ? 0.0 : 1.0, dead ? -1.0 : 0.0 },
                   .block = QN_NONE,
                   .node = QN_NONE,
                   .beam = QN_NONE };
+  QnLoad *added;
   if (field != ADD_WEIGHT)
     load.vector = qn_vec2 (0.0, 0.0);
   if (field >= ADD_EDGE
@@ -485,54 +494,18 @@ add (Form *form, QnModel *model, guint field, GError **error)
     return FALSE;
   if ((field == ADD_FORCE && !make_force (form, model, &load, error))
       || (field == ADD_LINE && !make_line (form, &load, error))
-      || (field == ADD_SETTLEMENT && !make_settlement (form, model, &load, error))
-      || (field == ADD_VEHICLE && list == 0 && !make_room (model, error))
-      || !qn_edit_append_load (model, list, load, error))
+      || (field == ADD_SETTLEMENT && !make_settlement (form, model, &load, error)))
     return FALSE;
+  if (field == ADD_VEHICLE && list == 0)
+    make_room (model);
+  if ((added = qn_edit_new_load (model, !dead, error)) == NULL)
+    return FALSE;
+  *added = load;
+  added->set = MAX (list, 0);
   if (list != form->shown)
     show_list (form, list);
-  form->base.wanted = (int) qn_model_count_loads (model, list) - 1;
+  form->base.wanted = (int) qn_model_count_items (model, QN_ITEM_LOAD (!dead)) - 1;
   return TRUE;
-}
-
-static gboolean
-change (const Form *form, QnModel *model, guint field, const QnValue *value,
-        GError **error)
-{
-  QnLoad load = *qn_model_get_load (model, form->shown, (gsize) form->base.selected);
-  const QnLoad before = load;
-  switch (field) {
-  case WHERE:
-    load.has_side = value->number < QN_BLOCK_SIDE_COUNT;
-    if (load.has_side)
-      load.side = (QnBlockSide) qn_value_int (value);
-    else
-      qn_load_chain (model, &before, &load.edge, &load.edge_count);
-    break;
-  case SURFACE:
-    if (!qn_points_parse (value->text, load.surface, QN_MAX_SURFACE_POINTS,
-                          &load.surface_count))
-      return qn_edit_refuse (
-        error, _ ("Expected pairs of numbers with semicolons between them"));
-    break;
-  case VEHICLE: {
-    g_auto (GStrv) list = qn_dup_vehicle_names (model);
-    load.vehicle = qn_model_take_vehicle (model, list[qn_value_int (value)]);
-    break;
-  }
-  case NORMAL:
-    if (!load.normal && load.vector.x == 0.0 && load.vector.y == 0.0)
-      load.vector = qn_vec2 (0.0, -1.0);
-    break;
-  case EARTH:
-    load.coefficient = qn_load_earth_coefficient (&before);
-    load.earth = (QnEarth) qn_value_int (value);
-    break;
-  default:
-    break;
-  }
-  return qn_edit_replace_load (model, form->shown, (gsize) form->base.selected, load,
-                               error);
 }
 
 static gboolean
@@ -541,12 +514,13 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   Form *form = data;
   QnModel *model = draft != NULL ? &draft->model : NULL;
   const int selected = form->base.selected;
+  QnLoad *load = model != NULL ? subject (form, model, field) : NULL;
   switch (field) {
   case LIST:
-    show_list (form, (int32_t) value->number - ROW_LIVE);
+    show_list (form, (int32_t) value->number + DEAD_LOADS);
     return TRUE;
   case LOADS:
-    select_load (form, (int) value->number);
+    select_load (form, load_of (form, (int) value->number));
     return TRUE;
   case CHOOSE_EDGE:
     qn_tool_edge_load_choose (form->base.canvas);
@@ -562,16 +536,14 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return qn_edit_delete_load_set (model, form->shown, error);
   case REMOVE:
     select_load (form, -1); /* an equal one would take its place */
-    return qn_edit_remove_load (model, form->shown, (gsize) selected, error);
+    return qn_edit_remove_item (model, kind_of (form), selected, error);
   case DUPLICATE:
-    form->base.wanted = form->base.selected + 1;
-    return qn_edit_duplicate_load (model, form->shown != QN_DEAD_LOADS,
-                                   id_of (form, form->base.selected), error);
+    form->base.wanted = qn_edit_duplicate_item (model, kind_of (form), selected, error);
+    return form->base.wanted >= 0;
   case UP:
   case DOWN:
-    return qn_edit_move_load (model, form->shown != QN_DEAD_LOADS,
-                              id_of (form, form->base.selected), field == UP ? -1 : 1,
-                              error);
+    return qn_edit_move_load (model, form->shown != DEAD_LOADS, selected,
+                              field == UP ? -1 : 1, error);
   case ADD_WEIGHT:
   case ADD_FORCE:
   case ADD_LINE:
@@ -582,8 +554,33 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case ADD_FILL:
   case ADD_VEHICLE:
     return add (form, model, field, error);
+  case WHERE:
+    if (value->number >= QN_BLOCK_SIDE_COUNT)
+      qn_load_chain (model, load, &load->edge, &load->edge_count);
+    load->has_side = value->number < QN_BLOCK_SIDE_COUNT;
+    if (load->has_side)
+      load->side = (QnBlockSide) qn_value_int (value);
+    return TRUE;
+  case SURFACE:
+    return qn_points_parse (value->text, load->surface, QN_MAX_SURFACE_POINTS,
+                            &load->surface_count)
+           || qn_edit_refuse (
+             error, _ ("Expected pairs of numbers with semicolons between them"));
+  case VEHICLE: {
+    g_auto (GStrv) list = qn_dup_vehicle_names (model);
+    load->vehicle = qn_model_take_vehicle (model, list[qn_value_int (value)]);
+    return TRUE;
+  }
+  case NORMAL:
+    if (!load->normal && load->vector.x == 0.0 && load->vector.y == 0.0)
+      load->vector = qn_vec2 (0.0, -1.0);
+    return TRUE;
+  case EARTH:
+    load->coefficient = qn_load_earth_coefficient (load);
+    load->earth = (QnEarth) qn_value_int (value);
+    return TRUE;
   default:
-    return change (form, model, field, value, error);
+    return TRUE;
   }
 }
 
@@ -592,7 +589,7 @@ static void
 init (gpointer data)
 {
   Form *form = data;
-  form->shown = QN_DEAD_LOADS;
+  form->shown = DEAD_LOADS;
 }
 
 static void

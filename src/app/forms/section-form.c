@@ -108,7 +108,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   QnModel *model = &draft->model;
   switch (field) {
   case NAME:
-    return qn_edit_rename_section (model, form->section, value->text, error);
+    return qn_edit_take_name (&model->sections[form->section].name, value->text, error);
   case SHAPE:
     return qn_edit_set_section_shape (model, form->section, value->number == 0.0, error);
   case ADD: /* like the one that the beams have */

@@ -156,7 +156,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   const int row = qn_value_int (value);
   switch (field) {
   case NAME:
-    return qn_edit_rename_tie (model, form->selected, value->text, error);
+    return qn_edit_take_name (&tie->name, value->text, error);
   case STEEL:
     if (row < 1 || row > QN_TIE_STEELS)
       return FALSE;
@@ -177,10 +177,10 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case GLUE:
     return qn_edit_glue_tie (model, form->selected, error);
   case DUPLICATE:
-    form->wanted = (int) model->tie_count;
-    return qn_edit_duplicate_tie (model, form->selected, error);
+    form->wanted = qn_edit_duplicate_item (model, QN_ITEM_TIE, form->selected, error);
+    return form->wanted >= 0;
   case REMOVE:
-    return qn_edit_remove_tie (model, form->selected, error);
+    return qn_edit_remove_item (model, QN_ITEM_TIE, form->selected, error);
   case FIRST_X:
   case FIRST_Y:
   case SECOND_X:

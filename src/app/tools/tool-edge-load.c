@@ -78,8 +78,8 @@ select_last (QnCanvas *canvas, gboolean live)
 {
   gsize count;
   qn_model_loads (qn_canvas_get_model (canvas), live, &count);
-  qn_selection_set_item (qn_canvas_get_selection (canvas),
-                         live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD, (QnId) count - 1);
+  qn_selection_set_item (qn_canvas_get_selection (canvas), QN_ITEM_LOAD (live),
+                         (QnId) count - 1);
 }
 
 static void

@@ -133,7 +133,7 @@ select_item (QnCanvas *canvas, QnVec2 screen)
   QnPick pick =
     qn_canvas_pick (canvas, screen, 1u << QN_PICK_DEAD_LOAD | 1u << QN_PICK_LIVE_LOAD);
   const gboolean live = pick.kind == QN_PICK_LIVE_LOAD;
-  QnItemKind kind = live ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD;
+  QnItemKind kind = QN_ITEM_LOAD (live);
   if (!shows_undeformed (canvas) || pick.id == QN_NONE
       || qn_model_loads (model, live, NULL)[pick.id].kind == QN_LOAD_WEIGHT) {
     pick = qn_canvas_pick (canvas, screen, 1u << QN_PICK_BAR | 1u << QN_PICK_TIE);

@@ -69,15 +69,13 @@ static const char *const item_steps[QN_ITEM_COUNT][2] = {
   [QN_ITEM_TIE] = { N_ ("Remove Tie"), N_ ("Duplicate Tie") },
 };
 
-/* Removes or copies the selected one, and selects the copy: that of a load is behind it, that of a bar or tie the
- * last one. FALSE where none is selected. */
+/* Removes or copies the selected one, and selects the copy. FALSE where none is selected. */
 static gboolean
 edit_item (QnWindow *self, gboolean copy)
 {
   QnSelection *selection = qn_document_get_selection (self->document);
   QnItemKind kind;
-  const QnId item = qn_selection_get_any_item (selection, &kind);
-  gboolean done;
+  QnId item = qn_selection_get_any_item (selection, &kind);
   QnDraft draft;
   if (item == QN_NONE)
     return FALSE;
@@ -85,23 +83,13 @@ edit_item (QnWindow *self, gboolean copy)
     qn_selection_clear (selection);
   if (!qn_canvas_begin_edit (self->canvas, &draft))
     return TRUE;
-  if (kind == QN_ITEM_BAR)
-    done = (copy ? qn_edit_duplicate_bar : qn_edit_remove_bar) (draft.model, item,
-                                                                &draft.error);
-  else if (kind == QN_ITEM_TIE)
-    done = (copy ? qn_edit_duplicate_tie : qn_edit_remove_tie) (draft.model, item,
-                                                                &draft.error);
-  else
-    done = (copy ? qn_edit_duplicate_load : qn_edit_delete_load) (
-      draft.model, kind == QN_ITEM_LIVE_LOAD, item, &draft.error);
+  if (copy)
+    item = qn_edit_duplicate_item (draft.model, kind, item, &draft.error);
+  const gboolean done =
+    copy ? item != QN_NONE : qn_edit_remove_item (draft.model, kind, item, &draft.error);
   if (qn_canvas_end_edit (self->canvas, &draft, _ (item_steps[kind][copy]), NULL, done)
-      && copy) {
-    const QnModel *model = qn_document_get_model (self->document);
-    qn_selection_set_item (selection, kind,
-                           kind == QN_ITEM_BAR   ? (QnId) model->bar_count - 1
-                           : kind == QN_ITEM_TIE ? (QnId) model->tie_count - 1
-                                                 : item + 1);
-  }
+      && copy)
+    qn_selection_set_item (selection, kind, item);
   return TRUE;
 }
 

@@ -431,15 +431,6 @@ find_whole (QnSelection *self, const QnModel *before, const QnModel *after)
   return whole;
 }
 
-static gsize
-count_items (const QnModel *model, QnItemKind kind)
-{
-  return kind == QN_ITEM_BAR         ? model->bar_count
-         : kind == QN_ITEM_TIE       ? model->tie_count
-         : kind == QN_ITEM_LIVE_LOAD ? model->live_load_count
-                                     : model->dead_load_count;
-}
-
 static const char *
 name_of_block (const QnModel *model, QnId block)
 {
@@ -484,7 +475,8 @@ same_item (QnItemKind kind, const QnModel *a, QnId one, const QnModel *b, QnId o
 static QnId
 follow_item (QnItemKind kind, QnId old, const QnModel *before, const QnModel *after)
 {
-  const gsize then = count_items (before, kind), now = count_items (after, kind);
+  const gsize then = qn_model_count_items (before, kind),
+              now = qn_model_count_items (after, kind);
   if (old == QN_NONE || (gsize) old >= then)
     return QN_NONE;
   if ((gsize) old < now && same_item (kind, before, old, after, old))

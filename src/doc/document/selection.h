@@ -44,13 +44,6 @@ gboolean qn_selection_get_opening (QnSelection *selection, QnId *object, int *op
 
 /* Selects the i-th of the model's dead loads, live loads (those of all sets), bars or ties, and nothing
  * else; QN_NONE for none. */
-typedef enum {
-  QN_ITEM_DEAD_LOAD,
-  QN_ITEM_LIVE_LOAD,
-  QN_ITEM_BAR,
-  QN_ITEM_TIE,
-  QN_ITEM_COUNT
-} QnItemKind;
 void qn_selection_set_item (QnSelection *selection, QnItemKind kind, QnId id);
 /* The selected one of this kind, or QN_NONE. */
 QnId qn_selection_get_item (QnSelection *selection, QnItemKind kind);

@@ -142,19 +142,7 @@ qn_edit_set_beams (QnModel *model, QnBeamSet set, QnBeamField field, double valu
       break;
     }
   }
-  if (set.count == 0)
-    return refuse_no_beam (error);
-  return field != QN_BEAM_ELEMENTS || qn_edit_rebuild (model, NULL, error);
-}
-
-gboolean
-qn_edit_rename_beam (QnModel *model, QnId id, const char *name, GError **error)
-{
-  if (qn_model_find_beam (model, name) != QN_NONE)
-    return qn_edit_refuse (error, _ ("There is a beam named “%s” already"), name);
-  /* Nodes between elements are named by their beam. */
-  return qn_edit_take_name (&model->beams[id].name, name, error)
-         && qn_edit_rebuild (model, NULL, error);
+  return set.count > 0 || refuse_no_beam (error);
 }
 
 /* ---- loads along beams ---- */
@@ -186,7 +174,7 @@ qn_edit_set_line_load (QnModel *model, QnBeamSet set, gboolean live, QnVec2 valu
     const QnLoad *loads = qn_model_loads (model, live, &count);
     for (gsize i = count; i > 0; i--)
       if (is_line_load (&loads[i - 1], set.ids[k])
-          && !qn_edit_delete_load (model, live, (QnId) i - 1, error))
+          && !qn_edit_remove_item (model, QN_ITEM_LOAD (live), (QnId) i - 1, error))
         return FALSE;
     if (value.x == 0.0 && value.y == 0.0)
       continue;
@@ -520,14 +508,6 @@ qn_edit_add_section (QnModel *model, QnId like, GError **error)
   section->width = section->height = FIRST_SIZE;
   section->unit_weight = FIRST_UNIT_WEIGHT;
   return TRUE;
-}
-
-gboolean
-qn_edit_rename_section (QnModel *model, QnId id, const char *name, GError **error)
-{
-  if (qn_model_find_section (model, name) != QN_NONE)
-    return qn_edit_refuse (error, _ ("There is a section named “%s” already"), name);
-  return qn_edit_take_name (&model->sections[id].name, name, error);
 }
 
 void

@@ -49,8 +49,6 @@ typedef enum {
 } QnBeamField;
 gboolean qn_edit_set_beams (QnModel *model, QnBeamSet set, QnBeamField field,
                             double value, GError **error);
-gboolean qn_edit_rename_beam (QnModel *model, QnId beam, const char *name,
-                              GError **error);
 
 /* The one force along each of these beams, N/m; zero takes it away. `live`: it grows. */
 gboolean qn_edit_set_line_load (QnModel *model, QnBeamSet set, gboolean live,
@@ -113,8 +111,6 @@ gboolean qn_edit_set_section_shape (QnModel *model, QnId section, gboolean recta
 /* Adds a section like an existing one (QN_NONE: concrete, 0.2 x 0.2 m) under a free name; its
  * number is that of the last one. */
 gboolean qn_edit_add_section (QnModel *model, QnId like, GError **error);
-gboolean qn_edit_rename_section (QnModel *model, QnId section, const char *name,
-                                 GError **error);
 void qn_edit_remove_unused_sections (QnModel *model);
 
 /* Where nodes and beams of the old model went; QN_NONE: they are gone. */

@@ -1,6 +1,7 @@
 /* Names and lists of a model, whatever is in them. */
-#include "doc/edit/edit.h"
+#include "doc/edit/edit-tie.h"
 
+#include <glib/gi18n-lib.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,6 +14,13 @@ qn_edit_dup_new_name (const QnModel *model, QnFindFunc find, const char *word,
     if (find (model, name) == QN_NONE)
       return g_steal_pointer (&name);
   }
+}
+
+char *
+qn_edit_dup_free_name (const QnModel *model, QnFindFunc find, const char *word)
+{
+  return find (model, word) == QN_NONE ? g_strdup (word)
+                                       : qn_edit_dup_new_name (model, find, word, " ", 2);
 }
 
 gboolean
@@ -40,4 +48,66 @@ qn_edit_drop (gpointer items, size_t *count, gsize size, gsize index)
 {
   char *dropped = (char *) items + index * size;
   memmove (dropped, dropped + size, (--*count - index) * size);
+}
+
+/* ---- loads, bars, ties ---- */
+
+#define LIST(array, number)                                                              \
+  offsetof (QnModel, array), offsetof (QnModel, number), sizeof *((QnModel *) NULL)->array
+
+static const struct {
+  gsize items, count, size;
+  const char *missing;
+} lists[QN_ITEM_COUNT] = {
+  [QN_ITEM_DEAD_LOAD] = { LIST (dead_loads, dead_load_count),
+                          N_ ("There is no such load") },
+  [QN_ITEM_LIVE_LOAD] = { LIST (live_loads, live_load_count),
+                          N_ ("There is no such load") },
+  [QN_ITEM_BAR] = { LIST (bars, bar_count), N_ ("There is no such bar") },
+  [QN_ITEM_TIE] = { LIST (ties, tie_count), N_ ("There is no such tie") },
+};
+
+gsize
+qn_model_count_items (const QnModel *model, QnItemKind kind)
+{
+  return G_STRUCT_MEMBER (size_t, model, lists[kind].count);
+}
+
+gboolean
+qn_edit_has_item (const QnModel *model, QnItemKind kind, QnId item, GError **error)
+{
+  return (item >= 0 && (gsize) item < qn_model_count_items (model, kind))
+         || qn_edit_refuse_nothing (error, _ (lists[kind].missing));
+}
+
+gboolean
+qn_edit_remove_item (QnModel *model, QnItemKind kind, QnId item, GError **error)
+{
+  if (!qn_edit_has_item (model, kind, item, error))
+    return FALSE;
+  if (kind == QN_ITEM_TIE)
+    free (model->ties[item].name);
+  qn_edit_drop (G_STRUCT_MEMBER (gpointer, model, lists[kind].items),
+                &G_STRUCT_MEMBER (size_t, model, lists[kind].count), lists[kind].size,
+                (gsize) item);
+  return TRUE;
+}
+
+QnId
+qn_edit_duplicate_item (QnModel *model, QnItemKind kind, QnId item, GError **error)
+{
+  const gboolean live = kind == QN_ITEM_LIVE_LOAD;
+  if (!qn_edit_has_item (model, kind, item, error))
+    return QN_NONE;
+  if (kind == QN_ITEM_BAR || kind == QN_ITEM_TIE)
+    return (kind == QN_ITEM_BAR ? qn_edit_copy_bar : qn_edit_copy_tie) (model, item,
+                                                                        error)
+             ? (QnId) qn_model_count_items (model, kind) - 1
+             : QN_NONE;
+  if (qn_edit_new_load (model, live, error) == NULL)
+    return QN_NONE;
+  QnLoad *original = qn_model_loads (model, live, NULL) + item;
+  memmove (original + 1, original,
+           (qn_model_count_items (model, kind) - 1 - (gsize) item) * sizeof *original);
+  return item + 1;
 }

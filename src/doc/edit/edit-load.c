@@ -100,33 +100,6 @@ qn_edit_move_edge_loads (QnModel *model, const gboolean *blocks, QnTransform t)
   }
 }
 
-gboolean
-qn_edit_has_load (const QnModel *model, gboolean live, QnId id, GError **error)
-{
-  gsize count;
-  qn_model_loads (model, live, &count);
-  if (id >= 0 && (gsize) id < count)
-    return TRUE;
-  return qn_edit_refuse_nothing (error, _ ("There is no such load"));
-}
-
-static void
-remove_load (QnModel *model, gboolean live, gsize index)
-{
-  qn_edit_drop (qn_model_loads (model, live, NULL),
-                live ? &model->live_load_count : &model->dead_load_count, sizeof (QnLoad),
-                index);
-}
-
-gboolean
-qn_edit_delete_load (QnModel *model, gboolean live, QnId id, GError **error)
-{
-  if (!qn_edit_has_load (model, live, id, error))
-    return FALSE;
-  remove_load (model, live, (gsize) id);
-  return TRUE;
-}
-
 /* Where points of an edge of another block lie along the edge ab, as parts of it; FALSE where that edge
  * lies elsewhere. */
 static gboolean
@@ -237,7 +210,7 @@ qn_edit_set_weight_load (QnModel *model, gboolean live, QnVec2 direction, GError
     if (wanted && !found)
       loads[i - 1].vector = direction;
     else
-      remove_load (model, live, i - 1);
+      qn_edit_remove_item (model, QN_ITEM_LOAD (live), (QnId) i - 1, NULL);
     found = TRUE;
   }
   if (!wanted || found)
@@ -253,9 +226,8 @@ qn_edit_set_weight_load (QnModel *model, gboolean live, QnVec2 direction, GError
 gboolean
 qn_edit_add_law (QnModel *model, QnId like, const char *name, GError **error)
 {
-  if (qn_model_find_law (model, name) != QN_NONE)
-    return qn_edit_refuse (error, _ ("There is a law named “%s” already"), name);
-  QnLaw *law = qn_model_add_law (model, name);
+  g_autofree char *free_name = qn_edit_dup_free_name (model, qn_model_find_law, name);
+  QnLaw *law = qn_model_add_law (model, free_name);
   return (law != NULL && qn_law_assign (law, &model->laws[like]))
          || qn_edit_no_memory (error);
 }

@@ -175,87 +175,11 @@ qn_edit_make_edge_load (QnModel *model, QnLoadKind kind, QnBlockSet set, QnLoad 
   return TRUE;
 }
 
-/* Place of the k-th load of a list in the model's array; the array's end where there is none. */
-static gsize
-find_load (const QnModel *model, int32_t list, gsize index)
+QnId
+qn_model_load_beside (const QnModel *model, gboolean live, QnId load, int by)
 {
-  if (list == QN_DEAD_LOADS)
-    return MIN (index, model->dead_load_count);
-  gsize i = 0;
-  for (gsize seen = 0; i < model->live_load_count; i++) {
-    if (model->live_loads[i].set == list && seen++ == index)
-      break;
-  }
-  return i;
-}
-
-gsize
-qn_model_count_loads (const QnModel *model, int32_t list)
-{
-  gsize count = 0;
-  for (gsize i = 0; list != QN_DEAD_LOADS && i < model->live_load_count; i++)
-    count += model->live_loads[i].set == list;
-  return list == QN_DEAD_LOADS ? model->dead_load_count : count;
-}
-
-const QnLoad *
-qn_model_get_load (const QnModel *model, int32_t list, gsize index)
-{
-  gsize count, place = find_load (model, list, index);
-  const QnLoad *loads = qn_model_loads (model, list != QN_DEAD_LOADS, &count);
-  return place < count ? &loads[place] : NULL;
-}
-
-gboolean
-qn_edit_append_load (QnModel *model, int32_t list, QnLoad load, GError **error)
-{
-  QnLoad *added = qn_edit_new_load (model, list != QN_DEAD_LOADS, error);
-  if (added == NULL)
-    return FALSE;
-  *added = load;
-  added->set = MAX (list, 0);
-  return TRUE;
-}
-
-gboolean
-qn_edit_replace_load (QnModel *model, int32_t list, gsize index, QnLoad load,
-                      GError **error)
-{
-  const gboolean live = list != QN_DEAD_LOADS;
-  const gsize place = find_load (model, list, index);
-  if (!qn_edit_has_load (model, live, (QnId) place, error))
-    return FALSE;
-  load.set = MAX (list, 0);
-  qn_model_loads (model, live, NULL)[place] = load;
-  return TRUE;
-}
-
-gboolean
-qn_edit_remove_load (QnModel *model, int32_t list, gsize index, GError **error)
-{
-  return qn_edit_delete_load (model, list != QN_DEAD_LOADS,
-                              (QnId) find_load (model, list, index), error);
-}
-
-gboolean
-qn_edit_duplicate_load (QnModel *model, gboolean live, QnId load, GError **error)
-{
-  if (!qn_edit_has_load (model, live, load, error)
-      || qn_edit_new_load (model, live, error) == NULL)
-    return FALSE;
   gsize count;
-  QnLoad *original = qn_model_loads (model, live, &count) + load;
-  memmove (original + 1, original, (count - 1 - (gsize) load) * sizeof *original);
-  return TRUE;
-}
-
-gboolean
-qn_edit_move_load (QnModel *model, gboolean live, QnId load, int by, GError **error)
-{
-  if (!qn_edit_has_load (model, live, load, error))
-    return FALSE;
-  gsize count;
-  QnLoad *loads = qn_model_loads (model, live, &count);
+  const QnLoad *loads = qn_model_loads (model, live, &count);
   QnId other = load + by;
   /* Settlements have a list of their own in the window. */
   while (other >= 0 && (gsize) other < count
@@ -263,30 +187,23 @@ qn_edit_move_load (QnModel *model, gboolean live, QnId load, int by, GError **er
              || (loads[other].kind == QN_LOAD_SETTLEMENT)
                   != (loads[load].kind == QN_LOAD_SETTLEMENT)))
     other += by;
-  if (!qn_edit_has_load (model, live, other, error))
+  return (gsize) other < count ? other : QN_NONE;
+}
+
+gboolean
+qn_edit_move_load (QnModel *model, gboolean live, QnId load, int by, GError **error)
+{
+  const QnItemKind kind = QN_ITEM_LOAD (live);
+  const QnId other = qn_edit_has_item (model, kind, load, error)
+                       ? qn_model_load_beside (model, live, load, by)
+                       : load;
+  if (!qn_edit_has_item (model, kind, load, NULL)
+      || !qn_edit_has_item (model, kind, other, error))
     return FALSE;
-  const QnLoad moved = loads[load];
+  QnLoad *loads = qn_model_loads (model, live, NULL), moved = loads[load];
   loads[load] = loads[other];
   loads[other] = moved;
   return TRUE;
-}
-
-void
-qn_model_place_load (const QnModel *model, gboolean live, QnId load, int32_t *list,
-                     gsize *index)
-{
-  *list = live ? model->live_loads[load].set : QN_DEAD_LOADS;
-  *index = live ? 0 : (gsize) load;
-  for (QnId i = 0; live && i < load; i++)
-    *index += model->live_loads[i].set == *list;
-}
-
-QnId
-qn_model_get_load_id (const QnModel *model, int32_t list, gsize index)
-{
-  return qn_model_get_load (model, list, index) != NULL
-           ? (QnId) find_load (model, list, index)
-           : QN_NONE;
 }
 
 /* ---- stages ---- */
@@ -348,14 +265,13 @@ begin_stages (QnModel *model, QnStage *stage)
 static uint32_t
 next_sets (const QnModel *model)
 {
-  uint32_t driven = 0;
+  uint32_t waiting = 0;
+  for (gsize i = 0; i < model->live_load_count; i++)
+    waiting |= UINT32_C (1) << model->live_loads[i].set;
   for (gsize i = 0; i + 1 < model->stage_count; i++)
-    driven |= model->stages[i].sets;
-  for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++) {
-    if ((driven >> set & 1) == 0 && qn_model_count_loads (model, set) > 0)
-      return UINT32_C (1) << set;
-  }
-  return model->stages[model->stage_count - 2].sets;
+    waiting &= ~model->stages[i].sets;
+  return waiting != 0 ? waiting & (~waiting + 1) /* the first of them */
+                      : model->stages[model->stage_count - 2].sets;
 }
 
 gboolean

@@ -1,14 +1,11 @@
 /* Edits of load sets, of single loads, and of the stages that they are applied in.
  *
  * They work on the draft of qn_document_edit(), with errors as in edit.h; what breaks a rule of
- * stages (model-check-loading.c) is refused when the draft becomes the document. Lists of loads are
- * told by numbers: QN_DEAD_LOADS, 0 for the live loads, and those of the sets.
+ * stages (model-check-loading.c) is refused when the draft becomes the document.
  */
 #pragma once
 
 #include "doc/edit/edit.h"
-
-#define QN_DEAD_LOADS (-1)
 
 /* ---- lists of loads ---- */
 
@@ -31,27 +28,11 @@ gboolean qn_edit_delete_load_case (QnModel *model, int32_t number, GError **erro
 gboolean qn_edit_make_edge_load (QnModel *model, QnLoadKind kind, QnBlockSet set,
                                  QnLoad *load, GError **error);
 
-/* How many loads a list has, and its k-th; NULL behind the last. */
-gsize qn_model_count_loads (const QnModel *model, int32_t list);
-const QnLoad *qn_model_get_load (const QnModel *model, int32_t list, gsize index);
-
-/* Appends a load to a list, replaces or removes the k-th. The set of `load` is that of the list. */
-gboolean qn_edit_append_load (QnModel *model, int32_t list, QnLoad load, GError **error);
-gboolean qn_edit_replace_load (QnModel *model, int32_t list, gsize index, QnLoad load,
-                               GError **error);
-gboolean qn_edit_remove_load (QnModel *model, int32_t list, gsize index, GError **error);
-
-/* Of the i-th of the dead or of the live loads: adds a copy behind it; changes places with the one
- * before (by = -1) or behind it (1) in its list. */
-gboolean qn_edit_duplicate_load (QnModel *model, gboolean live, QnId load,
-                                 GError **error);
+/* Of the i-th of the dead or of the live loads: the one before (by = -1) or behind it (1) in its set,
+ * settlements apart; QN_NONE: there is none. They change places. */
+QnId qn_model_load_beside (const QnModel *model, gboolean live, QnId load, int by);
 gboolean qn_edit_move_load (QnModel *model, gboolean live, QnId load, int by,
                             GError **error);
-
-/* Its list and place there, and back; QN_NONE where there is none. */
-void qn_model_place_load (const QnModel *model, gboolean live, QnId load, int32_t *list,
-                          gsize *index);
-QnId qn_model_get_load_id (const QnModel *model, int32_t list, gsize index);
 
 /* ---- stages ---- */
 

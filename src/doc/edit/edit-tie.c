@@ -74,28 +74,9 @@ qn_edit_draw_tie (QnModel *model, QnVec2 from, QnVec2 to, GError **error)
   return ties_something (tie, error);
 }
 
-static gboolean
-has_tie (const QnModel *model, QnId tie, GError **error)
-{
-  return (tie >= 0 && (gsize) tie < model->tie_count)
-         || qn_edit_refuse_nothing (error, _ ("There is no such tie"));
-}
-
 gboolean
-qn_edit_remove_tie (QnModel *model, QnId tie, GError **error)
+qn_edit_copy_tie (QnModel *model, QnId tie, GError **error)
 {
-  if (!has_tie (model, tie, error))
-    return FALSE;
-  free (model->ties[tie].name);
-  qn_edit_drop (model->ties, &model->tie_count, sizeof *model->ties, (gsize) tie);
-  return qn_edit_rebuild (model, NULL, error); /* names are found by places */
-}
-
-gboolean
-qn_edit_duplicate_tie (QnModel *model, QnId tie, GError **error)
-{
-  if (!has_tie (model, tie, error))
-    return FALSE;
   QnTie *added = add_tie (model);
   if (added == NULL)
     return qn_edit_no_memory (error);
@@ -167,7 +148,7 @@ find_blocks_along (const QnModel *model, QnVec2 from, QnVec2 to)
 gboolean
 qn_edit_glue_tie (QnModel *model, QnId tie, GError **error)
 {
-  if (!has_tie (model, tie, error))
+  if (!qn_edit_has_item (model, QN_ITEM_TIE, tie, error))
     return FALSE;
   const QnTie strip = model->ties[tie];
   g_autoptr (GArray) blocks =
@@ -189,22 +170,10 @@ qn_edit_glue_tie (QnModel *model, QnId tie, GError **error)
 gboolean
 qn_edit_place_tie_end (QnModel *model, QnId tie, int end, QnVec2 at, GError **error)
 {
-  if (!has_tie (model, tie, error))
+  if (!qn_edit_has_item (model, QN_ITEM_TIE, tie, error))
     return FALSE;
   model->ties[tie].ends[end] = end_at (model, at);
   return ties_something (&model->ties[tie], error);
-}
-
-gboolean
-qn_edit_rename_tie (QnModel *model, QnId tie, const char *name, GError **error)
-{
-  if (!has_tie (model, tie, error))
-    return FALSE;
-  QnId namesake = qn_model_find_tie (model, name);
-  if (namesake != QN_NONE && namesake != tie)
-    return qn_edit_refuse (error, _ ("There is a tie named “%s” already"), name);
-  return qn_edit_take_name (&model->ties[tie].name, name, error)
-         && qn_edit_rebuild (model, NULL, error); /* names are found by places */
 }
 
 static const char *
@@ -257,10 +226,7 @@ find_metal (QnModel *model, QnId *law, GError **error)
         *law = (QnId) i;
         return TRUE;
       }
-  g_autofree char *name =
-    qn_model_find_law (model, _ ("steel")) == QN_NONE
-      ? g_strdup (_ ("steel"))
-      : qn_edit_dup_new_name (model, qn_model_find_law, _ ("steel"), " ", 2);
+  g_autofree char *name = qn_edit_dup_free_name (model, qn_model_find_law, _ ("steel"));
   QnLaw *added = qn_model_add_law (model, name);
   if (added == NULL)
     return qn_edit_no_memory (error);
@@ -316,27 +282,9 @@ qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error)
                            error);
 }
 
-static gboolean
-has_bar (const QnModel *model, QnId bar, GError **error)
-{
-  return (bar >= 0 && (gsize) bar < model->bar_count)
-         || qn_edit_refuse_nothing (error, _ ("There is no such bar"));
-}
-
 gboolean
-qn_edit_remove_bar (QnModel *model, QnId bar, GError **error)
+qn_edit_copy_bar (QnModel *model, QnId bar, GError **error)
 {
-  if (!has_bar (model, bar, error))
-    return FALSE;
-  qn_edit_drop (model->bars, &model->bar_count, sizeof *model->bars, (gsize) bar);
-  return TRUE;
-}
-
-gboolean
-qn_edit_duplicate_bar (QnModel *model, QnId bar, GError **error)
-{
-  if (!has_bar (model, bar, error))
-    return FALSE;
   QnBar *added = qn_model_add_bar (model);
   if (added == NULL)
     return qn_edit_no_memory (error);

@@ -22,10 +22,10 @@ extern const double qn_tie_diameters[QN_TIE_DIAMETERS];
 /* A tie of 20 mm and the first steel from point to point, m, without prestress and limit of its anchors. An
  * end on a block is fixed to it, elsewhere to the ground. */
 gboolean qn_edit_draw_tie (QnModel *model, QnVec2 from, QnVec2 to, GError **error);
-gboolean qn_edit_remove_tie (QnModel *model, QnId tie, GError **error);
 
-/* One like it as the last, four diameters to the left of it, under a name of its own. */
-gboolean qn_edit_duplicate_tie (QnModel *model, QnId tie, GError **error);
+/* What qn_edit_duplicate_item() does with a tie and a bar; a tie has a name of its own. */
+gboolean qn_edit_copy_tie (QnModel *model, QnId tie, GError **error);
+gboolean qn_edit_copy_bar (QnModel *model, QnId bar, GError **error);
 
 /* A strip that is glued to the blocks along its line: a tie from each of them to the next, from middle to
  * middle of what it covers, in place of the tie. */
@@ -34,7 +34,6 @@ gboolean qn_edit_glue_tie (QnModel *model, QnId tie, GError **error);
 /* Moves an end, to the block there or to the ground. */
 gboolean qn_edit_place_tie_end (QnModel *model, QnId tie, int end, QnVec2 at,
                                 GError **error);
-gboolean qn_edit_rename_tie (QnModel *model, QnId tie, const char *name, GError **error);
 
 /* "t1, Ø 20 mm: left – right"; the caller frees it. */
 char *qn_tie_dup_text (const QnModel *model, const QnTie *tie, QnUnits units);
@@ -49,9 +48,6 @@ gboolean qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error);
 
 /* Adds one of 16 mm from point to point, m. */
 gboolean qn_edit_draw_bar (QnModel *model, QnVec2 start, QnVec2 end, GError **error);
-gboolean qn_edit_remove_bar (QnModel *model, QnId bar, GError **error);
-/* Adds one like it as the last, four diameters to the left of it. */
-gboolean qn_edit_duplicate_bar (QnModel *model, QnId bar, GError **error);
 
 /* "steel, Ø 16 mm: 0; 0.2 m – 2.9; 0.2 m"; the caller frees it. */
 char *qn_bar_dup_text (const QnModel *model, const QnBar *bar, QnUnits units);

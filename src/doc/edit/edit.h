@@ -92,10 +92,6 @@ gboolean qn_edit_add_force (QnModel *model, QnId block, gboolean live, QnVec2 fo
                             QnVec2 at, GError **error);
 /* A new dead or live load, on nothing yet; NULL with an error where memory runs out. */
 QnLoad *qn_edit_new_load (QnModel *model, gboolean live, GError **error);
-/* Whether there is a load of this number; an error where there is none. */
-gboolean qn_edit_has_load (const QnModel *model, gboolean live, QnId load,
-                           GError **error);
-gboolean qn_edit_delete_load (QnModel *model, gboolean live, QnId load, GError **error);
 
 /* A stretch of a block's outline: `count` edges, counter-clockwise, from edge `first` on. */
 typedef struct QnEdgeChain {
@@ -128,7 +124,7 @@ gboolean qn_edit_carry_edge_loads (QnModel *model, QnId gone, QnId first, GError
 gboolean qn_edit_set_weight_load (QnModel *model, gboolean live, QnVec2 direction,
                                   GError **error);
 
-/* Adds a law like an existing one under a new name; its number is that of the last law. */
+/* Adds a law like an existing one under a free name like this one; its number is that of the last law. */
 gboolean qn_edit_add_law (QnModel *model, QnId like, const char *name, GError **error);
 
 /* How many blocks, walls, joints, bars and general rules name the law. */
@@ -137,6 +133,26 @@ guint qn_edit_count_law_uses (const QnModel *model, QnId law);
 /* Removes a law; what has it gets `by`, or, where that is QN_NONE, the law of the contacts. Refused
  * where nothing can stand in its place. */
 gboolean qn_edit_delete_law (QnModel *model, QnId law, QnId by, GError **error);
+
+/* ---- lists of loads, bars and ties (edit-list.c) ---- */
+
+typedef enum {
+  QN_ITEM_DEAD_LOAD,
+  QN_ITEM_LIVE_LOAD, /* those of all sets */
+  QN_ITEM_BAR,
+  QN_ITEM_TIE,
+  QN_ITEM_COUNT
+} QnItemKind;
+#define QN_ITEM_LOAD(live) ((live) ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD)
+
+gsize qn_model_count_items (const QnModel *model, QnItemKind kind);
+/* Whether there is one of this number; an error where there is none. */
+gboolean qn_edit_has_item (const QnModel *model, QnItemKind kind, QnId item,
+                           GError **error);
+gboolean qn_edit_remove_item (QnModel *model, QnItemKind kind, QnId item, GError **error);
+/* Adds one like it: a load behind it, a bar or tie as the last, four diameters to the left of it. Returns its
+ * number; QN_NONE with an error. */
+QnId qn_edit_duplicate_item (QnModel *model, QnItemKind kind, QnId item, GError **error);
 
 /* ---- for edits (edit-rebuild.c) ---- */
 
@@ -156,6 +172,8 @@ typedef QnId (*QnFindFunc) (const QnModel *model, const char *name);
  * it. */
 char *qn_edit_dup_new_name (const QnModel *model, QnFindFunc find, const char *word,
                             const char *between, gsize number);
+/* The word, where that is not taken, or such a name from "word 2" on. */
+char *qn_edit_dup_free_name (const QnModel *model, QnFindFunc find, const char *word);
 /* Puts a copy of a name into the place of another. */
 gboolean qn_edit_take_name (char **place, const char *name, GError **error);
 /* The same of a text, of which an empty one is none. */

@@ -16,7 +16,7 @@ add_force (QnModel *model, gpointer data, GError **error)
 static gboolean
 delete_force (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_delete_load (model, TRUE, *(const QnId *) data, error);
+  return qn_edit_remove_item (model, QN_ITEM_LIVE_LOAD, *(const QnId *) data, error);
 }
 
 static gboolean
@@ -94,7 +94,9 @@ test_laws (void)
   g_assert_cmpuint (model->law_count, ==, before + 1);
   g_assert_cmpstr (model->laws[before].name, ==, "mortar");
   g_assert_cmpfloat (model->laws[before].friction, ==, model->laws[0].friction);
-  refuse (document, add_law, "mortar"); /* a name counts once */
+  model = edit (document, add_law, "mortar"); /* a name counts once */
+  g_assert_cmpstr (model->laws[before + 1].name, ==, "mortar 2");
+  g_assert_true (qn_document_undo (document));
 
   QnId contact = qn_document_get_model (document)->contact.law, added = (QnId) before;
   refuse (document, delete_law, &contact); /* it is needed */
@@ -345,14 +347,15 @@ add_bar (QnModel *model, gpointer data, GError **error)
 static gboolean
 remove_bar (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_remove_bar (model, *(const QnId *) data, error);
+  return qn_edit_remove_item (model, QN_ITEM_BAR, *(const QnId *) data, error);
 }
 
 static gboolean
 duplicate_bar (QnModel *model, gpointer data, GError **error)
 {
-  g_assert_false (qn_edit_duplicate_bar (model, (QnId) model->bar_count, NULL));
-  return qn_edit_duplicate_bar (model, *(const QnId *) data, error);
+  g_assert_cmpint (
+    qn_edit_duplicate_item (model, QN_ITEM_BAR, (QnId) model->bar_count, NULL), ==, -1);
+  return qn_edit_duplicate_item (model, QN_ITEM_BAR, *(const QnId *) data, error) >= 0;
 }
 
 static gboolean

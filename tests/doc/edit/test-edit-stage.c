@@ -41,30 +41,39 @@ delete_set (QnModel *model, gpointer data, GError **error)
 }
 
 typedef struct Put {
-  int32_t list;
-  gsize index;
+  int32_t set; /* DEAD, 0 for live loads, or of a set */
+  QnId id;
   QnLoad load;
 } Put;
+
+#define DEAD (-1)
 
 static gboolean
 append (QnModel *model, gpointer data, GError **error)
 {
   const Put *put = data;
-  return qn_edit_append_load (model, put->list, put->load, error);
+  QnLoad *added = qn_edit_new_load (model, put->set != DEAD, error);
+  *added = put->load;
+  added->set = MAX (put->set, 0);
+  return TRUE;
 }
 
 static gboolean
 replace (QnModel *model, gpointer data, GError **error)
 {
   const Put *put = data;
-  return qn_edit_replace_load (model, put->list, put->index, put->load, error);
+  QnLoad *load = &qn_model_loads (model, put->set != DEAD, NULL)[put->id];
+  (void) error;
+  *load = put->load;
+  load->set = MAX (put->set, 0);
+  return TRUE;
 }
 
 static gboolean
 remove_it (QnModel *model, gpointer data, GError **error)
 {
   const Put *put = data;
-  return qn_edit_remove_load (model, put->list, put->index, error);
+  return qn_edit_remove_item (model, QN_ITEM_LOAD (put->set != DEAD), put->id, error);
 }
 
 static gboolean
@@ -140,33 +149,33 @@ test_loads (void)
 
   QnLoad force = push;
   edit (document, append, &(Put){ 1, 0, force });
-  edit (document, append, &(Put){ QN_DEAD_LOADS, 0, force });
+  edit (document, append, &(Put){ DEAD, 0, force });
   edit (document, append, &(Put){ 0, 0, force });
   model = edit (document, append, &(Put){ 1, 0, settlement });
-  g_assert_cmpuint (qn_model_count_loads (model, 1), ==, 2);
-  g_assert_cmpuint (qn_model_count_loads (model, 0), ==, 2);
-  g_assert_cmpuint (qn_model_count_loads (model, QN_DEAD_LOADS), ==, 2);
-  g_assert_cmpint (qn_model_get_load (model, 1, 1)->kind, ==, QN_LOAD_SETTLEMENT);
-  g_assert_null (qn_model_get_load (model, 1, 2));
+  const QnLoad *live = model->live_loads; /* set by set */
+  g_assert_cmpuint (model->live_load_count, ==, 4);
+  g_assert_cmpuint (qn_model_count_items (model, QN_ITEM_DEAD_LOAD), ==, 2);
+  for (int i = 0; i < 4; i++)
+    g_assert_cmpint (live[i].set, ==, i / 2);
+  g_assert_cmpint (live[3].kind, ==, QN_LOAD_SETTLEMENT);
 
   force.vector.y = -700;
-  model = edit (document, replace, &(Put){ 1, 0, force });
-  g_assert_cmpfloat (qn_model_get_load (model, 1, 0)->vector.y, ==, -700);
-  g_assert_cmpfloat (qn_model_get_load (model, 0, 1)->vector.y, ==, -500);
+  model = edit (document, replace, &(Put){ 1, 2, force });
+  g_assert_cmpfloat (model->live_loads[2].vector.y, ==, -700);
+  g_assert_cmpfloat (model->live_loads[1].vector.y, ==, -500);
   QnLoad wrong = settlement;
   wrong.block = 1; /* not fixed: nothing to give way */
   refuse (document, append, &(Put){ 1, 0, wrong });
   refuse (document, remove_it, &(Put){ 1, 7, force });
-  model = edit (document, remove_it, &(Put){ 1, 0, force });
-  g_assert_cmpint (qn_model_get_load (model, 1, 0)->kind, ==, QN_LOAD_SETTLEMENT);
-  g_autofree char *words =
-    qn_load_dup_text (model, qn_model_get_load (model, 1, 0), QN_UNITS_SI);
+  model = edit (document, remove_it, &(Put){ 1, 2, force });
+  g_assert_cmpint (model->live_loads[2].kind, ==, QN_LOAD_SETTLEMENT);
+  g_autofree char *words = qn_load_dup_text (model, &model->live_loads[2], QN_UNITS_SI);
   g_assert_nonnull (strstr (words, "ground"));
   g_assert_nonnull (strstr (words, "-10\302\240mm"));
 
   model = edit (document, delete_set, NULL);
   g_assert_cmpuint (model->load_set_count, ==, 0);
-  g_assert_cmpuint (qn_model_count_loads (model, 0), ==, 2);
+  g_assert_cmpuint (model->live_load_count, ==, 2);
   while (qn_document_undo (document))
     ;
   g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, 1);
@@ -181,11 +190,12 @@ static gboolean
 move_or_copy (QnModel *model, gpointer data, GError **error)
 {
   const Place *place = data;
-  return place->by == 0 ? qn_edit_duplicate_load (model, TRUE, place->load, error)
-                        : qn_edit_move_load (model, TRUE, place->load, place->by, error);
+  return place->by == 0
+           ? qn_edit_duplicate_item (model, QN_ITEM_LIVE_LOAD, place->load, error) >= 0
+           : qn_edit_move_load (model, TRUE, place->load, place->by, error);
 }
 
-/* Loads change places within their list, whatever lies between them; a copy is behind its original. */
+/* Loads change places within their set; a copy is behind its original. */
 static void
 test_load_order (void)
 {
@@ -195,29 +205,21 @@ test_load_order (void)
   edit (document, append, &(Put){ 1, 0, force });
   const QnModel *model = edit (document, append, &(Put){ 0, 0, force });
   g_assert_cmpuint (model->live_load_count, ==, 3);
-  QnId last = qn_model_get_load_id (model, 0, 1);
-  g_assert_cmpint (last, >, 0);
-  model = edit (document, move_or_copy, &(Place){ last, -1 });
-  g_assert_cmpint (qn_model_get_load (model, 0, 0)->kind, ==, QN_LOAD_FORCE);
-  g_assert_cmpint (qn_model_get_load (model, 0, 1)->kind, ==, QN_LOAD_WEIGHT);
-  g_assert_cmpint (qn_model_get_load (model, 1, 0)->kind, ==, QN_LOAD_FORCE);
-  refuse (document, move_or_copy, &(Place){ qn_model_get_load_id (model, 0, 0), -1 });
-  refuse (document, move_or_copy, &(Place){ qn_model_get_load_id (model, 0, 1), 1 });
+  model = edit (document, move_or_copy, &(Place){ 1, -1 });
+  g_assert_cmpint (model->live_loads[0].kind, ==, QN_LOAD_FORCE);
+  g_assert_cmpint (model->live_loads[1].kind, ==, QN_LOAD_WEIGHT);
+  g_assert_cmpint (model->live_loads[2].kind, ==, QN_LOAD_FORCE);
+  refuse (document, move_or_copy, &(Place){ 0, -1 });
+  refuse (document, move_or_copy,
+          &(Place){ 1, 1 }); /* the next one is of the other set */
   refuse (document, move_or_copy, &(Place){ 9, 1 });
   refuse (document, move_or_copy,
           &(Place){ 3, -1 }); /* nor is one read behind the last */
   refuse (document, move_or_copy, &(Place){ 9, 0 });
-  model =
-    edit (document, move_or_copy, &(Place){ qn_model_get_load_id (model, 0, 0), 0 });
-  g_assert_cmpuint (qn_model_count_loads (model, 0), ==, 3);
-  g_assert_cmpint (qn_model_get_load (model, 0, 1)->kind, ==, QN_LOAD_FORCE);
-  g_assert_cmpint (qn_model_get_load (model, 0, 2)->kind, ==, QN_LOAD_WEIGHT);
-  for (QnId i = 0; i < (QnId) model->live_load_count; i++) {
-    int32_t list;
-    gsize index;
-    qn_model_place_load (model, TRUE, i, &list, &index);
-    g_assert_cmpint (qn_model_get_load_id (model, list, index), ==, i);
-  }
+  model = edit (document, move_or_copy, &(Place){ 0, 0 });
+  g_assert_cmpuint (model->live_load_count, ==, 4);
+  g_assert_cmpint (model->live_loads[1].kind, ==, QN_LOAD_FORCE);
+  g_assert_cmpint (model->live_loads[2].kind, ==, QN_LOAD_WEIGHT);
 }
 
 static gboolean
@@ -242,7 +244,7 @@ test_unknown_members (void)
 {
   g_autoptr (QnDocument) document = open_text (text);
   QnLoad force = push;
-  edit (document, append, &(Put){ QN_DEAD_LOADS, 0, force });
+  edit (document, append, &(Put){ DEAD, 0, force });
   g_auto (GStrv) parts = g_strsplit (qn_document_get_text (document), "[0, -500]", 2);
   g_autofree char *marked =
     g_strjoin ("[0, -500], \"source\": \"site\"", parts[0], parts[1], NULL);
@@ -252,11 +254,10 @@ test_unknown_members (void)
   g_assert_true (qn_document_load_recovered (document, whole, NULL, NULL));
   edit (document, shift_stone, NULL);
   edit (document, rename_stone, NULL);
-  edit (document, remove_it, &(Put){ QN_DEAD_LOADS, 0, force }); /* the weight */
+  edit (document, remove_it, &(Put){ DEAD, 0, force }); /* the weight */
   force.vector.y = -800;
-  force.note =
-    qn_model_get_load (qn_document_get_model (document), QN_DEAD_LOADS, 0)->note;
-  edit (document, replace, &(Put){ QN_DEAD_LOADS, 0, force });
+  force.note = qn_document_get_model (document)->dead_loads[0].note;
+  edit (document, replace, &(Put){ DEAD, 0, force });
   const char *now = qn_document_get_text (document);
   g_assert_nonnull (strstr (now, "[0, -800], \"source\": \"site\" }"));
   g_assert_nonnull (strstr (now, "\"name\": \"rock\""));

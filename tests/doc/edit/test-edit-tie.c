@@ -84,19 +84,19 @@ place (QnModel *model, gpointer data, GError **error)
 static gboolean
 duplicate (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_duplicate_tie (model, *(QnId *) data, error);
+  return qn_edit_duplicate_item (model, QN_ITEM_TIE, *(QnId *) data, error) >= 0;
 }
 
 static gboolean
 rename_first (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_rename_tie (model, 0, data, error);
+  return qn_edit_take_name (&model->ties[0].name, data, error);
 }
 
 static gboolean
 remove_tie (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_remove_tie (model, *(QnId *) data, error);
+  return qn_edit_remove_item (model, QN_ITEM_TIE, *(QnId *) data, error);
 }
 
 static void
