@@ -238,7 +238,8 @@ qn_json_value_unknown (const QnJsonValue *member, const char *const *keys, gsize
 gboolean
 qn_json_value_check_keys (const QnJsonValue *object, const char *const *keys, gsize count)
 {
-  for (const cJSON *child = object->json->child; child != NULL; child = child->next) {
+  const cJSON *child = cJSON_IsObject (object->json) ? object->json->child : NULL;
+  for (; child != NULL; child = child->next) {
     gsize i = 0;
     while (i < count && strcmp (child->string, keys[i]) != 0)
       i++;

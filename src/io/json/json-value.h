@@ -78,8 +78,8 @@ gboolean qn_json_value_idle (const QnJsonValue *place, const char *message);
 gboolean qn_json_value_unknown (const QnJsonValue *member, const char *const *keys,
                                 gsize count);
 
-/* The same for every member of an object that is not among `keys`;
- * the reader keeps them in `unknown`. */
+/* The same for every member of an object that is not among `keys`; the reader keeps them in `unknown`. What
+ * is no object has none. */
 gboolean qn_json_value_check_keys (const QnJsonValue *object, const char *const *keys,
                                    gsize count);
 

@@ -39,8 +39,7 @@ static const QnMember section_members[] = {
   QN_NUMBER ("shear_factor", WRITTEN, POSITIVE, QnSection, shear_factor),
   QN_NUMBER ("yield", OPTIONAL, POSITIVE, QnSection, yield),
   QN_NUMBER ("plastic_moment", OPTIONAL, POSITIVE, QnSection, plastic_moment),
-  QN_KNOWN ("density"),
-  QN_KNOWN ("unit_weight"),
+  QN_WEIGHT (OPTIONAL, QnSection),
   { 0 },
 };
 
@@ -58,8 +57,6 @@ read_section (const QnJsonValue *place, QnModel *model)
     return qn_json_value_no_memory (place);
   gboolean rectangle = cJSON_HasObjectItem (place->json, "width")
                        || cJSON_HasObjectItem (place->json, "height");
-  gboolean heavy = cJSON_HasObjectItem (place->json, "unit_weight")
-                   || cJSON_HasObjectItem (place->json, "density");
   return exclude (place, "shear_modulus", "poisson")
          && exclude (place, "plastic_moment", "yield")
          && exclude (place, "area", "height") && exclude (place, "area", "width")
@@ -68,101 +65,62 @@ read_section (const QnJsonValue *place, QnModel *model)
          && qn_member_number (place, rectangle ? "width" : "area", QN_REQUIRED,
                               QN_RANGE_POSITIVE, &number)
          && qn_member_number (place, rectangle ? "height" : "inertia", QN_REQUIRED,
-                              QN_RANGE_POSITIVE, &number)
-         && (!heavy
-             || qn_read_weight (place, model, &section->unit_weight, &section->density));
+                              QN_RANGE_POSITIVE, &number);
 }
 
-static gboolean
-read_seat (const QnJsonValue *place, const QnModel *model, QnNode *node)
-{
-  gboolean at = cJSON_HasObjectItem (place->json, "at");
-  gboolean side = cJSON_HasObjectItem (place->json, "side");
-  if (!cJSON_HasObjectItem (place->json, "block")) {
-    QnJsonValue member = qn_json_value_member (place, "side");
-    return side ? qn_json_value_fail (&member, _ ("side needs a block"))
-                : qn_member_vec2 (place, "at", QN_REQUIRED, &node->at);
-  }
-  node->seat = at ? QN_SEAT_POINT : side ? QN_SEAT_SIDE : QN_SEAT_CENTROID;
-  return exclude (place, "side", "at")
-         && qn_read_name (place, "block", QN_REQUIRED, model, QN_NAMED_BLOCK,
-                          &node->block)
-         && qn_member_vec2 (place, "at", QN_OPTIONAL, &node->at)
-         && qn_member_choice (place, "side", QN_OPTIONAL, qn_block_side_names,
-                              QN_BLOCK_SIDE_COUNT, &node->side);
-}
+static const QnMember node_members[] = {
+  QN_KNOWN ("name"),
+  QN_ENTITY ("block", OPTIONAL, BLOCK, QnNode, block),
+  QN_CHOICE ("side", OPTIONAL, qn_block_side_names, QnNode, side),
+  QN_TWO ("at", OPTIONAL, QnNode, at),
+  QN_SUPPORT (QnNode),
+  { 0 },
+};
 
+/* Where it is: on a block, or at a place of its own. */
 static gboolean
 read_node (const QnJsonValue *place, QnModel *model)
 {
-  static const char *const keys[] = { "name", "at", "block", "side", "support" };
   const char *name;
   if (!read_entity_name (place, &name)
-      || !qn_json_value_check_keys (place, keys, G_N_ELEMENTS (keys)))
+      || !qn_members_check (place, node_members, NULL, NULL))
     return FALSE;
   QnNode *node = qn_model_add_node (model, name);
   if (node == NULL)
     return qn_json_value_no_memory (place);
-  return read_seat (place, model, node) && qn_read_support (place, node->support);
+  const gboolean at = cJSON_HasObjectItem (place->json, "at");
+  const QnJsonValue side = qn_json_value_member (place, "side");
+  const gboolean rides = cJSON_HasObjectItem (place->json, "block");
+  if (!rides && side.json != NULL)
+    return qn_json_value_fail (&side, _ ("side needs a block"));
+  if (rides)
+    node->seat = at ? QN_SEAT_POINT : side.json != NULL ? QN_SEAT_SIDE : QN_SEAT_CENTROID;
+  return (rides || qn_member_vec2 (place, "at", QN_REQUIRED, &node->at))
+         && exclude (place, "side", "at")
+         && qn_members_take (place, node_members, model, node);
 }
 
-/* ["a", "b"]: exactly two elements. */
-static gboolean
-read_two (const QnJsonValue *list)
-{
-  return qn_json_value_array (list)
-         && (cJSON_GetArraySize (list->json) == 2
-             || qn_json_value_fail (list, _ ("expected two values, one for each end")));
-}
-
-static gboolean
-read_ends (const QnJsonValue *place, const QnModel *model, QnBeam *beam)
-{
-  QnJsonValue nodes = qn_json_value_member (place, "nodes"), hinges;
-  if (!read_two (&nodes))
-    return FALSE;
-  for (int end = 0; end < 2; end++) {
-    QnJsonValue name =
-      qn_json_value_element (&nodes, (gsize) end, cJSON_GetArrayItem (nodes.json, end));
-    if (!cJSON_IsString (name.json))
-      return qn_json_value_fail (&name, _ ("expected the name of a node"));
-    if (!qn_read_name_of (&name, model, QN_NAMED_NODE, &beam->nodes[end]))
-      return FALSE;
-  }
-  hinges = qn_json_value_member (place, "hinges");
-  if (hinges.json == NULL)
-    return TRUE;
-  if (!read_two (&hinges))
-    return FALSE;
-  for (int end = 0; end < 2; end++) {
-    QnJsonValue flag =
-      qn_json_value_element (&hinges, (gsize) end, cJSON_GetArrayItem (hinges.json, end));
-    if (!cJSON_IsBool (flag.json))
-      return qn_json_value_fail (&flag, _ ("expected true or false"));
-    beam->hinge[end] = cJSON_IsTrue (flag.json);
-  }
-  return TRUE;
-}
+static const QnMember beam_members[] = {
+  QN_KNOWN ("name"),
+  QN_CHOICE ("kind", OPTIONAL, qn_beam_kind_names, QnBeam, kind),
+  QN_LIST_OF ("nodes", NAMES, REQUIRED, QnBeam, nodes, QN_NAMED_NODE,
+              N_ ("expected two values, one for each end")),
+  QN_ENTITY ("section", REQUIRED, SECTION, QnBeam, section),
+  QN_LIST_OF ("hinges", FLAGS, OPTIONAL, QnBeam, hinge, 2,
+              N_ ("expected two values, one for each end")),
+  QN_COUNT ("elements", OPTIONAL, QN_MAX_BEAM_ELEMENTS, QnBeam, element_count),
+  { 0 },
+};
 
 static gboolean
 read_beam (const QnJsonValue *place, QnModel *model)
 {
-  static const char *const keys[] = { "name",   "nodes",    "section",
-                                      "hinges", "elements", "kind" };
   const char *name;
-  if (!read_entity_name (place, &name)
-      || !qn_json_value_check_keys (place, keys, G_N_ELEMENTS (keys)))
+  if (!read_entity_name (place, &name))
     return FALSE;
   QnBeam *beam = qn_model_add_beam (model, name);
-  if (beam == NULL)
-    return qn_json_value_no_memory (place);
-  return read_ends (place, model, beam)
-         && qn_read_name (place, "section", QN_REQUIRED, model, QN_NAMED_SECTION,
-                          &beam->section)
-         && qn_member_choice (place, "kind", QN_OPTIONAL, qn_beam_kind_names,
-                              QN_BEAM_KIND_COUNT, &beam->kind)
-         && qn_member_count (place, "elements", QN_OPTIONAL, QN_MAX_BEAM_ELEMENTS,
-                             &beam->element_count);
+  return beam != NULL ? qn_members_read (place, beam_members, model, beam)
+                      : qn_json_value_no_memory (place);
 }
 
 static void
@@ -177,10 +135,6 @@ append_section (GString *json, const QnModel *model, size_t index)
                             .inertia = rectangle ? section->inertia : 0 };
   qn_json_put_string (json, "name", section->name);
   qn_members_write (json, section_members, model, section, &usual);
-  if (section->density >= 0)
-    qn_json_put_number (json, "density", section->density);
-  else if (section->unit_weight > 0)
-    qn_json_put_number (json, "unit_weight", section->unit_weight);
 }
 
 const QnList qn_section_list = QN_LIST ("sections", read_section, append_section, NULL,
@@ -190,14 +144,13 @@ static void
 append_node (GString *json, const QnModel *model, size_t index)
 {
   const QnNode *node = &model->nodes[index];
+  const gboolean placed = node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT;
+  /* What follows from the block is as usual. */
+  const QnNode usual = { .side =
+                           node->seat == QN_SEAT_SIDE ? QN_BLOCK_SIDE_COUNT : node->side,
+                         .at = placed ? qn_vec2 (NAN, NAN) : node->at };
   qn_json_put_string (json, "name", node->name);
-  if (node->seat != QN_SEAT_FREE)
-    qn_json_put_string (json, "block", model->blocks[node->block].name);
-  if (node->seat == QN_SEAT_SIDE)
-    qn_json_put_string (json, "side", qn_block_side_names[node->side]);
-  if (node->seat == QN_SEAT_FREE || node->seat == QN_SEAT_POINT)
-    qn_json_put_vec2 (json, "at", node->at);
-  qn_json_put_support (json, node->support);
+  qn_members_write (json, node_members, model, node, &usual);
 }
 
 static bool
@@ -212,23 +165,10 @@ const QnList qn_node_list =
 static void
 append_beam (GString *json, const QnModel *model, size_t index)
 {
+  static const QnBeam usual = { .element_count = 1 };
   const QnBeam *beam = &model->beams[index];
   qn_json_put_string (json, "name", beam->name);
-  if (beam->kind != QN_BEAM_TIMOSHENKO)
-    qn_json_put_string (json, "kind", qn_beam_kind_names[beam->kind]);
-  qn_json_begin_member (json, "nodes");
-  for (int end = 0; end < 2; end++) {
-    g_string_append (json, end == 0 ? "[" : ", ");
-    qn_json_append_string (json, model->nodes[beam->nodes[end]].name);
-  }
-  g_string_append_c (json, ']');
-  qn_json_put_string (json, "section", model->sections[beam->section].name);
-  if (beam->hinge[0] || beam->hinge[1]) {
-    qn_json_begin_member (json, "hinges");
-    g_string_append_printf (json, "[%s, %s]", beam->hinge[0] ? "true" : "false",
-                            beam->hinge[1] ? "true" : "false");
-  }
-  qn_json_put_unusual (json, "elements", beam->element_count, 1);
+  qn_members_write (json, beam_members, model, beam, &usual);
 }
 
 const QnList qn_beam_list =

@@ -16,7 +16,8 @@ static const QnMember pairs_members[] = {
 };
 
 static const QnMember face_members[] = {
-  QN_KNOWN ("blocks"),
+  QN_LIST_OF ("blocks", NAMES, REQUIRED, QnFaceOverride, block_a, QN_NAMED_BLOCK,
+              N_ ("expected the names of two blocks")),
   QN_ENTITY ("law", OPTIONAL, LAW, QnFaceOverride, law),
   QN_KNOWN ("pairs"),
   { 0 },
@@ -35,8 +36,8 @@ static const QnMember bar_members[] = {
   QN_NUMBER ("area", REQUIRED, POSITIVE, QnBar, area),
   QN_TWO ("start", REQUIRED, QnBar, start),
   QN_TWO ("end", REQUIRED, QnBar, end),
-  QN_KNOWN ("via"),
   QN_TWO ("spacing", OPTIONAL, QnBar, spacing),
+  QN_POINTS ("via", OPTIONAL, QN_MAX_BAR_CORNERS, QnBar, via, via_count),
   { 0 },
 };
 
@@ -119,24 +120,6 @@ read_pair_rule (const QnJsonValue *object, QnPairRule *rule)
 }
 
 static gboolean
-read_face_blocks (const QnJsonValue *face, const QnModel *model, QnFaceOverride *override)
-{
-  QnJsonValue names, name = { 0 };
-  QnId *blocks[] = { &override->block_a, &override->block_b };
-  if (!qn_member_array (face, "blocks", QN_REQUIRED, &names))
-    return FALSE;
-  if (cJSON_GetArraySize (names.json) != 2)
-    return qn_json_value_fail (&names, _ ("expected the names of two blocks"));
-  while (qn_json_value_next (&names, &name)) {
-    if (!cJSON_IsString (name.json))
-      return qn_json_value_fail (&name, _ ("expected the name of a block"));
-    if (!qn_read_name_of (&name, model, QN_NAMED_BLOCK, blocks[name.index]))
-      return FALSE;
-  }
-  return TRUE;
-}
-
-static gboolean
 read_face (const QnJsonValue *place, QnModel *model)
 {
   QnFaceOverride *override = qn_model_add_override (model);
@@ -144,7 +127,6 @@ read_face (const QnJsonValue *place, QnModel *model)
     return qn_json_value_no_memory (place);
   override->has_pairs = cJSON_HasObjectItem (place->json, "pairs");
   return qn_members_read (place, face_members, model, override)
-         && read_face_blocks (place, model, override)
          && read_pair_rule (place, &override->pairs);
 }
 
@@ -168,11 +150,8 @@ static gboolean
 read_bar (const QnJsonValue *place, QnModel *model)
 {
   QnBar *bar = qn_model_add_bar (model);
-  if (bar == NULL)
-    return qn_json_value_no_memory (place);
-  return qn_members_read (place, bar_members, model, bar)
-         && qn_member_points (place, "via", QN_OPTIONAL, QN_MAX_BAR_CORNERS, bar->via,
-                              &bar->via_count);
+  return bar != NULL ? qn_members_read (place, bar_members, model, bar)
+                     : qn_json_value_no_memory (place);
 }
 
 /* ---- writing ---- */
@@ -198,13 +177,6 @@ static void
 append_face (GString *json, const QnModel *model, size_t index)
 {
   const QnFaceOverride *face = &model->overrides[index];
-  const QnId blocks[] = { face->block_a, face->block_b };
-  qn_json_begin_member (json, "blocks");
-  for (int i = 0; i < 2; i++) {
-    g_string_append (json, i == 0 ? "[" : ", ");
-    qn_json_append_string (json, model->blocks[blocks[i]].name);
-  }
-  g_string_append_c (json, ']');
   qn_members_write (json, face_members, model, face, face);
   if (face->has_pairs)
     put_pair_rule (json, &face->pairs);
@@ -231,10 +203,7 @@ static void
 append_bar (GString *json, const QnModel *model, size_t index)
 {
   static const QnBar usual = { 0 };
-  const QnBar *bar = &model->bars[index];
-  qn_members_write (json, bar_members, model, bar, &usual);
-  if (bar->via_count > 0)
-    qn_json_put_points (json, "via", bar->via, (gsize) bar->via_count);
+  qn_members_write (json, bar_members, model, &model->bars[index], &usual);
 }
 
 const QnList qn_bar_list =

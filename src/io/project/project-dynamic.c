@@ -28,8 +28,10 @@ static const QnMember ground_members[] = {
 
 static const QnMember initial_members[] = {
   QN_ENTITY ("block", REQUIRED, BLOCK, QnInitialMotion, block),
-  QN_KNOWN ("displacement"),
-  QN_KNOWN ("velocity"),
+  QN_LIST_OF ("displacement", NUMBERS, OPTIONAL, QnInitialMotion, displacement,
+              QN_DOF_COUNT, N_ ("expected three numbers: ux, uy, rz")),
+  QN_LIST_OF ("velocity", NUMBERS, OPTIONAL, QnInitialMotion, velocity, QN_DOF_COUNT,
+              N_ ("expected three numbers: ux, uy, rz")),
   { 0 },
 };
 
@@ -109,30 +111,12 @@ read_ground (const QnJsonValue *place, QnModel *model)
          || qn_members_read (&pulse, pulse_members, NULL, &motion->pulse);
 }
 
-/* [ux, uy, rz]; left as it is where there is none. */
-static gboolean
-read_triple (const QnJsonValue *owner, const char *key, double triple[QN_DOF_COUNT])
-{
-  QnJsonValue list, number = { 0 };
-  if (!qn_member_array (owner, key, QN_OPTIONAL, &list))
-    return FALSE;
-  while (qn_json_value_next (&list, &number))
-    if (number.index < QN_DOF_COUNT
-        && !qn_json_value_number (&number, QN_RANGE_FINITE, &triple[number.index]))
-      return FALSE;
-  return list.json == NULL || number.index == QN_DOF_COUNT
-         || qn_json_value_fail (&list, _ ("expected three numbers: ux, uy, rz"));
-}
-
 static gboolean
 read_initial (const QnJsonValue *place, QnModel *model)
 {
   QnInitialMotion *motion = qn_model_add_initial_motion (model);
-  if (motion == NULL)
-    return qn_json_value_no_memory (place);
-  return qn_members_read (place, initial_members, model, motion)
-         && read_triple (place, "displacement", motion->displacement)
-         && read_triple (place, "velocity", motion->velocity);
+  return motion != NULL ? qn_members_read (place, initial_members, model, motion)
+                        : qn_json_value_no_memory (place);
 }
 
 static gboolean
@@ -179,19 +163,10 @@ append_ground (GString *json, const QnModel *model, size_t index)
 }
 
 static void
-put_triple (GString *json, const char *key, const double triple[QN_DOF_COUNT])
-{
-  if (triple[0] != 0 || triple[1] != 0 || triple[2] != 0)
-    qn_json_put_numbers (json, key, triple, QN_DOF_COUNT);
-}
-
-static void
 append_initial (GString *json, const QnModel *model, size_t index)
 {
-  const QnInitialMotion *motion = &model->initial[index];
-  qn_members_write (json, initial_members, model, motion, NULL);
-  put_triple (json, "displacement", motion->displacement);
-  put_triple (json, "velocity", motion->velocity);
+  static const QnInitialMotion usual = { 0 };
+  qn_members_write (json, initial_members, model, &model->initial[index], &usual);
 }
 
 static void

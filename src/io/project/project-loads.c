@@ -90,7 +90,7 @@ static const QnMember backfill_members[] = {
 
 static const QnMember fill_members[] = {
   COMMON,
-  QN_KNOWN ("surface"),
+  QN_POINTS ("surface", REQUIRED, QN_MAX_SURFACE_POINTS, QnLoad, surface, surface_count),
   QN_NUMBER ("unit_weight", REQUIRED, NOT_NEGATIVE, QnLoad, unit_weight),
   QN_NUMBER ("friction_angle", OPTIONAL, NOT_NEGATIVE, QnLoad, friction_angle),
   QN_NUMBER ("mobilisation", OPTIONAL, NOT_NEGATIVE, QnLoad, mobilisation),
@@ -255,9 +255,6 @@ read_load (const QnJsonValue *place, QnModel *model, QnLoad *load)
                  && read_intensity (place, load->intensity)))
          && (load->kind != QN_LOAD_SURCHARGE || read_surcharge (place))
          && (load->kind != QN_LOAD_BACKFILL || read_earth (place, load))
-         && (load->kind != QN_LOAD_FILL
-             || qn_member_points (place, "surface", QN_REQUIRED, QN_MAX_SURFACE_POINTS,
-                                  load->surface, &load->surface_count))
          && (load->kind != QN_LOAD_VEHICLE || read_vehicle_name (place, model, load));
 }
 
@@ -438,8 +435,6 @@ append_load (GString *json, const QnModel *model, const QnLoad *load)
   qn_json_put_string (json, "kind", qn_load_kind_names[load->kind]);
   if (load->load_case > 0)
     qn_json_put_string (json, "case", model->load_cases[load->load_case - 1].name);
-  if (load->kind == QN_LOAD_FILL)
-    qn_json_put_points (json, "surface", load->surface, (gsize) load->surface_count);
   if (load->kind == QN_LOAD_VEHICLE)
     qn_json_put_string (json, "vehicle", model->vehicles[load->vehicle].name);
   qn_members_write (json, load_members[load->kind], model, load, &usual);

@@ -122,14 +122,12 @@ static const QnMember common_members[] = {
   QN_TWO ("origin", WRITTEN, QnMasonry, origin),
   QN_NUMBER ("rotation", OPTIONAL, FINITE, QnMasonry, rotation),
   QN_NUMBER ("thickness", REQUIRED, POSITIVE, QnMasonry, thickness),
-  QN_KNOWN ("unit_weight"),
-  QN_KNOWN ("density"),
-  QN_KNOWN ("law"),
-  QN_KNOWN ("material"),
   QN_ENTITY ("ring_law", OPTIONAL, LAW, QnMasonry, ring_law),
-  QN_NUMBER ("foundation", READ, NOT_NEGATIVE, QnMasonry, foundation),
-  QN_NUMBER ("perturbation", READ, NOT_NEGATIVE, QnMasonry, perturbation),
-  QN_KNOWN ("perturbation_seed"),
+  QN_WEIGHT (REQUIRED, QnMasonry),
+  QN_LAW (QnMasonry),
+  QN_NUMBER ("foundation", OPTIONAL, NOT_NEGATIVE, QnMasonry, foundation),
+  QN_NUMBER ("perturbation", OPTIONAL, NOT_NEGATIVE, QnMasonry, perturbation),
+  QN_SEED ("perturbation_seed", READ, QnMasonry, perturbation_seed),
   { 0 },
 };
 
@@ -248,7 +246,7 @@ static const QnMember rubble_members[] = {
   QN_NUMBER ("height", REQUIRED, POSITIVE, QnMasonry, rubble.height),
   QN_NUMBER ("stone", REQUIRED, POSITIVE, QnMasonry, rubble.stone),
   QN_NUMBER ("irregularity", WRITTEN, NOT_NEGATIVE, QnMasonry, rubble.irregularity),
-  QN_KNOWN ("seed"),
+  QN_SEED ("seed", WRITTEN, QnMasonry, rubble.seed),
   { 0 },
 };
 
@@ -262,7 +260,7 @@ static const QnMember grid_members[] = {
 static const QnMember voronoi_members[] = {
   QN_KNOWN ("size"),
   QN_NUMBER ("cell", REQUIRED, POSITIVE, QnMasonry, rubble.stone),
-  QN_KNOWN ("seed"),
+  QN_SEED ("seed", WRITTEN, QnMasonry, rubble.seed),
   { 0 },
 };
 
@@ -461,20 +459,6 @@ read_portal (const QnJsonValue *place, QnPortal *portal)
 }
 
 static gboolean
-read_seed (const QnJsonValue *place, const char *key, uint32_t *seed)
-{
-  double number = 1;
-  if (!qn_member_number (place, key, QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE, &number))
-    return FALSE;
-  if (number > G_MAXUINT32 || number != floor (number)) {
-    QnJsonValue member = qn_json_value_member (place, key);
-    return qn_json_value_fail (&member, _ ("expected a whole number below 4294967296"));
-  }
-  *seed = (uint32_t) qn_to_integer (number, 0, G_MAXUINT32);
-  return TRUE;
-}
-
-static gboolean
 read_grid (const QnJsonValue *place, QnMasonry *masonry)
 {
   QnVec2 size, cells;
@@ -496,10 +480,12 @@ static gboolean
 read_voronoi (const QnJsonValue *place, QnRubble *rubble)
 {
   QnVec2 size;
+  const uint32_t seed = rubble->seed;
   if (!qn_member_vec2 (place, "size", QN_REQUIRED, &size))
     return FALSE;
   qn_masonry_set_voronoi (rubble, size, rubble->stone);
-  return read_seed (place, "seed", &rubble->seed);
+  rubble->seed = seed;
+  return TRUE;
 }
 
 static gboolean
@@ -508,6 +494,7 @@ read_object (const QnJsonValue *place, const QnModel *model, int kind, QnMasonry
   const QnJsonValue turn = qn_json_value_member (place, "rotation");
   masonry->portal.bays = 1;
   masonry->rubble.irregularity = 0.7;
+  masonry->rubble.seed = masonry->perturbation_seed = 1;
   if (!qn_members_check (place, common_members, kind_members[kind],
                          kind == QN_MASONRY_WALL ? leaf_members : NULL)
       || !qn_members_take (place, common_members, model, masonry))
@@ -515,15 +502,10 @@ read_object (const QnJsonValue *place, const QnModel *model, int kind, QnMasonry
   if (fabs (masonry->rotation) > 2 * QN_PI)
     qn_json_value_warn (&turn, _ (qn_problem_text (QN_PROBLEM_DOUBT_ANGLE)));
   return qn_members_take (place, kind_members[kind], model, masonry)
-         && qn_read_weight (place, model, &masonry->unit_weight, &masonry->density)
-         && qn_read_own_law (place, model, &masonry->law)
-         && read_seed (place, "perturbation_seed", &masonry->perturbation_seed)
          && (kind != QN_MASONRY_WALL || read_masonry_wall (place, masonry))
          && (kind != QN_MASONRY_ARCH
              || read_springing (place, masonry->arch.span, &masonry->arch))
          && (kind != QN_MASONRY_PORTAL || read_portal (place, &masonry->portal))
-         && (kind != QN_MASONRY_RUBBLE
-             || read_seed (place, "seed", &masonry->rubble.seed))
          && (kind != QN_MASONRY_GRID || read_grid (place, masonry))
          && (kind != QN_MASONRY_VORONOI || read_voronoi (place, &masonry->rubble));
 }
@@ -681,8 +663,6 @@ put_kind (GString *json, const QnMasonry *masonry)
     qn_json_put_numbers (json, "plinth", &column->plinth_width, 2);
   if (masonry->kind == QN_MASONRY_COLUMN && column->capital_height > 0)
     qn_json_put_numbers (json, "capital", &column->capital_width, 2);
-  if (masonry->kind == QN_MASONRY_RUBBLE)
-    qn_json_put_number (json, "seed", masonry->rubble.seed);
   for (gsize i = 0; masonry->kind == QN_MASONRY_PORTAL && i < G_N_ELEMENTS (portal_lists);
        i++) {
     const double *numbers =
@@ -707,13 +687,8 @@ qn_masonry_append_json (GString *json, const QnMasonry *masonry, const QnModel *
   qn_json_put_string (json, "kind", qn_masonry_kind_names[name_index (masonry)]);
   qn_json_put_string (json, "name", masonry->name);
   qn_members_write (json, common_members, model, masonry, &usual);
-  qn_json_put_weight (json, masonry->unit_weight, masonry->density);
-  qn_json_put_law (json, model, masonry->law);
-  qn_json_put_unusual (json, "foundation", masonry->foundation, 0);
-  if (masonry->perturbation > 0) {
-    qn_json_put_number (json, "perturbation", masonry->perturbation);
+  if (masonry->perturbation > 0)
     qn_json_put_number (json, "perturbation_seed", masonry->perturbation_seed);
-  }
   put_kind (json, masonry);
   g_string_append (json, " }");
 }

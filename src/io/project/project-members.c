@@ -1,11 +1,13 @@
 #include "io/project/project-members.h"
 
+#include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "core/model/model.h"
 #include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Most members of one object. */
 #define MOST_MEMBERS 32
@@ -67,6 +69,80 @@ read_string (const QnJsonValue *object, const QnMember *member, QnNeed need, cha
 }
 
 static gboolean
+read_seed (const QnJsonValue *object, const QnMember *m, QnNeed need, uint32_t *seed)
+{
+  const QnJsonValue member = qn_json_value_member (object, m->key);
+  double number = *seed;
+  if (!qn_member_number (object, m->key, need, QN_RANGE_NOT_NEGATIVE, &number))
+    return FALSE;
+  if (number > G_MAXUINT32 || number != floor (number))
+    return qn_json_value_fail (&member, _ ("expected a whole number below 4294967296"));
+  *seed = (uint32_t) qn_to_integer (number, 0, G_MAXUINT32);
+  return TRUE;
+}
+
+static gboolean
+read_item (const QnJsonValue *item, const QnMember *m, const QnModel *model, gpointer to)
+{
+  if (m->kind == QN_MEMBER_NUMBERS)
+    return qn_json_value_number (item, QN_RANGE_FINITE, (double *) to + item->index);
+  if (m->kind == QN_MEMBER_FLAGS) {
+    ((bool *) to)[item->index] = cJSON_IsTrue (item->json);
+    return cJSON_IsBool (item->json)
+           || qn_json_value_fail (item, _ ("expected true or false"));
+  }
+  if (!cJSON_IsString (item->json))
+    return qn_json_value_fail (item, m->detail == QN_NAMED_BLOCK
+                                       ? _ ("expected the name of a block")
+                                       : _ ("expected the name of a node"));
+  return qn_read_name_of (item, model, (QnNamed) m->detail, (QnId *) to + item->index);
+}
+
+static gboolean
+read_list (const QnJsonValue *object, const QnMember *m, QnNeed need,
+           const QnModel *model, gpointer to)
+{
+  const int count = m->kind == QN_MEMBER_NAMES ? 2 : m->detail;
+  QnJsonValue list, item = { 0 };
+  if (!qn_member_array (object, m->key, need, &list))
+    return FALSE;
+  if (list.json != NULL && cJSON_GetArraySize (list.json) != count)
+    return qn_json_value_fail (&list, _ (m->refusal));
+  while (qn_json_value_next (&list, &item))
+    if (!read_item (&item, m, model, to))
+      return FALSE;
+  return TRUE;
+}
+
+/* Weight of the material as N/m3 or, times gravity, as kg/m3. */
+static gboolean
+read_weight (const QnJsonValue *object, QnNeed need, const QnModel *model,
+             double weight[2])
+{
+  const QnRange range = QN_RANGE_NOT_NEGATIVE;
+  QnJsonValue density = qn_json_value_member (object, "density");
+  if (density.json == NULL)
+    return qn_member_number (object, "unit_weight", need, range, &weight[0]);
+  if (cJSON_HasObjectItem (object->json, "unit_weight"))
+    return qn_json_value_fail (&density,
+                               _ ("density and unit_weight exclude each other"));
+  if (!qn_json_value_number (&density, range, &weight[1]))
+    return FALSE;
+  weight[0] = weight[1] * model->gravity;
+  return TRUE;
+}
+
+static gboolean
+read_law (const QnJsonValue *object, const QnModel *model, QnId *law)
+{
+  QnJsonValue material = qn_json_value_member (object, "material");
+  if (material.json != NULL && cJSON_HasObjectItem (object->json, "law"))
+    return qn_json_value_fail (&material, _ ("law and material exclude each other"));
+  return qn_read_name (object, material.json != NULL ? "material" : "law", QN_OPTIONAL,
+                       model, QN_NAMED_LAW, law);
+}
+
+static gboolean
 read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
              char *target)
 {
@@ -74,15 +150,7 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
   gpointer at = target + m->offset;
   if (m->given > 0)
     *(bool *) (target + m->given) = cJSON_HasObjectItem (object->json, m->key);
-  switch (m->kind) {
-  case QN_MEMBER_KNOWN:
-  case QN_MEMBER_MAYBE:
-  case QN_MEMBER_WHOLE:
-  case QN_MEMBER_BYTES:
-  case QN_MEMBER_PAIR:
-  case QN_MEMBER_STAGE:
-  case QN_MEMBER_PLACE:
-    break;
+  switch ((int) m->kind) { /* code reads the others */
   case QN_MEMBER_NUMBER:
     return qn_member_number (object, m->key, need, (QnRange) m->detail, at);
   case QN_MEMBER_COUNT:
@@ -104,6 +172,24 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
     return read_string (object, m, need, at);
   case QN_MEMBER_ENTITY:
     return qn_read_name (object, m->key, need, model, (QnNamed) m->detail, at);
+  case QN_MEMBER_SEED:
+    return read_seed (object, m, need, at);
+  case QN_MEMBER_POINTS:
+    return qn_member_points (object, m->key, need, m->detail, at,
+                             (int32_t *) (void *) (target + m->count));
+  case QN_MEMBER_OBJECT: {
+    QnJsonValue inner = qn_json_value_member (object, m->key);
+    return (inner.json == NULL && need == QN_OPTIONAL)
+           || qn_members_read (&inner, m->members, model, at);
+  }
+  case QN_MEMBER_FLAGS:
+  case QN_MEMBER_NUMBERS:
+  case QN_MEMBER_NAMES:
+    return read_list (object, m, need, model, at);
+  case QN_MEMBER_WEIGHT:
+    return read_weight (object, need, model, at);
+  case QN_MEMBER_LAW:
+    return read_law (object, model, at);
   }
   return TRUE;
 }
@@ -139,6 +225,25 @@ qn_members_read (const QnJsonValue *object, const QnMember *members, const QnMod
 {
   return qn_members_check (object, members, NULL, NULL)
          && qn_members_take (object, members, model, target);
+}
+
+gboolean
+qn_read_format (const QnJsonValue *root, const char *format, const char *refusal)
+{
+  const char *given;
+  double version;
+  if (!qn_json_value_object (root)
+      || !qn_member_string (root, "format", QN_REQUIRED, &given))
+    return FALSE;
+  QnJsonValue place = qn_json_value_member (root, "format");
+  if (strcmp (given, format) != 0)
+    return qn_json_value_fail (&place, refusal);
+  place = qn_json_value_member (root, "version");
+  return qn_json_value_number (&place, QN_RANGE_FINITE, &version)
+         && (version == QN_FORMAT_VERSION
+             || qn_json_value_failf (
+               &place, _ ("this program reads version %d of the format only"),
+               QN_FORMAT_VERSION));
 }
 
 /* ---- writing ---- */
@@ -214,12 +319,14 @@ name_of (const QnModel *model, QnNamed named, QnId id)
   g_return_val_if_reached ("");
 }
 
-/* No string and no entity is the usual one. */
+/* No string and no entity is the usual one. `from` and `other` have the member. */
 static gboolean
-is_usual (QnMemberKind kind, gconstpointer value, gconstpointer usual)
+is_usual (const QnMember *m, const char *from, const char *other)
 {
+  gconstpointer value = from + m->offset, usual = other + m->offset;
   const double *number = value, *usual_number = usual;
-  switch (kind) {
+  bool same = true;
+  switch (m->kind) {
   case QN_MEMBER_KNOWN:
   case QN_MEMBER_PLACE:
     return TRUE;
@@ -242,15 +349,39 @@ is_usual (QnMemberKind kind, gconstpointer value, gconstpointer usual)
   case QN_MEMBER_STRING:
     return *(char *const *) value == NULL;
   case QN_MEMBER_ENTITY:
+  case QN_MEMBER_LAW:
     return *(const QnId *) value == QN_NONE;
+  case QN_MEMBER_SEED:
+    return *(const uint32_t *) value == *(const uint32_t *) usual;
+  case QN_MEMBER_POINTS:
+    return *(const int32_t *) (const void *) (from + m->count) == 0;
+  case QN_MEMBER_OBJECT:
+    for (const QnMember *inner = m->members; inner->key != NULL; inner++)
+      same = same && is_usual (inner, value, usual);
+    return same;
+  case QN_MEMBER_FLAGS:
+    for (int i = 0; i < m->detail; i++)
+      same = same && !((const bool *) value)[i];
+    return same;
+  case QN_MEMBER_NUMBERS:
+    for (int i = 0; i < m->detail; i++)
+      same = same && number[i] == usual_number[i];
+    return same;
+  case QN_MEMBER_NAMES:
+    return FALSE;
+  case QN_MEMBER_WEIGHT:
+    return number[0] == 0 && number[1] < 0;
   }
   g_return_val_if_reached (TRUE);
 }
 
 static void
-write_member (GString *json, const QnMember *m, const QnModel *model, gconstpointer value)
+write_member (GString *json, const QnMember *m, const QnModel *model, const char *from,
+              const char *other)
 {
+  gconstpointer value = from + m->offset;
   const QnId *id = value;
+  const double *number = value;
   switch (m->kind) {
   case QN_MEMBER_KNOWN:
   case QN_MEMBER_PLACE:
@@ -292,8 +423,44 @@ write_member (GString *json, const QnMember *m, const QnModel *model, gconstpoin
     qn_json_put_string (json, m->key, *(char *const *) value);
     break;
   case QN_MEMBER_ENTITY:
-    qn_json_put_string (json, m->key,
-                        name_of (model, (QnNamed) m->detail, *(const QnId *) value));
+    qn_json_put_string (json, m->key, name_of (model, (QnNamed) m->detail, *id));
+    break;
+  case QN_MEMBER_LAW:
+    qn_json_put_string (json, m->key, model->laws[*id].name);
+    break;
+  case QN_MEMBER_SEED:
+    qn_json_put_number (json, m->key, *(const uint32_t *) value);
+    break;
+  case QN_MEMBER_POINTS:
+    qn_json_put_points (json, m->key, value,
+                        (gsize) * (const int32_t *) (const void *) (from + m->count));
+    break;
+  case QN_MEMBER_OBJECT:
+    qn_members_put (json, m->key, m->members, model, value, other + m->offset);
+    break;
+  case QN_MEMBER_NUMBERS:
+    qn_json_put_numbers (json, m->key, number, (gsize) m->detail);
+    break;
+  case QN_MEMBER_FLAGS:
+    qn_json_begin_member (json, m->key);
+    for (int i = 0; i < m->detail; i++)
+      g_string_append_printf (json, "%s%s", i > 0 ? ", " : "[",
+                              ((const bool *) value)[i] ? "true" : "false");
+    g_string_append_c (json, ']');
+    break;
+  case QN_MEMBER_NAMES:
+    qn_json_begin_member (json, m->key);
+    for (int i = 0; i < 2; i++) {
+      g_string_append (json, i > 0 ? ", " : "[");
+      qn_json_append_string (json, name_of (model, (QnNamed) m->detail, id[i]));
+    }
+    g_string_append_c (json, ']');
+    break;
+  case QN_MEMBER_WEIGHT:
+    if (number[1] >= 0)
+      qn_json_put_number (json, "density", number[1]);
+    else
+      qn_json_put_number (json, m->key, number[0]);
     break;
   }
 }
@@ -309,9 +476,8 @@ qn_members_write (GString *json, const QnMember *members, const QnModel *model,
     if (m->kind == QN_MEMBER_MAYBE && m->given > 0 && !*(const bool *) (from + m->given))
       qn_json_put_number (json, m->key, NAN);
     else if (m->given > 0 ? *(const bool *) (from + m->given)
-                          : m->use != QN_USE_OPTIONAL
-                              || !is_usual (m->kind, from + m->offset, other + m->offset))
-      write_member (json, m, model, from + m->offset);
+                          : m->use != QN_USE_OPTIONAL || !is_usual (m, from, other))
+      write_member (json, m, model, from, other);
   }
 }
 

@@ -18,6 +18,18 @@ typedef enum {
   QN_MEMBER_SWITCH, /* bool, by two names: that of false first */
   QN_MEMBER_STRING, /* char *, owned; NULL: none */
   QN_MEMBER_ENTITY, /* QnId, by the name of the entity; QN_NONE: none */
+  QN_MEMBER_SEED,   /* uint32_t */
+  QN_MEMBER_POINTS, /* up to so many QnVec2 */
+  QN_MEMBER_OBJECT, /* a struct by a table; left out where all its members are as usual */
+
+  /* Lists of a length; none, or none but usual values: left out. */
+  QN_MEMBER_FLAGS,   /* bool */
+  QN_MEMBER_NUMBERS, /* double */
+  QN_MEMBER_NAMES,   /* two QnId, as ENTITY */
+
+  /* Parts of several keys. */
+  QN_MEMBER_WEIGHT, /* unit_weight and the density behind it, as in QnBlock: one of them */
+  QN_MEMBER_LAW,    /* QnId, by `law` or its synonym `material`; QN_NONE: none */
 
   /* In results alone, which are read by io/result/result-members.h. */
   QN_MEMBER_MAYBE, /* double; null: NAN, or not `given` */
@@ -50,20 +62,26 @@ typedef struct QnMember {
   const char *key;
   QnMemberKind kind;
   QnMemberUse use;
-  gsize offset;             /* in the struct */
-  int detail;               /* QnRange, largest count, number of names, or QnNamed */
+  gsize offset; /* in the struct */
+  int detail;   /* QnRange, largest count, number of names or of values, or QnNamed */
   const char *const *names; /* of a choice or a switch; NULL among them: null */
   gsize given; /* offset of a bool that says whether the member is there; 0: none */
+  gsize count; /* POINTS: offset of their number, int32_t */
+  const char *refusal;            /* of a list of another length; translatable */
+  const struct QnMember *members; /* of an OBJECT */
 } QnMember;
 
-#define QN_KNOWN(key)                                                                    \
+#define QN_KNOWN(name)                                                                   \
   {                                                                                      \
-    key, QN_MEMBER_KNOWN, QN_USE_OPTIONAL, 0, 0, NULL, 0                                 \
+    .key = name                                                                          \
   }
-#define QN_MEMBER(key, kind, use, type, member, detail, names)                           \
+#define QN_MEMBER_WITH(name, what, when, type, member, how, ...)                         \
   {                                                                                      \
-    key, QN_MEMBER_##kind, QN_USE_##use, offsetof (type, member), detail, names, 0       \
+    .key = name, .kind = QN_MEMBER_##what, .use = QN_USE_##when,                         \
+    .offset = offsetof (type, member), .detail = how, __VA_ARGS__                        \
   }
+#define QN_MEMBER(name, what, when, type, member, how, choices)                          \
+  QN_MEMBER_WITH (name, what, when, type, member, how, .names = choices)
 #define QN_NUMBER(key, use, range, type, member)                                         \
   QN_MEMBER (key, NUMBER, use, type, member, QN_RANGE_##range, NULL)
 #define QN_COUNT(key, use, most, type, member)                                           \
@@ -78,11 +96,31 @@ typedef struct QnMember {
   QN_MEMBER (key, STRING, use, type, member, 0, NULL)
 #define QN_ENTITY(key, use, named, type, member)                                         \
   QN_MEMBER (key, ENTITY, use, type, member, QN_NAMED_##named, NULL)
-#define QN_GIVEN(key, kind, detail, type, member, given)                                 \
-  {                                                                                      \
-    key, QN_MEMBER_##kind, QN_USE_OPTIONAL, offsetof (type, member), detail, NULL,       \
-      offsetof (type, given)                                                             \
-  }
+#define QN_GIVEN(name, what, how, type, member, is_there)                                \
+  QN_MEMBER_WITH (name, what, OPTIONAL, type, member, how,                               \
+                  .given = offsetof (type, is_there))
+#define QN_SEED(key, use, type, member) QN_MEMBER (key, SEED, use, type, member, 0, NULL)
+#define QN_POINTS(name, when, most, type, member, length)                                \
+  QN_MEMBER_WITH (name, POINTS, when, type, member, most,                                \
+                  .count = offsetof (type, length))
+#define QN_OBJECT(name, when, table, type, member)                                       \
+  QN_MEMBER_WITH (name, OBJECT, when, type, member, 0, .members = table)
+#define QN_LIST_OF(name, what, when, type, member, how, other)                           \
+  QN_MEMBER_WITH (name, what, when, type, member, how, .refusal = other)
+#define QN_WEIGHT(use, type)                                                             \
+  QN_KNOWN ("density"), QN_MEMBER ("unit_weight", WEIGHT, use, type, unit_weight, 0, NULL)
+#define QN_LAW(type)                                                                     \
+  QN_KNOWN ("material"), QN_MEMBER ("law", LAW, OPTIONAL, type, law, 0, NULL)
+#define QN_SUPPORT(type)                                                                 \
+  QN_LIST_OF ("support", FLAGS, OPTIONAL, type, support, QN_DOF_COUNT,                   \
+              N_ ("expected three values: ux, uy, rz fixed or not"))
+
+/* Of projects, studies and results. */
+#define QN_FORMAT_VERSION 1
+
+/* Whether a document says that it is of this format and version; `refusal`: where it is of another. */
+gboolean qn_read_format (const QnJsonValue *root, const char *format,
+                         const char *refusal);
 
 /* Reads an object; warns of keys that the table does not have. `model` may be NULL where no member
  * names an entity. FALSE with the reader's error set. */

@@ -62,19 +62,6 @@ gboolean qn_read_dynamic (const QnJsonValue *analysis, QnModel *model);
 void qn_project_append_dynamic (GString *json, const QnModel *model,
                                 const QnDynamicSettings *usual, GHashTable *inner);
 
-/* ---- reading ---- */
-
-/* `support` of a block or node; left as it is where there is none. */
-gboolean qn_read_support (const QnJsonValue *place, bool support[QN_DOF_COUNT]);
-
-/* Parts that walls and parametric masonry have in common. Weight of the material as N/m3 or, times
- * gravity, as kg/m3: exactly one of them. */
-gboolean qn_read_weight (const QnJsonValue *place, const QnModel *model,
-                         double *unit_weight, double *density);
-
-/* `law`, or its synonym `material`. */
-gboolean qn_read_own_law (const QnJsonValue *place, const QnModel *model, QnId *law);
-
 /* `courses`: lists of lengths. */
 gboolean qn_read_courses (const QnJsonValue *place, QnWall *wall);
 
@@ -83,12 +70,3 @@ gboolean qn_read_courses (const QnJsonValue *place, QnWall *wall);
 #define QN_NAME_TEXT_SIZE 24
 gboolean qn_read_own_name (const QnJsonValue *place, const char *prefix,
                            char text[QN_NAME_TEXT_SIZE], const char **name);
-
-/* ---- writing ---- */
-
-/* Weight of the material the way it was given, and the name of a law, left out for QN_NONE. */
-void qn_json_put_weight (GString *json, double unit_weight, double density);
-void qn_json_put_law (GString *json, const QnModel *model, QnId law);
-
-/* `support`; left out if no degree of freedom is fixed. */
-void qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT]);

@@ -2,14 +2,13 @@
 #include "io/json/json-value.h"
 #include "io/project/project-inner.h"
 #include "io/project/project-masonry.h"
+#include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 #include "io/project/project.h"
 #include "io/text/file-read.h"
 
 #include <glib/gi18n-lib.h>
 #include <string.h>
-
-#define FORMAT_VERSION 1
 
 /* Members of the document: those that become part of the model, and behind them those that it does
  * not hold, which are kept and written back as they are. */
@@ -42,29 +41,6 @@ static const char *const figure_keys[] = {
   "loads", "dimensions", "names",   "values",      "legend",     "titles",
   "size",  "dpi",        "backend", "transparent", "monochrome", "model_digest"
 };
-
-static gboolean
-check_format (const QnJsonValue *root)
-{
-  const char *format;
-  double version;
-  if (!qn_json_value_object (root)
-      || !qn_member_string (root, "format", QN_REQUIRED, &format))
-    return FALSE;
-  if (strcmp (format, "quoin") != 0) {
-    QnJsonValue place = qn_json_value_member (root, "format");
-    return qn_json_value_fail (&place,
-                               _ ("this is not a Quoin project: expected \"quoin\""));
-  }
-  if (!qn_member_number (root, "version", QN_REQUIRED, QN_RANGE_FINITE, &version))
-    return FALSE;
-  if (version != FORMAT_VERSION) {
-    QnJsonValue place = qn_json_value_member (root, "version");
-    return qn_json_value_failf (
-      &place, _ ("this program reads version %d of the format only"), FORMAT_VERSION);
-  }
-  return TRUE;
-}
 
 static gboolean
 read_title_and_gravity (const QnJsonValue *root, QnModel *model)
@@ -108,12 +84,10 @@ check_extra (const QnJsonValue *place)
   while (t < G_N_ELEMENTS (tables) && strcmp (place->key, tables[t].member) != 0)
     t++;
   QnJsonValue element = { 0 };
-  bool fine = true;
   if (t == G_N_ELEMENTS (tables))
     return TRUE;
   place->reader->keeps_unknown = FALSE; /* they are kept with the rest of the member */
-  if (cJSON_IsObject (place->json))
-    fine = qn_json_value_check_keys (place, tables[t].keys, tables[t].count);
+  bool fine = qn_json_value_check_keys (place, tables[t].keys, tables[t].count);
   if (fine && tables[t].keys == capacity_keys)
     check_mechanism (place);
   while (fine && cJSON_IsArray (place->json) && qn_json_value_next (place, &element))
@@ -184,8 +158,10 @@ read_document (const QnJsonValue *root, cJSON *document, QnProject *project)
   gboolean joints =
     others || cJSON_GetArraySize (cJSON_GetObjectItem (document, "blocks")) > 0;
   QnNeed laws = beams && !joints ? QN_OPTIONAL : QN_REQUIRED;
-  return check_format (root) && keep_extras (root, document, project)
-         && read_title_and_gravity (root, model) && read_laws (root, laws, model)
+  return qn_read_format (root, "quoin",
+                         _ ("this is not a Quoin project: expected \"quoin\""))
+         && keep_extras (root, document, project) && read_title_and_gravity (root, model)
+         && read_laws (root, laws, model)
          && qn_read_list (root, &qn_block_list, blocks, model)
          && qn_read_masonry (root, project)
          && qn_read_list (root, &qn_wall_list, QN_OPTIONAL, model)

@@ -1,4 +1,3 @@
-#include "core/model/support.h"
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 #include "io/text/json-text.h"
@@ -28,51 +27,29 @@ qn_read_list (const QnJsonValue *owner, const QnList *list, QnNeed need, QnModel
   return TRUE;
 }
 
-gboolean
-qn_read_weight (const QnJsonValue *place, const QnModel *model, double *unit_weight,
-                double *density)
-{
-  const QnRange range = QN_RANGE_NOT_NEGATIVE;
-  QnJsonValue by_density = qn_json_value_member (place, "density");
-  if (by_density.json == NULL)
-    return qn_member_number (place, "unit_weight", QN_REQUIRED, range, unit_weight);
-  if (cJSON_HasObjectItem (place->json, "unit_weight"))
-    return qn_json_value_fail (&by_density,
-                               _ ("density and unit_weight exclude each other"));
-  if (!qn_json_value_number (&by_density, range, density))
-    return FALSE;
-  *unit_weight = *density * model->gravity;
-  return TRUE;
-}
+static const QnMember block_members[] = {
+  QN_KNOWN ("name"),
+  QN_KNOWN ("vertices"),
+  QN_NUMBER ("thickness", REQUIRED, POSITIVE, QnBlock, thickness),
+  QN_WEIGHT (REQUIRED, QnBlock),
+  QN_SUPPORT (QnBlock),
+  QN_BOOL ("rigid", OPTIONAL, QnBlock, rigid),
+  QN_LAW (QnBlock),
+  QN_COUNT ("ring", OPTIONAL, INT32_MAX, QnBlock, ring),
+  QN_ENTITY ("ring_law", OPTIONAL, LAW, QnBlock, ring_law),
+  { 0 },
+};
 
-gboolean
-qn_read_own_law (const QnJsonValue *place, const QnModel *model, QnId *law)
-{
-  QnJsonValue material = qn_json_value_member (place, "material");
-  if (material.json == NULL)
-    return qn_read_name (place, "law", QN_OPTIONAL, model, QN_NAMED_LAW, law);
-  if (cJSON_HasObjectItem (place->json, "law"))
-    return qn_json_value_fail (&material, _ ("law and material exclude each other"));
-  return qn_read_name (place, "material", QN_REQUIRED, model, QN_NAMED_LAW, law);
-}
-
-gboolean
-qn_read_support (const QnJsonValue *place, bool support[QN_DOF_COUNT])
-{
-  QnJsonValue list, flag = { 0 };
-  if (!qn_member_array (place, "support", QN_OPTIONAL, &list))
-    return FALSE;
-  if (list.json != NULL && cJSON_GetArraySize (list.json) != QN_DOF_COUNT)
-    return qn_json_value_fail (&list,
-                               _ ("expected three values: ux, uy, rz fixed or not"));
-
-  while (qn_json_value_next (&list, &flag)) {
-    if (!cJSON_IsBool (flag.json))
-      return qn_json_value_fail (&flag, _ ("expected true or false"));
-    support[flag.index] = cJSON_IsTrue (flag.json);
-  }
-  return TRUE;
-}
+static const QnMember wall_members[] = {
+  QN_KNOWN ("name"),
+  QN_TWO ("origin", WRITTEN, QnWall, origin),
+  QN_TWO ("unit", REQUIRED, QnWall, unit),
+  QN_NUMBER ("thickness", REQUIRED, POSITIVE, QnWall, thickness),
+  QN_WEIGHT (REQUIRED, QnWall),
+  QN_LAW (QnWall),
+  QN_KNOWN ("courses"),
+  { 0 },
+};
 
 static gboolean
 read_vertices (const QnJsonValue *place, GArray *vertices)
@@ -90,29 +67,12 @@ read_vertices (const QnJsonValue *place, GArray *vertices)
 }
 
 static gboolean
-read_block_properties (const QnJsonValue *place, const QnModel *model, QnBlock *block)
-{
-  return qn_member_number (place, "thickness", QN_REQUIRED, QN_RANGE_POSITIVE,
-                           &block->thickness)
-         && qn_read_weight (place, model, &block->unit_weight, &block->density)
-         && qn_read_support (place, block->support)
-         && qn_member_bool (place, "rigid", QN_OPTIONAL, &block->rigid)
-         && qn_read_own_law (place, model, &block->law)
-         && qn_member_count (place, "ring", QN_OPTIONAL, INT32_MAX, &block->ring)
-         && qn_read_name (place, "ring_law", QN_OPTIONAL, model, QN_NAMED_LAW,
-                          &block->ring_law);
-}
-
-static gboolean
 read_block (const QnJsonValue *place, QnModel *model)
 {
-  static const char *const keys[] = { "name",     "vertices", "thickness", "unit_weight",
-                                      "density",  "support",  "rigid",     "law",
-                                      "material", "ring",     "ring_law" };
   char text[QN_NAME_TEXT_SIZE];
   const char *name;
   if (!qn_json_value_object (place) || !qn_read_own_name (place, "b", text, &name)
-      || !qn_json_value_check_keys (place, keys, G_N_ELEMENTS (keys)))
+      || !qn_members_check (place, block_members, NULL, NULL))
     return FALSE;
 
   GArray *vertices = g_array_sized_new (FALSE, FALSE, sizeof (QnVec2), 8);
@@ -120,7 +80,7 @@ read_block (const QnJsonValue *place, QnModel *model)
   if (done) {
     QnBlock *block =
       qn_model_add_block (model, name, (const QnVec2 *) vertices->data, vertices->len);
-    done = block != NULL ? read_block_properties (place, model, block)
+    done = block != NULL ? qn_members_take (place, block_members, model, block)
                          : qn_json_value_no_memory (place);
   }
   g_array_unref (vertices);
@@ -167,56 +127,26 @@ qn_read_courses (const QnJsonValue *place, QnWall *wall)
 static gboolean
 read_wall (const QnJsonValue *place, QnModel *model)
 {
-  static const char *const keys[] = { "name",      "origin",      "unit",
-                                      "thickness", "unit_weight", "density",
-                                      "courses",   "law",         "material" };
   char text[QN_NAME_TEXT_SIZE];
   const char *name;
-  if (!qn_json_value_object (place) || !qn_read_own_name (place, "w", text, &name)
-      || !qn_json_value_check_keys (place, keys, G_N_ELEMENTS (keys)))
+  if (!qn_json_value_object (place) || !qn_read_own_name (place, "w", text, &name))
     return FALSE;
-
   QnWall *wall = qn_model_add_wall (model, name);
   if (wall == NULL)
     return qn_json_value_no_memory (place);
-  return qn_member_vec2 (place, "origin", QN_OPTIONAL, &wall->origin)
-         && qn_member_vec2 (place, "unit", QN_REQUIRED, &wall->unit)
-         && qn_member_number (place, "thickness", QN_REQUIRED, QN_RANGE_POSITIVE,
-                              &wall->thickness)
-         && qn_read_weight (place, model, &wall->unit_weight, &wall->density)
-         && qn_read_own_law (place, model, &wall->law) && qn_read_courses (place, wall);
-}
-
-void
-qn_json_put_support (GString *json, const bool support[QN_DOF_COUNT])
-{
-  if (!qn_support_is_any (support))
-    return;
-  qn_json_begin_member (json, "support");
-  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-    g_string_append_printf (json, "%s%s", dof > 0 ? ", " : "[",
-                            support[dof] ? "true" : "false");
-  g_string_append_c (json, ']');
+  return qn_members_read (place, wall_members, model, wall)
+         && qn_read_courses (place, wall);
 }
 
 static void
 append_block (GString *json, const QnModel *model, size_t index)
 {
+  static const QnBlock usual = { 0 };
   const QnBlock *block = &model->blocks[index];
   qn_json_put_string (json, "name", block->name);
   qn_json_put_points (json, "vertices", qn_model_block_vertices (model, (QnId) index),
                       (gsize) block->vertex_count);
-  qn_json_put_number (json, "thickness", block->thickness);
-  qn_json_put_weight (json, block->unit_weight, block->density);
-  qn_json_put_support (json, block->support);
-  if (block->rigid) {
-    qn_json_begin_member (json, "rigid");
-    g_string_append (json, "true");
-  }
-  qn_json_put_law (json, model, block->law);
-  qn_json_put_unusual (json, "ring", block->ring, 0);
-  if (block->ring_law != QN_NONE)
-    qn_json_put_string (json, "ring_law", model->laws[block->ring_law].name);
+  qn_members_write (json, block_members, model, block, &usual);
 }
 
 static bool
@@ -233,11 +163,7 @@ append_wall (GString *json, const QnModel *model, size_t index)
 {
   const QnWall *wall = &model->walls[index];
   qn_json_put_string (json, "name", wall->name);
-  qn_json_put_vec2 (json, "origin", wall->origin);
-  qn_json_put_vec2 (json, "unit", wall->unit);
-  qn_json_put_number (json, "thickness", wall->thickness);
-  qn_json_put_weight (json, wall->unit_weight, wall->density);
-  qn_json_put_law (json, model, wall->law);
+  qn_members_write (json, wall_members, model, wall, NULL);
   g_string_append (json, ",\n      \"courses\": [");
   int32_t entry = 0;
   for (int32_t course = 0; course < wall->course_count; course++) {

@@ -34,8 +34,8 @@ static const QnMember tie_members[] = {
   QN_NUMBER ("prestress", OPTIONAL, NOT_NEGATIVE, QnTie, prestress),
   QN_NUMBER ("slack", OPTIONAL, NOT_NEGATIVE, QnTie, slack),
   QN_NUMBER ("anchor", OPTIONAL, POSITIVE, QnTie, anchor),
-  QN_KNOWN ("plate"),
-  QN_KNOWN ("strip"),
+  QN_OBJECT ("plate", OPTIONAL, plate_members, QnTie, plate),
+  QN_OBJECT ("strip", OPTIONAL, strip_members, QnTie, strip),
   { 0 },
 };
 
@@ -63,13 +63,8 @@ read_tie (const QnJsonValue *place, QnModel *model)
   QnTie *tie = qn_model_add_tie (model, name);
   if (tie == NULL)
     return qn_json_value_no_memory (place);
-  QnJsonValue plate = qn_json_value_member (place, "plate");
-  QnJsonValue strip = qn_json_value_member (place, "strip");
-  return qn_members_read (place, tie_members, model, tie) && read_ends (place, model, tie)
-         && (plate.json == NULL
-             || qn_members_read (&plate, plate_members, NULL, &tie->plate))
-         && (strip.json == NULL
-             || qn_members_read (&strip, strip_members, NULL, &tie->strip));
+  return qn_members_read (place, tie_members, model, tie)
+         && read_ends (place, model, tie);
 }
 
 static void
@@ -85,10 +80,6 @@ append_tie (GString *json, const QnModel *model, size_t index)
   }
   g_string_append (json, " }]");
   qn_members_write (json, tie_members, model, tie, &usual);
-  if (tie->plate.diameter > 0)
-    qn_members_put (json, "plate", plate_members, NULL, &tie->plate, &usual.plate);
-  if (tie->strip.width > 0)
-    qn_members_put (json, "strip", strip_members, NULL, &tie->strip, &usual.strip);
 }
 
 const QnList qn_tie_list =

@@ -8,22 +8,6 @@
 #include <cjson/cJSON.h>
 #include <string.h>
 
-void
-qn_json_put_law (GString *json, const QnModel *model, QnId law)
-{
-  if (law != QN_NONE)
-    qn_json_put_string (json, "law", model->laws[law].name);
-}
-
-void
-qn_json_put_weight (GString *json, double unit_weight, double density)
-{
-  if (density >= 0)
-    qn_json_put_number (json, "density", density);
-  else
-    qn_json_put_number (json, "unit_weight", unit_weight);
-}
-
 int32_t *
 qn_list_note (const QnModel *model, const QnList *list, size_t index)
 {

@@ -240,7 +240,7 @@ read_member (QnJson *json, gsize at, const QnMember *m, char *target)
   gboolean null = m->kind == QN_MEMBER_MAYBE && type == QN_JSON_NULL;
   if (m->given > 0)
     *(bool *) (target + m->given) = !null;
-  switch (m->kind) {
+  switch ((int) m->kind) { /* the others are of projects */
   case QN_MEMBER_PLACE:
     *(gsize *) to = at;
     return TRUE;
@@ -280,11 +280,6 @@ read_member (QnJson *json, gsize at, const QnMember *m, char *target)
       return qn_json_fail (json, at, _ ("there is no such stage"));
     ++*ids;
     return TRUE;
-  case QN_MEMBER_KNOWN:
-  case QN_MEMBER_COUNT:
-  case QN_MEMBER_SWITCH:
-  case QN_MEMBER_ENTITY:
-    break;
   }
   g_return_val_if_reached (FALSE);
 }

@@ -8,8 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#define FORMAT         "quoin-result"
-#define FORMAT_VERSION 1
+#define FORMAT "quoin-result"
 
 /* A file that is being read: what the tables of members fill, and where the rest is. */
 typedef struct Document {
@@ -457,10 +456,10 @@ read_document (QnJson *json, QnResultFile *file)
   file->result = read.result;
   if (done && format == 0)
     return qn_json_fail_missing (json, 0, "format");
-  if (done && read.version != FORMAT_VERSION)
+  if (done && read.version != QN_FORMAT_VERSION)
     return qn_json_failf (json, qn_json_member (json, 0, "version"),
                           _ ("this program reads version %d of the format only"),
-                          FORMAT_VERSION);
+                          QN_FORMAT_VERSION);
   return done && read_parts (json, &read, file);
 }
 

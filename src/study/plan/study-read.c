@@ -13,34 +13,8 @@
 #include <math.h>
 #include <string.h>
 
-#define FORMAT_VERSION 1
-
 /* Parameters of a Sobol sequence of GSL: two dimensions for each. */
 #define SOBOL_PARAMETERS 20
-
-static gboolean
-check_format (const QnJsonValue *root)
-{
-  static const char *const keys[] = { "format",      "version",    "title", "model",
-                                      "run",         "parameters", "plan",  "outputs",
-                                      "correlation", "limits",     "cracks" };
-  const char *format;
-  double version;
-  if (!qn_json_value_object (root)
-      || !qn_member_string (root, "format", QN_REQUIRED, &format))
-    return FALSE;
-  QnJsonValue place = qn_json_value_member (root, "format");
-  if (strcmp (format, "quoin-study") != 0)
-    return qn_json_value_fail (&place,
-                               _ ("this is not a study: expected \"quoin-study\""));
-  if (!qn_member_number (root, "version", QN_REQUIRED, QN_RANGE_FINITE, &version))
-    return FALSE;
-  place = qn_json_value_member (root, "version");
-  if (version != FORMAT_VERSION)
-    return qn_json_value_failf (
-      &place, _ ("this program reads version %d of the format only"), FORMAT_VERSION);
-  return qn_json_value_check_keys (root, keys, G_N_ELEMENTS (keys));
-}
 
 /* Numbers of an array, at least one. */
 static gboolean
@@ -108,85 +82,74 @@ read_range (const QnJsonValue *list, QnDistribution *d)
   return TRUE;
 }
 
+/* What a file says of a distribution, of which each kind has a part. */
+typedef struct Stated {
+  double min, max, mean, cov, deviation, mode, scale, shape;
+} Stated;
+
+#define ENDS(use)                                                                        \
+  QN_KNOWN ("kind"), QN_NUMBER ("min", use, FINITE, Stated, min),                        \
+    QN_NUMBER ("max", use, FINITE, Stated, max)
+#define MOMENTS(range)                                                                   \
+  ENDS (OPTIONAL), QN_NUMBER ("mean", REQUIRED, range, Stated, mean),                    \
+    QN_NUMBER ("cov", OPTIONAL, POSITIVE, Stated, cov),                                  \
+    QN_NUMBER ("deviation", OPTIONAL, POSITIVE, Stated, deviation)
+
+static const QnMember distribution_members[QN_DISTRIBUTION_COUNT][7] = {
+  [QN_DISTRIBUTION_NORMAL] = { MOMENTS (FINITE) },
+  [QN_DISTRIBUTION_LOGNORMAL] = { MOMENTS (POSITIVE) },
+  [QN_DISTRIBUTION_UNIFORM] = { ENDS (REQUIRED) },
+  [QN_DISTRIBUTION_TRIANGULAR] = { ENDS (REQUIRED),
+                                   QN_NUMBER ("mode", REQUIRED, FINITE, Stated, mode) },
+  [QN_DISTRIBUTION_WEIBULL] = { ENDS (OPTIONAL),
+                                QN_NUMBER ("scale", REQUIRED, POSITIVE, Stated, scale),
+                                QN_NUMBER ("shape", REQUIRED, POSITIVE, Stated, shape) },
+  [QN_DISTRIBUTION_DISCRETE] = { QN_KNOWN ("kind"), QN_KNOWN ("values"),
+                                 QN_KNOWN ("weights") },
+};
+
 /* Mean with either deviation or coefficient of variation. */
 static gboolean
-read_moments (const QnJsonValue *place, QnDistribution *d)
+take_moments (const QnJsonValue *place, const Stated *stated, QnDistribution *d)
 {
-  double mean = 0, deviation = 0, cov = 0;
-  gboolean log = d->kind == QN_DISTRIBUTION_LOGNORMAL;
-  QnJsonValue by_share = qn_json_value_member (place, "cov");
-  QnJsonValue by_size = qn_json_value_member (place, "deviation");
-  if (!qn_member_number (place, "mean", QN_REQUIRED,
-                         log ? QN_RANGE_POSITIVE : QN_RANGE_FINITE, &mean)
-      || !qn_member_number (place, "cov", QN_OPTIONAL, QN_RANGE_POSITIVE, &cov)
-      || !qn_member_number (place, "deviation", QN_OPTIONAL, QN_RANGE_POSITIVE,
-                            &deviation))
-    return FALSE;
-  if ((by_share.json == NULL) == (by_size.json == NULL))
+  const QnJsonValue by_share = qn_json_value_member (place, "cov");
+  if ((stated->cov > 0) == (stated->deviation > 0))
     return qn_json_value_fail (place, _ ("expected either cov or deviation"));
-  if (by_share.json != NULL && mean == 0)
+  if (stated->cov > 0 && stated->mean == 0)
     return qn_json_value_fail (&by_share,
                                _ ("a mean of 0 needs a deviation instead of cov"));
-  if (by_share.json != NULL)
-    deviation = cov * fabs (mean);
-  if (log) {
-    qn_distribution_set_lognormal (d, mean, deviation);
-  } else {
-    d->first = mean;
-    d->second = deviation;
-  }
+  d->first = stated->mean;
+  d->second = stated->cov > 0 ? stated->cov * fabs (stated->mean) : stated->deviation;
+  if (d->kind == QN_DISTRIBUTION_LOGNORMAL)
+    qn_distribution_set_lognormal (d, d->first, d->second);
   return TRUE;
 }
 
 static gboolean
 read_distribution (const QnJsonValue *place, QnDistribution *d)
 {
-  static const char *const keys[QN_DISTRIBUTION_COUNT][8] = {
-    [QN_DISTRIBUTION_NORMAL] = { "kind", "min", "max", "mean", "cov", "deviation" },
-    [QN_DISTRIBUTION_LOGNORMAL] = { "kind", "min", "max", "mean", "cov", "deviation" },
-    [QN_DISTRIBUTION_UNIFORM] = { "kind", "min", "max" },
-    [QN_DISTRIBUTION_TRIANGULAR] = { "kind", "min", "max", "mode" },
-    [QN_DISTRIBUTION_WEIBULL] = { "kind", "min", "max", "scale", "shape" },
-    [QN_DISTRIBUTION_DISCRETE] = { "kind", "values", "weights" },
-  };
-  QnDistributionKind kind;
-  gsize count = 0;
+  Stated stated = { .min = -INFINITY, .max = INFINITY };
   if (!qn_json_value_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_distribution_kind_names,
-                            QN_DISTRIBUTION_COUNT, &kind))
+                            QN_DISTRIBUTION_COUNT, &d->kind)
+      || !qn_members_read (place, distribution_members[d->kind], NULL, &stated))
     return FALSE;
-  while (keys[kind][count] != NULL)
-    count++;
-  qn_json_value_check_keys (place, keys[kind], count);
-  if (kind == QN_DISTRIBUTION_DISCRETE) {
+  if (d->kind == QN_DISTRIBUTION_DISCRETE) {
     QnJsonValue values = qn_json_value_member (place, "values");
     QnJsonValue weights = qn_json_value_member (place, "weights");
     return read_values (&values, &weights, d);
   }
-
-  gboolean bounded =
-    kind == QN_DISTRIBUTION_UNIFORM || kind == QN_DISTRIBUTION_TRIANGULAR;
-  d->kind = kind;
-  d->min = -INFINITY;
-  d->max = INFINITY;
-  QnNeed ends = bounded ? QN_REQUIRED : QN_OPTIONAL;
-  if (!qn_member_number (place, "min", ends, QN_RANGE_FINITE, &d->min)
-      || !qn_member_number (place, "max", ends, QN_RANGE_FINITE, &d->max))
-    return FALSE;
-  if (kind == QN_DISTRIBUTION_TRIANGULAR
-      && !qn_member_number (place, "mode", QN_REQUIRED, QN_RANGE_FINITE, &d->first))
-    return FALSE;
-  if (kind == QN_DISTRIBUTION_WEIBULL
-      && (!qn_member_number (place, "scale", QN_REQUIRED, QN_RANGE_POSITIVE, &d->first)
-          || !qn_member_number (place, "shape", QN_REQUIRED, QN_RANGE_POSITIVE,
-                                &d->second)))
-    return FALSE;
-  if ((kind == QN_DISTRIBUTION_NORMAL || kind == QN_DISTRIBUTION_LOGNORMAL)
-      && !read_moments (place, d))
+  const gboolean weibull = d->kind == QN_DISTRIBUTION_WEIBULL;
+  d->min = stated.min;
+  d->max = stated.max;
+  d->first = weibull ? stated.scale : stated.mode;
+  d->second = stated.shape;
+  if (d->kind <= QN_DISTRIBUTION_LOGNORMAL && !take_moments (place, &stated, d))
     return FALSE;
   if (!(d->min < d->max))
     return qn_json_value_fail (place, _ ("min must be less than max"));
-  if (kind == QN_DISTRIBUTION_TRIANGULAR && !(d->min <= d->first && d->first <= d->max))
+  if (d->kind == QN_DISTRIBUTION_TRIANGULAR
+      && !(d->min <= d->first && d->first <= d->max))
     return qn_json_value_fail (place, _ ("the mode must lie between min and max"));
   return qn_distribution_is_possible (d)
          || qn_json_value_fail (place, _ ("no value lies between min and max"));
@@ -308,18 +271,26 @@ check_name (const QnJsonValue *place, const char *name, const QnStudy *study)
                                             "another column of the table"));
 }
 
+static const QnMember parameter_members[] = {
+  QN_KNOWN ("name"),
+  QN_KNOWN ("path"),
+  QN_KNOWN ("distribution"),
+  QN_KNOWN ("values"),
+  QN_KNOWN ("range"),
+  QN_COUNT ("levels", OPTIONAL, QN_STUDY_MAX_VALUES, QnParameter, levels),
+  QN_BOOL ("whole", OPTIONAL, QnParameter, whole),
+  { 0 },
+};
+
 static gboolean
 read_parameter (const QnJsonValue *place, QnStudy *study, const cJSON *document)
 {
-  static const char *const keys[] = { "name",  "path",   "distribution", "values",
-                                      "range", "levels", "whole" };
   static const char *const kinds[] = { "distribution", "values", "range" };
   const char *name = NULL;
   if (!qn_json_value_object (place)
-      || !qn_member_string (place, "name", QN_REQUIRED, &name))
+      || !qn_member_string (place, "name", QN_REQUIRED, &name)
+      || !qn_members_check (place, parameter_members, NULL, NULL))
     return FALSE;
-  qn_json_value_check_keys (place, keys, G_N_ELEMENTS (keys));
-
   g_array_set_size (study->parameters, study->parameters->len + 1);
   QnParameter *parameter =
     &g_array_index (study->parameters, QnParameter, study->parameters->len - 1);
@@ -336,17 +307,12 @@ read_parameter (const QnJsonValue *place, QnStudy *study, const cJSON *document)
   if (count != 1)
     return qn_json_value_fail (
       place, _ ("expected one of \"distribution\", \"values\", \"range\""));
-  int32_t levels = 0;
-  bool whole = false;
   QnDistribution *d = &parameter->distribution;
   if (!(given[0].json != NULL   ? read_distribution (&given[0], d)
         : given[1].json != NULL ? read_values (&given[1], NULL, d)
                                 : read_range (&given[2], d))
-      || !qn_member_count (place, "levels", QN_OPTIONAL, QN_STUDY_MAX_VALUES, &levels)
-      || !qn_member_bool (place, "whole", QN_OPTIONAL, &whole))
+      || !qn_members_take (place, parameter_members, NULL, parameter))
     return FALSE;
-  parameter->levels = (guint) levels;
-  parameter->whole = whole;
   return read_paths (place, study, document, parameter);
 }
 
@@ -456,7 +422,7 @@ read_correlation (const QnJsonValue *root, QnStudy *study)
     return qn_json_value_fail (
       &list, _ ("no variables have these correlations at once: the matrix "
                 "is not positive definite"));
-  if (study->plan == QN_PLAN_LATIN_HYPERCUBE && study->count < 2 * width + 2)
+  if (study->plan == QN_PLAN_LATIN_HYPERCUBE && (guint) study->count < 2 * width + 2)
     return qn_json_value_failf (&list, _ ("correlated layers need at least %u cases"),
                                 2 * width + 2);
   return TRUE;
@@ -487,30 +453,22 @@ check_levels (const QnJsonValue *root, const QnStudy *study)
 static gboolean
 read_plan (const QnJsonValue *root, QnStudy *study)
 {
-  static const char *const keys[] = { "kind", "count", "seed" };
+  static const QnMember members[] = {
+    QN_CHOICE ("kind", REQUIRED, qn_plan_kind_names, QnStudy, plan),
+    QN_COUNT ("count", OPTIONAL, QN_STUDY_MAX_CASES, QnStudy, count),
+    QN_SEED ("seed", OPTIONAL, QnStudy, seed),
+    { 0 },
+  };
   QnJsonValue plan = qn_json_value_member (root, "plan");
-  QnPlanKind kind;
-  int32_t count = 0;
-  double seed = study->seed;
-  if (!qn_json_value_object (&plan)
-      || !qn_member_choice (&plan, "kind", QN_REQUIRED, qn_plan_kind_names, QN_PLAN_COUNT,
-                            &kind))
+  if (!qn_members_read (&plan, members, NULL, study))
     return FALSE;
-  qn_json_value_check_keys (&plan, keys, G_N_ELEMENTS (keys));
-  gboolean levels = qn_plan_is_by_levels (kind);
-  study->plan = kind;
-  if (!qn_member_count (&plan, "count", levels ? QN_OPTIONAL : QN_REQUIRED,
-                        QN_STUDY_MAX_CASES, &count)
-      || !qn_member_number (&plan, "seed", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE, &seed))
+  const gboolean levels = qn_plan_is_by_levels (study->plan);
+  int32_t count;
+  if (!levels && !qn_member_count (&plan, "count", QN_REQUIRED, G_MAXINT32, &count))
     return FALSE;
-  QnJsonValue member = qn_json_value_member (&plan, "seed");
-  if (seed > G_MAXUINT32 || seed != floor (seed))
-    return qn_json_value_fail (&member, _ ("expected a whole number below 4294967296"));
-  study->count = (guint) count;
-  study->seed = (guint) qn_to_integer (seed, 0, G_MAXUINT32);
   if (levels && !check_levels (root, study))
     return FALSE;
-  if (kind == QN_PLAN_SOBOL && study->parameters->len > SOBOL_PARAMETERS)
+  if (study->plan == QN_PLAN_SOBOL && study->parameters->len > SOBOL_PARAMETERS)
     return qn_json_value_failf (&plan, _ ("a plan \"sobol\" has at most %d parameters"),
                                 SOBOL_PARAMETERS);
   return qn_study_case_count (study) <= QN_STUDY_MAX_CASES
@@ -522,28 +480,27 @@ read_plan (const QnJsonValue *root, QnStudy *study)
 static gboolean
 read_cracks (const QnJsonValue *root, QnStudy *study)
 {
-  static const char *const keys[] = { "blocks", "width" };
+  typedef struct Crack {
+    QnId blocks[2];
+    double width;
+  } Crack;
+  static const QnMember members[] = {
+    QN_NUMBER ("width", REQUIRED, NOT_NEGATIVE, Crack, width),
+    QN_LIST_OF ("blocks", NAMES, REQUIRED, Crack, blocks, QN_NAMED_BLOCK,
+                N_ ("expected the names of two blocks")),
+    { 0 },
+  };
   const QnModel *model = &study->project.model;
-  QnJsonValue list, item = { 0 }, names;
-  if (!qn_member_array (root, "cracks", QN_OPTIONAL, &list) || list.json == NULL)
-    return root->reader->error == NULL;
+  QnJsonValue list, item = { 0 };
+  if (!qn_member_array (root, "cracks", QN_OPTIONAL, &list))
+    return FALSE;
   while (qn_json_value_next (&list, &item)) {
-    QnMeasuredCrack crack = { 0 };
-    QnId blocks[2] = { QN_NONE, QN_NONE };
-    if (!qn_json_value_object (&item)
-        || !qn_json_value_check_keys (&item, keys, G_N_ELEMENTS (keys))
-        || !qn_member_number (&item, "width", QN_REQUIRED, QN_RANGE_NOT_NEGATIVE,
-                              &crack.width)
-        || !qn_member_array (&item, "blocks", QN_REQUIRED, &names))
+    Crack read;
+    if (!qn_members_read (&item, members, model, &read))
       return FALSE;
-    if (cJSON_GetArraySize (names.json) != 2)
-      return qn_json_value_fail (&names, _ ("expected the names of two blocks"));
-    QnJsonValue name = { 0 };
-    for (int i = 0; qn_json_value_next (&names, &name); i++)
-      if (!qn_read_name_of (&name, model, QN_NAMED_BLOCK, &blocks[i]))
-        return FALSE;
-    for (int i = 0; i < 2; i++)
-      crack.blocks[i] = g_strdup (model->blocks[blocks[i]].name);
+    QnMeasuredCrack crack = { { g_strdup (model->blocks[read.blocks[0]].name),
+                                g_strdup (model->blocks[read.blocks[1]].name) },
+                              read.width };
     g_array_append_val (study->cracks, crack);
   }
   return TRUE;
@@ -650,8 +607,14 @@ static gboolean
 read_document (const QnJsonValue *root, const char *path, const char *model_path,
                QnStudy *study)
 {
+  static const char *const keys[] = { "format",      "version",    "title", "model",
+                                      "run",         "parameters", "plan",  "outputs",
+                                      "correlation", "limits",     "cracks" };
   const char *title = NULL;
-  if (!check_format (root) || !qn_member_string (root, "title", QN_OPTIONAL, &title)
+  if (!qn_read_format (root, "quoin-study",
+                       _ ("this is not a study: expected \"quoin-study\""))
+      || !qn_json_value_check_keys (root, keys, G_N_ELEMENTS (keys))
+      || !qn_member_string (root, "title", QN_OPTIONAL, &title)
       || !qn_member_choice (root, "run", QN_REQUIRED, qn_study_run_names,
                             QN_STUDY_RUN_COUNT, &study->run))
     return FALSE;

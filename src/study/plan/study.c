@@ -116,7 +116,7 @@ qn_parameter_level_count (const QnParameter *parameter)
 {
   return parameter->distribution.kind == QN_DISTRIBUTION_DISCRETE
            ? parameter->distribution.count
-           : parameter->levels;
+           : (gsize) parameter->levels;
 }
 
 double

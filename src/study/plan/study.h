@@ -72,8 +72,8 @@ typedef struct QnParameter {
   char **paths; /* owned: of the numbers in the project, all set to the same value; none
                    for combinations */
   QnDistribution distribution;
-  guint levels;   /* of a continuous distribution in plans by levels; 0: not given */
-  gboolean whole; /* values are rounded to whole numbers */
+  int32_t levels; /* of a continuous distribution in plans by levels; 0: not given */
+  bool whole;     /* values are rounded to whole numbers */
   double base;    /* the project's own value at the first path; NaN where it has none */
 } QnParameter;
 
@@ -99,8 +99,8 @@ typedef struct QnStudy {
   GPtrArray *combinations; /* of QnCombination, of that plan; NULL: none */
   double *correlation; /* of ranks: square matrix of the parameters; NULL: independent */
   QnPlanKind plan;
-  guint count; /* of random plans: points; sobol: of the base sample */
-  guint seed;
+  int32_t count; /* of random plans: points; sobol: of the base sample */
+  uint32_t seed;
   GArray *cracks;         /* of QnMeasuredCrack */
   GArray *outputs;        /* of QnStudyOutput, each once */
   double seconds;         /* that a case may take */

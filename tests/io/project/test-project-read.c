@@ -35,7 +35,7 @@ static const char full[] =
   "    \"residual_tolerance\": 1e-7, \"snap\": \"stop\", \"flow\": \"non-associative\",\n"
   "    \"control\": { \"block\": \"w.2.1\", \"component\": \"ux\", \"target\": 0.05 } "
   "},\n"
-  "  \"view\": { \"zoom\": 2 }, \"figures\": [] }";
+  "  \"view\": { \"zoom\": 2 }, \"figures\": [[\"no\", \"figure\"]] }";
 
 static void
 check_settings (const QnModel *model)

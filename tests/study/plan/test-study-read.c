@@ -143,6 +143,9 @@ test_bad_input (void)
   expect_error ("\"count\": 10", "\"count\": 10, \"seed\": -1", "plan.seed: ", "");
   expect_error ("monte-carlo\", \"count\": 10", "sobol\", \"count\": 900000",
                 "plan: ", "more than 1000000 cases");
+  expect_error ("\"correlation\": []",
+                "\"cracks\": [{ \"width\": 0, \"blocks\": [1, 2] }]",
+                "cracks[0].blocks[0]: ", "expected the name of a block");
   expect_error ("\"correlation\": []", "\"limits\": { \"seconds\": 0 }",
                 "limits.seconds: ", "positive");
   expect_error ("\"correlation\": []", "\"limits\": { \"factorizations\": 0.5 }",
