@@ -138,6 +138,30 @@ import (gconstpointer path)
   return digest_of_project (&project);
 }
 
+/* Blocks to faces and findings. */
+static char *
+detect (gconstpointer path)
+{
+  QnProject project;
+  QnContacts contacts;
+  QnDiag diag = { 0 };
+  GError *error = NULL;
+  if (!qn_project_load (path, NULL, &project, &error))
+    return refusal (error);
+  QnStatus status = qn_contacts_detect (&project.model, &contacts, &diag);
+  char *digest = NULL;
+  if (status == QN_OK) {
+    digest =
+      g_strdup_printf ("%zu %zu", contacts.face_count, (size_t) contacts.findings.count);
+    qn_contacts_clear (&contacts);
+  } else {
+    g_assert_cmpint (status, ==, QN_ERROR_NO_MEMORY);
+    g_assert_cmpint (diag.problem, ==, QN_PROBLEM_NO_MEMORY);
+  }
+  qn_project_clear (&project);
+  return digest;
+}
+
 typedef struct Reading {
   Program program;
   const char *folder; /* variable that names it */
@@ -152,6 +176,8 @@ static const Reading readings[] = {
   { read_project, "QUOIN_CORPUS", "project/masonry-leaves" },
   { read_project, "QUOIN_CORPUS", "project/masonry-wall" },
   { read_project, "QUOIN_CORPUS", "project/masonry-others" },
+  /* A gap, an overlap, a touching corner, a floating block, an exception without a face. */
+  { detect, "QUOIN_CORPUS", "project/findings" },
   { import, "QUOIN_EXAMPLES", "dxf/wall-lines.dxf" },
   { import, "QUOIN_EXAMPLES", "dxf/wall-inserts.dxf" },
   { import, "QUOIN_CORPUS", "svg/shapes.svg" },

@@ -53,7 +53,7 @@ build_aspect (const StressCase *c, QnModel *model)
   recipe.courses = 6;
   recipe.unit = qn_vec2 (0.3 * sqrt (c->value), 0.3 / sqrt (c->value));
   qn_model_init (model);
-  g_assert_cmpint (qn_generate_wall (model, &recipe, NULL), ==, QN_OK);
+  qn_generate_wall (model, &recipe);
 }
 
 /* Friction that makes blocks turn about the slivers rather than slide. With number = 1 a contact tolerance that tells both sides of the sliver apart, with 0 the usual
@@ -139,7 +139,7 @@ build_bonded_tower (const StressCase *c, QnModel *model)
   recipe.length = 2;
   recipe.courses = (int32_t) (c->number / 2.5);
   qn_model_init (model);
-  g_assert_cmpint (qn_generate_wall (model, &recipe, NULL), ==, QN_OK);
+  qn_generate_wall (model, &recipe);
 }
 
 /* A row of blocks that push one another: all slide, or the last one overturns. */

@@ -59,7 +59,7 @@ build_arch_at_rest (const StressCase *c, QnModel *model)
   recipe.segments = 1;
   recipe.material.friction = 2;
   qn_model_init (model);
-  g_assert_cmpint (qn_generate_arch (model, &recipe, NULL), ==, QN_OK);
+  qn_generate_arch (model, &recipe);
 }
 
 /* A block that hangs from its support by tension which exceeds its weight by the part `value`. */

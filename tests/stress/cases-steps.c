@@ -63,7 +63,7 @@ build_arch (const StressCase *c, QnModel *model)
   recipe.count = c->number;
   recipe.segments = 1;
   qn_model_init (model);
-  g_assert_cmpint (qn_generate_arch (model, &recipe, NULL), ==, QN_OK);
+  qn_generate_arch (model, &recipe);
 }
 
 static void

@@ -1,11 +1,9 @@
-/* Ready-made structures: a bonded wall with openings, a semicircular arch, a column of drums.
+/* Ready-made structures: a bonded wall with openings, a semicircular arch.
  *
  * Each function fills an empty, initialised model with blocks on fixed supports, one frictional
  * contact law named "joint", the weights as dead load and the same weights along x as live load.
- * The model is not prepared yet. The same recipe gives the same model on every machine.
- *
- * Numbers that make no sense are refused with QN_ERROR_INVALID, the entity QN_ENTITY_MODEL and
- * the recipe's member as field, before anything is added.
+ * The model is not prepared yet. The same recipe gives the same model on every machine. Memory that
+ * runs out aborts.
  */
 #pragma once
 
@@ -41,21 +39,9 @@ typedef struct QnArchRecipe {
   int32_t segments; /* straight pieces along the curved sides of each, >= 1; 1 = chords */
 } QnArchRecipe;
 
-/* A column of drums one above the other on a fixed base. */
-typedef struct QnColumnRecipe {
-  QnGenerateMaterial material;
-  int32_t count;    /* drums, >= 1 */
-  double height;    /* of a drum, m */
-  double width;     /* at the foot, m */
-  double top_width; /* at the top, m */
-} QnColumnRecipe;
-
 /* Recipes to start from: unit weight 20 kN/m3, friction 0.65, blocks 0.4 x 0.175 m. */
 QnWallRecipe qn_wall_recipe_default (void);
 QnArchRecipe qn_arch_recipe_default (void);
-QnColumnRecipe qn_column_recipe_default (void);
 
-/* On failure the model may hold part of what was to be made. */
-QnStatus qn_generate_wall (QnModel *model, const QnWallRecipe *recipe, QnDiag *diag);
-QnStatus qn_generate_arch (QnModel *model, const QnArchRecipe *recipe, QnDiag *diag);
-QnStatus qn_generate_column (QnModel *model, const QnColumnRecipe *recipe, QnDiag *diag);
+void qn_generate_wall (QnModel *model, const QnWallRecipe *recipe);
+void qn_generate_arch (QnModel *model, const QnArchRecipe *recipe);
