@@ -531,53 +531,39 @@ width_of (const QnModel *model, size_t block)
   return 2 * model->blocks[block].area / perimeter;
 }
 
-/* `width`: the median of all, m; the characteristic length is the root of the median of areas. */
-static bool
-is_sliver (const QnModel *model, size_t block, double width)
+bool
+qn_contacts_find_slivers (const QnModel *model, QnContacts *contacts, QnId **rows,
+                          QnId **neighbours)
 {
-  const double length = model->characteristic_length;
-  return model->blocks[block].area < SLIVER_AREA * length * length
-         && width_of (model, block) < SLIVER_WIDTH * width;
-}
-
-/* With the neighbour that each touches most, of those that are no lintel above or below it if it has one. Of
- * slivers side by side the first is told, with their number. */
-static void
-examine_slivers (Doubts *d)
-{
-  QnContacts *contacts = d->contacts;
-  const QnModel *model = d->model;
   const size_t n = model->block_count;
   const double unit = model->characteristic_length * model->characteristic_length;
   if (n < 10)
-    return;
+    return false;
   double *sizes = qn_pool_alloc (&contacts->room, n, sizeof *sizes);
-  QnId *beside = qn_pool_alloc (&contacts->room, n, sizeof *beside);
-  QnId *row = qn_pool_alloc (&contacts->room, n, sizeof *row);         /* its first */
-  QnId *slivers = qn_pool_alloc (&contacts->room, n, sizeof *slivers); /* in its row */
+  QnId *beside = *neighbours = qn_pool_alloc (&contacts->room, n, sizeof *beside);
+  QnId *row = *rows = qn_pool_alloc (&contacts->room, n, sizeof *row);
   size_t count = 0;
   if (contacts->room.failed)
-    return;
+    return false;
   for (size_t i = 0; i < n; i++)
     sizes[i] = width_of (model, i);
   qsort (sizes, n, sizeof *sizes, qn_compare_doubles);
   const double width = sizes[n / 2];
   for (size_t i = 0; i < n; i++) {
-    slivers[i] = is_sliver (model, i, width);
-    row[i] = (QnId) i;
-    count += (size_t) slivers[i];
+    const bool sliver = model->blocks[i].area < SLIVER_AREA * unit
+                        && width_of (model, i) < SLIVER_WIDTH * width;
+    row[i] = sliver ? (QnId) i : QN_NONE;
+    count += sliver;
     sizes[i] = 0; /* from now on the longest face of each */
     beside[i] = QN_NONE;
   }
   if (count == 0 || 10 * count > n)
-    return;
+    return false;
   for (size_t f = 0; f < contacts->face_count; f++) {
     const QnContactFace *face = &contacts->faces[f];
     const QnId ends[2] = { face->a, face->b };
-    if (slivers[face->a] > 0 && slivers[face->b] > 0 && row[face->b] == face->b) {
+    if (row[face->a] != QN_NONE && row[face->b] == face->b)
       row[face->b] = row[face->a];
-      slivers[row[face->a]]++;
-    }
     for (int k = 0; k < 2; k++) {
       const double part = model->blocks[ends[1 - k]].area > LINTEL_AREA * unit ? 1e-3 : 1;
       if (part * face->length > sizes[ends[k]]) {
@@ -586,13 +572,28 @@ examine_slivers (Doubts *d)
       }
     }
   }
+  return true;
+}
+
+/* Of slivers side by side the first is told, with their number. */
+static void
+examine_slivers (Doubts *d)
+{
+  QnId *row, *beside;
+  const size_t n = d->model->block_count;
+  QnId *counts = qn_pool_alloc (&d->contacts->room, n, sizeof *counts);
+  if (counts == NULL || !qn_contacts_find_slivers (d->model, d->contacts, &row, &beside))
+    return;
   for (size_t i = 0; i < n; i++)
-    if (slivers[i] > 0 && row[i] == (QnId) i)
-      qn_contacts_report (contacts, (QnFinding){ .problem = QN_PROBLEM_BLOCK_SLIVER,
-                                                 .block_a = (QnId) i,
-                                                 .block_b = beside[i],
-                                                 .at = model->blocks[i].centroid,
-                                                 .subject = slivers[i] });
+    if (row[i] != QN_NONE)
+      counts[row[i]]++;
+  for (size_t i = 0; i < n; i++)
+    if (counts[i] > 0)
+      qn_contacts_report (d->contacts, (QnFinding){ .problem = QN_PROBLEM_BLOCK_SLIVER,
+                                                    .block_a = (QnId) i,
+                                                    .block_b = beside[i],
+                                                    .at = d->model->blocks[i].centroid,
+                                                    .subject = counts[i] });
 }
 
 void

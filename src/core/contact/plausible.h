@@ -22,4 +22,10 @@ typedef struct QnUsualRange {
  * load on it; 1/20 in linear geometry and in time, where soft joints lower no multiplier. */
 void qn_contacts_report_doubts (const QnModel *model, QnContacts *contacts);
 
+/* Slivers side by side. `rows`: for each of the block_count blocks the first of its row, QN_NONE where it is
+ * no sliver; `neighbours`: which block each touches most, of those that are no lintel above or below it if it
+ * has one. Both in the room of `contacts`. False where there are none, or without memory. */
+bool qn_contacts_find_slivers (const QnModel *model, QnContacts *contacts, QnId **rows,
+                               QnId **neighbours);
+
 const QnUsualRange *qn_usual_ranges (size_t *count);

@@ -1,6 +1,7 @@
 #include "doc/edit/repair.h"
 
 #include "core/base/polygon.h"
+#include "core/contact/plausible.h"
 #include "core/model/support.h"
 #include "doc/edit/edit-shape.h"
 #include "doc/text/explain.h"
@@ -161,7 +162,7 @@ qn_repair_get_step_name (QnRepair repair)
     [QN_REPAIR_TRIM] = N_ ("Trim Block"),
     [QN_REPAIR_MERGE] = N_ ("Merge Blocks"),
     [QN_REPAIR_SUPPORT] = N_ ("Fix Block"),
-    [QN_REPAIR_DELETE] = N_ ("Delete Block"),
+    [QN_REPAIR_DELETE] = N_ ("Delete"),
     [QN_REPAIR_FORGET] = N_ ("Remove Exception"),
   };
   return _ (names[repair]);
@@ -181,6 +182,11 @@ qn_repair_explain (const QnModel *model, const QnFinding *finding, QnRepair repa
     [QN_REPAIR_FORGET] = N_ ("Removes the exception for %s and %s"),
   };
   QnId mover, keeper;
+  if (finding->problem == QN_PROBLEM_BLOCK_SLIVER && finding->subject > 1)
+    return g_strdup_printf (repair == QN_REPAIR_MERGE ? _ (
+                              "Makes each of these %d blocks a part of its neighbour")
+                                                      : _ ("Removes these %d blocks"),
+                            (int) finding->subject);
   choose (model, finding, &mover, &keeper);
   const char *first = model->blocks[mover].name;
   const char *second = keeper != QN_NONE ? model->blocks[keeper].name : "";
@@ -323,6 +329,39 @@ merge (QnModel *model, const QnFinding *finding, GError **error)
   return qn_edit_join_blocks (model, (QnBlockSet){ ids, 2 }, error);
 }
 
+/* Slivers side by side as one: each becomes a part of its neighbour, or goes. */
+static gboolean
+repair_slivers (QnModel *model, QnId first, gboolean merges, GError **error)
+{
+  QnContacts contacts;
+  QnDiag diag = { 0 };
+  QnId *row, *beside;
+  g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
+  g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
+  if (qn_contacts_detect (model, &contacts, &diag) != QN_OK)
+    return qn_edit_refuse_diag (error, model, &diag);
+  gboolean any = qn_contacts_find_slivers (model, &contacts, &row, &beside);
+  for (QnId i = 0; any && i < (QnId) model->block_count; i++)
+    if (row[i] == first) {
+      g_array_append_val (ids, i);
+      for (int k = 0; k < 2 && beside[i] != QN_NONE; k++)
+        g_ptr_array_add (names, g_strdup (model->blocks[k == 0 ? beside[i] : i].name));
+    }
+  qn_contacts_clear (&contacts);
+  if (!merges)
+    return qn_edit_delete_blocks (model, (QnBlockSet){ (QnId *) ids->data, ids->len },
+                                  error);
+  /* Numbers of blocks change with each; what has become a part of another already is gone. */
+  for (guint i = 0; i < names->len; i += 2) {
+    const QnId pair[] = { qn_model_find_block (model, names->pdata[i]),
+                          qn_model_find_block (model, names->pdata[i + 1]) };
+    if (pair[0] != QN_NONE && pair[1] != QN_NONE
+        && !qn_edit_join_blocks (model, (QnBlockSet){ pair, 2 }, error))
+      return FALSE;
+  }
+  return TRUE;
+}
+
 /* Near misses up to the width of this one; around a block that stands alone joints of mortar of usual
  * width. */
 static gboolean
@@ -347,6 +386,8 @@ qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repair, GErro
   QnId mover, keeper;
   choose (model, finding, &mover, &keeper);
   static const bool fixed[QN_DOF_COUNT] = { true, true, true };
+  if (finding->problem == QN_PROBLEM_BLOCK_SLIVER)
+    return repair_slivers (model, mover, repair == QN_REPAIR_MERGE, error);
   switch (repair) {
   case QN_REPAIR_CLOSE:
     return close_gaps (model, finding, error);

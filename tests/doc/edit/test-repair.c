@@ -56,9 +56,9 @@ finding_of (QnDocument *document, QnProblem problem)
 
 /* Every choice for a finding leaves a model without it, in one step that can be undone. */
 static void
-check_every_choice (double bottom, QnProblem problem, guint expected)
+check_every_choice (QnDocument *opened, QnProblem problem, guint expected)
 {
-  g_autoptr (QnDocument) document = open_pair (bottom);
+  g_autoptr (QnDocument) document = opened;
   QnFinding finding = finding_of (document, problem);
   QnRepair choices[QN_REPAIR_COUNT];
   guint count =
@@ -68,7 +68,8 @@ check_every_choice (double bottom, QnProblem problem, guint expected)
   for (guint i = 0; i < count; i++) {
     g_autofree char *what =
       qn_repair_explain (qn_document_get_model (document), &finding, choices[i]);
-    g_assert_true (choices[i] == QN_REPAIR_CLOSE || strstr (what, "above") != NULL);
+    g_assert_true (choices[i] == QN_REPAIR_CLOSE || strstr (what, "above") != NULL
+                   || strstr (what, "these 2 blocks") != NULL);
     Fix fix = { finding, choices[i] };
     g_autoptr (GError) error = NULL;
     qn_document_edit (document, qn_repair_get_step_name (choices[i]), NULL, repair, &fix,
@@ -88,19 +89,42 @@ check_every_choice (double bottom, QnProblem problem, guint expected)
 static void
 test_gap (void)
 {
-  check_every_choice (0.5004, QN_PROBLEM_NEAR_MISS_GAP, 4);
+  check_every_choice (open_pair (0.5004), QN_PROBLEM_NEAR_MISS_GAP, 4);
 }
 
 static void
 test_overlap (void)
 {
-  check_every_choice (0.4, QN_PROBLEM_BLOCKS_OVERLAP, 3);
+  check_every_choice (open_pair (0.4), QN_PROBLEM_BLOCKS_OVERLAP, 3);
 }
 
 static void
 test_loose (void)
 {
-  check_every_choice (0.8, QN_PROBLEM_BLOCK_FLOATING, 2);
+  check_every_choice (open_pair (0.8), QN_PROBLEM_BLOCK_FLOATING, 2);
+}
+
+/* A thin course on top of twelve others is repaired as a whole. */
+static void
+test_thin_course (void)
+{
+  GString *text = g_string_new (
+    "{ \"format\": \"quoin\", \"version\": 1,"
+    "  \"laws\": [ { \"name\": \"dry\", \"kind\": \"coulomb\", \"kn\": 1e7, \"ks\": 1e7,"
+    "    \"friction\": 0.6 } ], \"contact\": { \"law\": \"dry\" }, \"blocks\": [");
+  for (int i = 0; i < 26; i++) {
+    const int x = i % 2, low = i / 2 * 50, high = low + (i < 24 ? 50 : 3);
+    g_string_append_printf (
+      text,
+      "%s{ \"name\": \"b%d\", \"vertices\": "
+      "[[%d,%de-2],[%d,%de-2],[%d,%de-2],[%d,%de-2]],"
+      "  \"thickness\": 1, \"unit_weight\": 1e4, \"support\": [%s] }",
+      i == 0 ? "" : ",", i, x, low, x + 1, low, x + 1, high, x, high,
+      i < 2 ? "true, true, true" : "false, false, false");
+  }
+  g_string_append (text, "] }");
+  check_every_choice (open_text (text->str), QN_PROBLEM_BLOCK_SLIVER, 2);
+  g_string_free (text, TRUE);
 }
 
 /* The supported block stays where it is; the free one comes to it. */
@@ -222,6 +246,7 @@ QN_TESTS
   g_test_add_func ("/doc/repair/gap", test_gap);
   g_test_add_func ("/doc/repair/overlap", test_overlap);
   g_test_add_func ("/doc/repair/loose", test_loose);
+  g_test_add_func ("/doc/repair/thin-course", test_thin_course);
   g_test_add_func ("/doc/repair/who-moves", test_who_moves);
   g_test_add_func ("/doc/repair/all", test_all);
   g_test_add_func ("/doc/repair/mortar", test_mortar);
