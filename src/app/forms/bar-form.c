@@ -45,7 +45,7 @@ show (gpointer data, guint field, QnValue *value)
   const QnBar *bar = qn_bound_form_item (form, model);
   if (bar == NULL) {
     value->disabled = field != ADD;
-    return field >= ADD;
+    return field == ADD || (field > ADD && model->bar_count > 0);
   }
   if (field == LAW)
     qn_value_set_laws (value, model, NULL, bar->law);

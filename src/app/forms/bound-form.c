@@ -6,12 +6,15 @@
 #include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/row.h"
+#include "core/base/integer.h"
 #include <glib/gi18n.h>
-#include <string.h>
 
 /* What an entry tells by itself, while it shows a refusal; what it has shown or was last taken of it. */
 #define TOOLTIP "qn-tooltip"
 #define KNOWN   "qn-known"
+
+/* The form of a field. */
+#define FORM "qn-form"
 
 static GMenuModel *make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data);
 
@@ -27,56 +30,84 @@ qn_bound_form_item (gconstpointer data, const QnModel *model)
                                 + (gsize) form->selected * list->size;
 }
 
-/* Where the member of a field is; NULL: it has none, or there is no subject. */
-static gpointer
-member_of (QnBoundForm *form, QnModel *model, guint field)
+/* Takes a number into the member of a field, or shows it; nothing where it has none, or there is no subject. */
+static void
+exchange_member (QnBoundForm *form, QnModel *model, guint field, double *number,
+                 gboolean takes)
 {
   const QnFormKind *kind = form->kind;
   if (field >= kind->field_count || kind->fields[field].size == 0)
-    return NULL;
+    return;
   char *subject = kind->subject != NULL ? kind->subject (form, model, field)
                   : kind->list != NULL  ? qn_bound_form_item (form, model)
                                         : (gpointer) form;
-  return subject != NULL ? subject + kind->fields[field].offset : NULL;
-}
-
-static void
-show_member (QnBoundForm *form, guint field, QnValue *value)
-{
-  QnModel *model =
-    form->canvas != NULL ? (QnModel *) qn_canvas_get_model (form->canvas) : NULL;
-  gconstpointer at = member_of (form, model, field);
-  if (at != NULL)
-    value->number = form->kind->fields[field].size == sizeof (double)
-                      ? *(const double *) at
-                    : form->kind->fields[field].size == sizeof (bool) ? *(const bool *) at
-                                                                      : *(const int *) at;
-}
-
-static void
-take_member (QnBoundForm *form, QnProject *draft, guint field, const QnValue *value)
-{
-  gpointer at = member_of (form, draft != NULL ? &draft->model : NULL, field);
-  if (at == NULL)
+  if (subject == NULL)
     return;
-  if (form->kind->fields[field].size == sizeof (double))
-    *(double *) at = value->number;
-  else if (form->kind->fields[field].size == sizeof (bool))
-    *(bool *) at = value->number != 0.0;
+  const gpointer at = subject + kind->fields[field].offset;
+  const gsize size = kind->fields[field].size;
+  if (!takes)
+    *number = size == sizeof (double) ? *(double *) at
+              : size == sizeof (bool) ? *(bool *) at
+                                      : *(int *) at;
+  else if (size == sizeof (double))
+    *(double *) at = *number;
+  else if (size == sizeof (bool))
+    *(bool *) at = *number != 0.0;
   else
-    *(int *) at = qn_value_int (value);
+    *(int *) at = (int) qn_to_integer (*number, 0, G_MAXINT32);
 }
 
-/* ---- showing ---- */
+/* ---- widgets ---- */
 
-static void
-show_choice (QnBoundForm *form, GtkDropDown *choice, const QnValue *value)
+static void on_entered (GtkWidget *widget);
+
+/* How kinds of widgets tell that something was entered, and the property that is its number. What derives
+ * from another kind is before it. */
+typedef struct Way {
+  GType (*type) (void);
+  const char *signal, *property;
+} Way;
+
+static const Way *
+way_of (GtkWidget *widget)
 {
-  guint row = value->number < 0.0 ? GTK_INVALID_LIST_POSITION : (guint) value->number;
-  if (value->rows != NULL)
-    qn_choice_list_fill (choice, (const char *const *) value->rows, row, form);
-  else
-    gtk_drop_down_set_selected (choice, row);
+  static const Way ways[] = {
+    { qn_quantity_entry_get_type, "committed", NULL },
+    { gtk_drop_down_get_type, "notify::selected", "selected" },
+    { gtk_list_box_get_type, "row-selected", NULL },
+    { gtk_check_button_get_type, "toggled", "active" },
+    { gtk_switch_get_type, "notify::active", "active" },
+    { gtk_spin_button_get_type, "value-changed", "value" },
+    { gtk_range_get_type, "value-changed", "value" },
+    { gtk_entry_get_type, "activate", NULL },
+    { gtk_toggle_button_get_type, "toggled", "active" },
+    { gtk_button_get_type, "clicked", NULL },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (ways); i++)
+    if (g_type_is_a (G_OBJECT_TYPE (widget), ways[i].type ()))
+      return &ways[i];
+  return NULL;
+}
+
+/* The number of a property: a "value" is a real one, rows (none is -1, as GTK_INVALID_LIST_POSITION) and
+ * flags are whole ones. */
+static void
+exchange_number (GtkWidget *widget, const char *property, double *number, gboolean shows)
+{
+  gpointer object = GTK_IS_RANGE (widget)
+                      ? (gpointer) gtk_range_get_adjustment (GTK_RANGE (widget))
+                      : widget;
+  int whole = (int) *number;
+  if (shows && *property == 'v')
+    g_object_set (object, property, *number, NULL);
+  else if (shows)
+    g_object_set (object, property, whole, NULL);
+  else if (*property == 'v')
+    g_object_get (object, property, number, NULL);
+  else {
+    g_object_get (object, property, &whole, NULL);
+    *number = whole;
+  }
 }
 
 static void
@@ -121,23 +152,15 @@ show_list (QnBoundForm *form, GtkListBox *list, const QnValue *value)
     gtk_widget_set_visible (scroller, value->rows != NULL && value->rows[0] != NULL);
 }
 
-static void on_entered (GtkWidget *widget, QnBoundForm *form);
-
-static void
-on_check (GtkWidget *check, QnBoundForm *form)
-{
-  on_entered (gtk_widget_get_parent (check), form);
-}
-
 /* Checks that are there stay: one of them may be telling of its change. */
 static void
-show_checks (QnBoundForm *form, GtkBox *box, const QnValue *value)
+show_checks (GtkBox *box, const QnValue *value)
 {
   GtkWidget *check = gtk_widget_get_first_child (GTK_WIDGET (box));
   for (guint i = 0; value->rows[i] != NULL; i++) {
     if (check == NULL) {
       check = gtk_check_button_new ();
-      g_signal_connect (check, "toggled", G_CALLBACK (on_check), form);
+      g_signal_connect_swapped (check, "toggled", G_CALLBACK (on_entered), box);
       gtk_box_append (box, check);
     }
     gtk_check_button_set_label (GTK_CHECK_BUTTON (check), value->rows[i]);
@@ -180,30 +203,20 @@ show_text (GtkEditable *entry, const char *text)
 static void
 show_value (QnBoundForm *form, GtkWidget *widget, const QnValue *value)
 {
-  gboolean on = value->number != 0.0;
-  if (QN_IS_QUANTITY_ENTRY (widget) && value->mixed)
+  const Way *way = way_of (widget);
+  double number = value->mixed ? 0.0 : value->number;
+  if (GTK_IS_DROP_DOWN (widget) && value->rows != NULL)
+    qn_choice_list_fill (GTK_DROP_DOWN (widget), (const char *const *) value->rows);
+  if (way != NULL && way->property != NULL)
+    exchange_number (widget, way->property, &number, TRUE);
+  else if (QN_IS_QUANTITY_ENTRY (widget) && value->mixed)
     qn_quantity_entry_set_mixed (QN_QUANTITY_ENTRY (widget));
   else if (QN_IS_QUANTITY_ENTRY (widget))
     qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (widget), value->number);
-  else if (GTK_IS_DROP_DOWN (widget))
-    show_choice (form, GTK_DROP_DOWN (widget), value);
   else if (GTK_IS_LIST_BOX (widget))
     show_list (form, GTK_LIST_BOX (widget), value);
-  else if (GTK_IS_CHECK_BUTTON (widget)) {
-    gtk_check_button_set_active (GTK_CHECK_BUTTON (widget), on && !value->mixed);
-    gtk_check_button_set_inconsistent (GTK_CHECK_BUTTON (widget), value->mixed);
-    if (value->text != NULL)
-      gtk_check_button_set_label (GTK_CHECK_BUTTON (widget), value->text);
-  } else if (GTK_IS_SWITCH (widget))
-    gtk_switch_set_active (GTK_SWITCH (widget), on);
-  else if (GTK_IS_TOGGLE_BUTTON (widget))
-    gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (widget), on);
-  else if (GTK_IS_SPIN_BUTTON (widget))
-    gtk_spin_button_set_value (GTK_SPIN_BUTTON (widget), value->number);
-  else if (GTK_IS_RANGE (widget))
-    gtk_range_set_value (GTK_RANGE (widget), value->number);
   else if (GTK_IS_BOX (widget) && value->rows != NULL)
-    show_checks (form, GTK_BOX (widget), value);
+    show_checks (GTK_BOX (widget), value);
   else if (GTK_IS_LABEL (widget))
     gtk_label_set_text (GTK_LABEL (widget), value->text != NULL ? value->text : "");
   else if (GTK_IS_EDITABLE (widget)) {
@@ -213,7 +226,30 @@ show_value (QnBoundForm *form, GtkWidget *widget, const QnValue *value)
                                    g_object_get_data (G_OBJECT (widget), TOOLTIP));
     gtk_widget_remove_css_class (widget, "error");
   }
+  if (GTK_IS_CHECK_BUTTON (widget))
+    gtk_check_button_set_inconsistent (GTK_CHECK_BUTTON (widget), value->mixed);
+  if (GTK_IS_CHECK_BUTTON (widget) && value->text != NULL)
+    gtk_check_button_set_label (GTK_CHECK_BUTTON (widget), value->text);
   gtk_widget_set_sensitive (widget, !value->disabled);
+}
+
+static QnValue
+take_value (GtkWidget *widget)
+{
+  const Way *way = way_of (widget);
+  QnValue value = { 0 };
+  if (way != NULL && way->property != NULL)
+    exchange_number (widget, way->property, &value.number, FALSE);
+  else if (QN_IS_QUANTITY_ENTRY (widget))
+    value.number = qn_quantity_entry_get_value (QN_QUANTITY_ENTRY (widget));
+  else if (GTK_IS_LIST_BOX (widget)) {
+    GtkListBoxRow *row = gtk_list_box_get_selected_row (GTK_LIST_BOX (widget));
+    value.number = row != NULL ? gtk_list_box_row_get_index (row) : -1;
+  } else if (GTK_IS_BOX (widget))
+    value.number = take_checks (widget);
+  else if (GTK_IS_EDITABLE (widget))
+    value.text = g_strdup (gtk_editable_get_text (GTK_EDITABLE (widget)));
+  return value;
 }
 
 /* ---- the list ---- */
@@ -263,18 +299,20 @@ select_item (QnBoundForm *form, int item)
     form->selected = item;
 }
 
-static void
-show_items (QnBoundForm *form)
+/* FALSE: the field hides. */
+static gboolean
+find_value (QnBoundForm *form, guint field, QnValue *value)
 {
-  const QnFormList *list = form->kind->list;
-  const gsize count = count_items (form);
-  QnValue value = { .number = form->selected };
-  for (gsize i = 0; i < count; i++)
-    qn_value_take_row (&value, list->dup_row (qn_canvas_get_model (form->canvas), i));
-  gtk_widget_set_visible (form->widgets[list->list], count > 0);
-  gtk_widget_set_visible (form->widgets[list->empty], count == 0);
-  show_list (form, GTK_LIST_BOX (form->widgets[list->list]), &value);
-  qn_value_clear (&value);
+  QnModel *model =
+    form->canvas != NULL ? (QnModel *) qn_canvas_get_model (form->canvas) : NULL;
+  if (!is_list (form, field)) {
+    exchange_member (form, model, field, &value->number, FALSE);
+    return form->kind->show (form, field, value);
+  }
+  value->number = form->selected;
+  for (gsize i = 0; i < count_items (form); i++)
+    qn_value_take_row (value, form->kind->list->dup_row (model, i));
+  return value->row_count > 0;
 }
 
 GtkWidget *
@@ -290,14 +328,13 @@ qn_bound_form_show (gpointer data)
   gboolean there = form->kind->look == NULL || form->kind->look (form);
   if (!GTK_IS_WINDOW (form->root))
     gtk_widget_set_visible (form->root, there);
-  if (list != NULL && there)
-    show_items (form);
   for (guint field = 0; there && form->widgets[field] != NULL; field++) {
-    if (list != NULL && (field == list->list || field == list->empty))
+    if (list != NULL && field == list->empty) {
+      gtk_widget_set_visible (form->widgets[field], count_items (form) == 0);
       continue;
+    }
     QnValue value = { 0 };
-    show_member (form, field, &value);
-    gboolean shown = form->kind->show (form, field, &value);
+    gboolean shown = find_value (form, field, &value);
     gtk_widget_set_visible (form->widgets[field], shown);
     if (shown)
       show_value (form, form->widgets[field], &value);
@@ -361,35 +398,6 @@ qn_bound_form_reveal (gpointer data)
 
 /* ---- taking ---- */
 
-static QnValue
-take_value (GtkWidget *widget)
-{
-  QnValue value = { 0 };
-  if (QN_IS_QUANTITY_ENTRY (widget))
-    value.number = qn_quantity_entry_get_value (QN_QUANTITY_ENTRY (widget));
-  else if (GTK_IS_DROP_DOWN (widget)) {
-    guint row = gtk_drop_down_get_selected (GTK_DROP_DOWN (widget));
-    value.number = row == GTK_INVALID_LIST_POSITION ? -1.0 : row;
-  } else if (GTK_IS_LIST_BOX (widget)) {
-    GtkListBoxRow *row = gtk_list_box_get_selected_row (GTK_LIST_BOX (widget));
-    value.number = row != NULL ? gtk_list_box_row_get_index (row) : -1;
-  } else if (GTK_IS_CHECK_BUTTON (widget))
-    value.number = gtk_check_button_get_active (GTK_CHECK_BUTTON (widget));
-  else if (GTK_IS_SWITCH (widget))
-    value.number = gtk_switch_get_active (GTK_SWITCH (widget));
-  else if (GTK_IS_TOGGLE_BUTTON (widget))
-    value.number = gtk_toggle_button_get_active (GTK_TOGGLE_BUTTON (widget));
-  else if (GTK_IS_SPIN_BUTTON (widget))
-    value.number = gtk_spin_button_get_value (GTK_SPIN_BUTTON (widget));
-  else if (GTK_IS_RANGE (widget))
-    value.number = gtk_range_get_value (GTK_RANGE (widget));
-  else if (GTK_IS_BOX (widget))
-    value.number = take_checks (widget);
-  else if (GTK_IS_EDITABLE (widget))
-    value.text = g_strdup (gtk_editable_get_text (GTK_EDITABLE (widget)));
-  return value;
-}
-
 double
 qn_bound_form_get_number (gpointer data, guint field)
 {
@@ -413,14 +421,23 @@ typedef struct Entered {
 } Entered;
 
 static gboolean
+take (const Entered *entered, QnProject *draft, GError **error)
+{
+  double number = entered->value.number;
+  exchange_member (entered->form, draft != NULL ? &draft->model : NULL, entered->field,
+                   &number, TRUE);
+  return entered->form->kind->take (entered->form, draft, entered->field, &entered->value,
+                                    error);
+}
+
+static gboolean
 edit (QnProject *draft, gpointer data, GError **error)
 {
   const Entered *entered = data;
   QnBoundForm *form = entered->form;
   form->taken = &entered->value;
   form->taken_field = entered->field;
-  take_member (form, draft, entered->field, &entered->value);
-  gboolean done = form->kind->take (form, draft, entered->field, &entered->value, error);
+  gboolean done = take (entered, draft, error);
   form->taken = NULL;
   return done;
 }
@@ -447,12 +464,12 @@ refuse (QnBoundForm *form, GtkWidget *widget, const GError *error)
 static char *
 dup_step (const char *step, GtkWidget *widget)
 {
-  const char *gap = strstr (step, "%s");
-  GtkWidget *row = gap != NULL ? gtk_widget_get_ancestor (widget, QN_TYPE_ROW) : NULL;
-  if (row == NULL)
-    return g_strdup (step);
-  g_autofree char *label = qn_row_dup_name (QN_ROW (row));
-  return g_strdup_printf ("%.*s%s%s", (int) (gap - step), step, label, gap + 2);
+  GtkWidget *row = gtk_widget_get_ancestor (widget, QN_TYPE_ROW);
+  g_autofree char *label = row != NULL ? qn_row_dup_name (QN_ROW (row)) : NULL;
+  GString *name = g_string_new (step);
+  if (label != NULL)
+    g_string_replace (name, "%s", label, 1);
+  return g_string_free (name, FALSE);
 }
 
 /* The name of the step that a new value of this field is; NULL where it changes no document. */
@@ -493,9 +510,11 @@ find_path (QnQuantityEntry *entry, gpointer data, double *number)
   return path;
 }
 
+/* Whatever else its signal tells. */
 static void
-on_entered (GtkWidget *widget, QnBoundForm *form)
+on_entered (GtkWidget *widget)
 {
+  QnBoundForm *form = g_object_get_data (G_OBJECT (widget), FORM);
   /* Lists that are being taken apart say that nothing is selected any more; the form is gone by then. */
   if (gtk_widget_get_root (widget) == NULL || form->showing)
     return;
@@ -523,8 +542,7 @@ on_entered (GtkWidget *widget, QnBoundForm *form)
     done = qn_document_edit_project (qn_canvas_get_document (form->canvas), step, NULL,
                                      edit, &entered, &error);
   } else {
-    take_member (form, NULL, entered.field, &entered.value);
-    done = kind->take (form, NULL, entered.field, &entered.value, &error);
+    done = take (&entered, NULL, &error);
   }
   if (root != NULL && done)
     qn_bound_form_show (form);
@@ -534,13 +552,6 @@ on_entered (GtkWidget *widget, QnBoundForm *form)
   }
   g_clear_weak_pointer (&root);
   qn_value_clear (&entered.value);
-}
-
-/* `what`: the property, or the row of a list. */
-static void
-on_entered_by (GtkWidget *widget, gpointer what, QnBoundForm *form)
-{
-  on_entered (widget, form);
 }
 
 /* The widget of that id, where the form has one that can be used now. */
@@ -587,7 +598,7 @@ on_left (GtkEventController *focus, QnBoundForm *form)
       && g_strcmp0 (gtk_editable_get_text (GTK_EDITABLE (entry)),
                     g_object_get_data (G_OBJECT (entry), KNOWN))
            != 0)
-    on_entered (entry, form);
+    on_entered (entry);
 }
 
 static void
@@ -600,22 +611,7 @@ on_refused (QnQuantityEntry *entry, const char *reason, QnBoundForm *form)
 static void
 connect (QnBoundForm *form, GtkWidget *widget)
 {
-  static const struct {
-    GType (*type) (void);
-    const char *signal;
-    GCallback callback;
-  } signals[] = {
-    { qn_quantity_entry_get_type, "committed", G_CALLBACK (on_entered) },
-    { gtk_drop_down_get_type, "notify::selected", G_CALLBACK (on_entered_by) },
-    { gtk_list_box_get_type, "row-selected", G_CALLBACK (on_entered_by) },
-    { gtk_check_button_get_type, "toggled", G_CALLBACK (on_entered) },
-    { gtk_switch_get_type, "notify::active", G_CALLBACK (on_entered_by) },
-    { gtk_spin_button_get_type, "value-changed", G_CALLBACK (on_entered) },
-    { gtk_range_get_type, "value-changed", G_CALLBACK (on_entered) },
-    { gtk_entry_get_type, "activate", G_CALLBACK (on_entered) },
-    { gtk_toggle_button_get_type, "toggled", G_CALLBACK (on_entered) },
-    { gtk_button_get_type, "clicked", G_CALLBACK (on_entered) },
-  };
+  g_object_set_data (G_OBJECT (widget), FORM, form);
   /* Where buttons have little room their words go below each other. */
   GtkWidget *words =
     GTK_IS_BUTTON (widget) ? gtk_button_get_child (GTK_BUTTON (widget)) : NULL;
@@ -627,11 +623,9 @@ connect (QnBoundForm *form, GtkWidget *widget)
   if (GTK_IS_ACTIONABLE (widget)
       && gtk_actionable_get_action_name (GTK_ACTIONABLE (widget)) != NULL)
     return;
-  for (gsize i = 0; i < G_N_ELEMENTS (signals); i++)
-    if (g_type_is_a (G_OBJECT_TYPE (widget), signals[i].type ())) {
-      g_signal_connect (widget, signals[i].signal, signals[i].callback, form);
-      break;
-    }
+  const Way *way = way_of (widget);
+  if (way != NULL)
+    g_signal_connect (widget, way->signal, G_CALLBACK (on_entered), NULL);
   if (GTK_IS_ENTRY (widget) && !QN_IS_QUANTITY_ENTRY (widget)) { /* which do so */
     GtkEventController *focus = gtk_event_controller_focus_new ();
     g_signal_connect (focus, "leave", G_CALLBACK (on_left), form);

@@ -34,7 +34,6 @@ QnId qn_value_get_law (const QnValue *value);
 /* Names of sections likewise, without a row for none. */
 void qn_value_set_sections (QnValue *value, const QnModel *model, QnId section);
 
-/* Frees what it holds. */
 /* What a field shows of where pairs lie on a face of a law; FALSE where the rule has no such number. */
 typedef enum {
   QN_PAIRS_PLACEMENT,
@@ -46,4 +45,5 @@ typedef enum {
 gboolean qn_value_set_pairs (QnValue *value, const QnModel *model, const QnPairRule *rule,
                              QnId law, QnPairField field);
 
+/* Frees what it holds. */
 void qn_value_clear (QnValue *value);

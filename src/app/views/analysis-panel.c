@@ -192,7 +192,7 @@ dup_card_text (const QnModel *model, guint field)
   case TIES_TEXT:
     return model->tie_count + model->bar_count > 0
              ? g_strdup_printf ("%zu", model->tie_count + model->bar_count)
-             : NULL;
+             : g_strdup (_ ("none"));
   default:
     return model->analysis.procedure != QN_PROCEDURE_DYNAMIC
              ? g_strdup (_ ("not used by the method"))

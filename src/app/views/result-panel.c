@@ -2,7 +2,6 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/builder.h"
-#include "app/widgets/choice-list.h"
 #include "app/widgets/context-menu.h"
 #include "doc/document/run-name.h"
 #include "doc/document/run.h"
@@ -94,9 +93,11 @@ static void
 follow_stage (Panel *panel)
 {
   const QnRun *run = qn_document_get_run (document_of (panel));
+  panel->base.showing = TRUE;
   if (has_stages (run))
-    qn_choice_list_select (GTK_DROP_DOWN (panel->base.widgets[STAGE]),
-                           (guint) shown_stage (panel, run), panel);
+    gtk_drop_down_set_selected (GTK_DROP_DOWN (panel->base.widgets[STAGE]),
+                                (guint) shown_stage (panel, run));
+  panel->base.showing = FALSE;
 }
 
 static gboolean

@@ -60,26 +60,10 @@ holds (GListModel *list, const char *const *strings)
 }
 
 void
-qn_choice_list_select (GtkDropDown *choice, guint selected, gpointer user_data)
-{
-  g_signal_handlers_block_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                   user_data);
-  gtk_drop_down_set_selected (choice, selected);
-  g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                     user_data);
-}
-
-void
-qn_choice_list_fill (GtkDropDown *choice, const char *const *strings, guint selected,
-                     gpointer user_data)
+qn_choice_list_fill (GtkDropDown *choice, const char *const *strings)
 {
   GListModel *list = gtk_drop_down_get_model (choice);
-  g_signal_handlers_block_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                   user_data);
   if (!holds (list, strings))
     gtk_string_list_splice (GTK_STRING_LIST (list), 0, g_list_model_get_n_items (list),
                             strings);
-  g_signal_handlers_unblock_matched (choice, G_SIGNAL_MATCH_DATA, 0, 0, NULL, NULL,
-                                     user_data);
-  qn_choice_list_select (choice, selected, user_data);
 }
