@@ -16,9 +16,9 @@ typedef struct Document {
   char *generator, *model, *model_sha256;
   int32_t version;
   bool has_linearity, is_beyond_linear;
-  gsize overrides, events, fixed_points, solutions, interval, unstable, supports, refused,
-    blocks, nodes, elements, ties, steps, contacts, vibration, mechanism, node_mechanism,
-    history, found, left, timings, statistics;
+  gsize overrides, events, solutions, interval, unstable, supports, refused, blocks,
+    nodes, elements, ties, steps, contacts, vibration, mechanism, node_mechanism, history,
+    found, left, timings, statistics;
 } Document;
 
 static const QnMember document_members[] = {
@@ -32,7 +32,6 @@ static const QnMember document_members[] = {
   QN_BOOL ("mechanism_by_work", OPTIONAL, Document, result.mechanism_by_work),
   QN_PLACE ("overrides", OPTIONAL, Document, overrides),
   QN_PLACE ("events", OPTIONAL, Document, events),
-  QN_PLACE ("fixed_points", OPTIONAL, Document, fixed_points),
   QN_PLACE ("solutions", OPTIONAL, Document, solutions),
   QN_PLACE ("collapse_interval", OPTIONAL, Document, interval),
   QN_GIVEN ("beyond_linear", BOOL, 0, Document, is_beyond_linear, has_linearity),
@@ -335,54 +334,22 @@ read_mechanism (QnJson *json, gsize at, gsize of_nodes, QnResult *result)
     result->node_count, _ ("there are not as many velocities as nodes"));
 }
 
+/* The bound of a path stands in the interval alone. Its first end follows from the solutions. */
 static gboolean
-same_number (const QnJson *json, gsize at, double number)
+read_interval (QnJson *json, gsize at, QnResult *result)
 {
-  return json->tokens[at].type == QN_JSON_NUMBER ? qn_json_number (json, at) == number
-                                                 : isnan (number);
-}
-
-/* Solutions and bound stand in a file twice, or in older ones once, as fixed points. */
-static gboolean
-check_solutions (QnJson *json, const Document *places, QnResult *result)
-{
-  QnProcedure found_by;
-  double fixed_points[QN_RESULT_SOLUTIONS], least, bound;
-  size_t count =
-    places->fixed_points > 0 ? qn_json_count (json, places->fixed_points) : 0;
-  gsize interval = places->interval, second = interval + 2;
-  if (count > QN_RESULT_SOLUTIONS)
-    return qn_json_fail (json, places->fixed_points,
-                         _ ("these are not the multipliers of the solutions"));
-  if (places->fixed_points > 0
-      && !qn_result_read_numbers (json, places->fixed_points, fixed_points, 1, count,
-                                  NULL))
-    return FALSE;
-  const gboolean older = result->solution_count == 0;
-  for (size_t i = 0; i < count; i++) {
-    if (older)
-      qn_result_add_solution (
-        result, (QnSolution){ fixed_points[i], QN_PROCEDURE_LIMIT, (double) NAN });
-    if (i >= (size_t) result->solution_count
-        || fixed_points[i] != result->solutions[i].multiplier)
-      return qn_json_fail (json, places->fixed_points,
-                           _ ("these are not the multipliers of the solutions"));
-  }
-  if (interval == 0)
+  const gsize second = at + 2;
+  if (at == 0)
     return TRUE;
-  if (!qn_result_read_array (json, interval))
+  if (!qn_result_read_array (json, at))
     return FALSE;
-  if (qn_json_count (json, interval) != 2 || json->tokens[interval].next != interval + 3)
-    return qn_json_fail (json, interval, _ ("expected two numbers or null"));
+  if (qn_json_count (json, at) != 2 || json->tokens[at].next != at + 3)
+    return qn_json_fail (json, at, _ ("expected two numbers or null"));
   if (!result->has_associative_bound && json->tokens[second].type == QN_JSON_NUMBER) {
     result->has_associative_bound = true;
     result->associative_bound = qn_json_number (json, second);
   }
-  qn_result_collapse_interval (result, &least, &found_by, &bound);
-  return (same_number (json, interval + 1, least) && same_number (json, second, bound))
-         || qn_json_fail (json, interval,
-                          _ ("this is not the interval from the least solution to "
-                             "the associative bound"));
+  return TRUE;
 }
 
 /* Parts whose meaning depends on how many blocks, nodes, steps or pairs there are. */
@@ -423,7 +390,7 @@ read_parts (QnJson *json, const Document *places, QnResultFile *file)
          && read_contacts (json, places->contacts, file)
          && read_steps (json, places->steps, result)
          && read_mechanism (json, places->mechanism, places->node_mechanism, result)
-         && check_solutions (json, places, result)
+         && read_interval (json, places->interval, result)
          && qn_result_history_read (json, places->history, places->found, places->left,
                                     result)
          && (places->timings == 0

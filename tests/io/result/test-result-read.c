@@ -104,10 +104,6 @@ static const Case cases[] = {
     "work, arc-length, limit, dynamic" },
   { "[0.2, 0.25]", "[0.2]",
     "r.json:12:24: collapse_interval: expected two numbers or null" },
-  { "[0.2, 0.25]", "[0.19, 0.25]",
-    "r.json:12:24: collapse_interval: this is not the interval from the least solution "
-    "to "
-    "the associative bound" },
   { "\"iterations\": 4", "\"iterations\": 4.5",
     "r.json:20:91: steps[1].iterations: expected a whole number that is not negative" },
   { "\"blocks\": [0, 1]", "\"blocks\": [0, 2]",
@@ -193,7 +189,9 @@ test_other_format (void)
 static const char further_text[] =
   "{ \"format\": \"quoin-result\", \"version\": 1, \"outcome\": \"collapse\", "
   "\"lower_bound\": 0.25, \"upper_bound\": 0.5, \"flow\": \"non-associative\", "
-  "\"associative_bound\": 0.75, \"fixed_points\": [0.3, 0.4], \"supports\": [0], "
+  "\"associative_bound\": 0.75, \"supports\": [0], \"solutions\": [ "
+  "{ \"multiplier\": 0.3, \"found_by\": \"limit\" }, "
+  "{ \"multiplier\": 0.4, \"found_by\": \"limit\" } ], "
   "\"stage\": 1, \"blocks\": [\"base\", \"top\"], \"nodes\": [\"free\"], "
   "\"steps\": [ { \"multiplier\": 0.5, \"stage\": 1, \"relaxed\": true, "
   "\"displacements\": [[0, 0, 0], [1, 2, 3]], \"reactions\": [[4, 5, 6]], "
@@ -235,7 +233,8 @@ test_further_errors (void)
     { "\"non-associative\"", "\"plastic\"",
       "flow: \"plastic\" is not one of associative, non-associative" },
     { "\"non-associative\"", "3", "flow: expected a string" },
-    { "[0.3, 0.4]", "[0.3, true]", "fixed_points[1]: expected a number" },
+    { "0.4, \"found_by\"", "true, \"found_by\"",
+      "solutions[1].multiplier: expected a number" },
     { "\"stage\": 1, \"blocks\"", "\"stage\": 1000, \"blocks\"",
       "stage: there is no such stage" },
     { "\"stage\": 1, \"relaxed\"", "\"stage\": 1.5, \"relaxed\"", "steps[0].stage: " },
