@@ -1,3 +1,4 @@
+#include "core/base/word.h"
 #include "doc/document/underlay.h"
 #include "doc/view/report-item.h"
 #include "doc/view/sheet.h"
@@ -36,12 +37,8 @@ static bool
 find_kind (const char *view, Kind *kind, QnView *picture)
 {
   *kind = PICTURE;
-  for (int i = CURVE; i <= REPORT; i++)
-    if (strcmp (kind_names[i], view) == 0) {
-      *kind = (Kind) i;
-      return true;
-    }
-  return qn_view_parse (view, picture);
+  return qn_find_word (view, kind_names, G_N_ELEMENTS (kind_names), kind)
+         || qn_view_parse (view, picture);
 }
 
 static void

@@ -1,6 +1,7 @@
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/subcommand.h"
+#include "core/base/word.h"
 #include "doc/edit/edit.h"
 #include "doc/view/sheet.h"
 #include "io/exchange/drawing-import.h"
@@ -99,12 +100,10 @@ check_options (const ExportOptions *options)
   static const char *const tables[] = { "curve", "displacements", "contacts", "beams",
                                         "bars",  "ties",          "cracks" };
   Format format = FORMAT_COUNT;
-  gsize table = 0;
-  while (options->table != NULL && table < G_N_ELEMENTS (tables)
-         && strcmp (tables[table], options->table) != 0)
-    table++;
-  if (table == G_N_ELEMENTS (tables))
-    qn_cli_refuse_name (options->table, tables, table);
+  int table;
+  if (options->table != NULL
+      && !qn_find_word (options->table, tables, G_N_ELEMENTS (tables), &table))
+    qn_cli_refuse_name (options->table, tables, G_N_ELEMENTS (tables));
   if (options->output == NULL)
     qn_cli_usage_error (_ ("-o is missing"));
   else

@@ -1,6 +1,7 @@
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/subcommand.h"
+#include "core/base/word.h"
 #include "doc/text/law-text.h"
 #include "io/project/project.h"
 #include "io/text/file-writer.h"
@@ -55,12 +56,8 @@ apply_setting (QnLaw *law, const char *setting)
   if (parts[0] == NULL || parts[1] == NULL)
     qn_cli_usage_error (_ ("“%s” is not KEY=VALUE"), setting);
   if (strcmp (parts[0], "basis") == 0) {
-    int basis = 0;
-    while (basis < QN_BASIS_COUNT && strcmp (parts[1], qn_basis_names[basis]) != 0)
-      basis++;
-    if (basis == QN_BASIS_COUNT)
+    if (!qn_find_word (parts[1], qn_basis_names, QN_BASIS_COUNT, &law->basis))
       qn_cli_usage_error (_ ("no basis is called “%s”"), parts[1]);
-    law->basis = (QnBasis) basis;
     return;
   }
   double *number = find_number (law, parts[0]);
@@ -103,12 +100,10 @@ take_law_of_project (const char *model, const char *name, QnLawPreset *what)
 static void
 take_preset (const char *name, QnLawPreset *what)
 {
-  int kind = 0;
-  while (kind < QN_LAW_KIND_COUNT && strcmp (name, qn_law_kind_names[kind]) != 0)
-    kind++;
-  if (kind == QN_LAW_KIND_COUNT)
+  QnLawKind kind = QN_LAW_ELASTIC;
+  if (!qn_find_word (name, qn_law_kind_names, QN_LAW_KIND_COUNT, &kind))
     qn_cli_usage_error (_ ("no law is called “%s”"), name);
-  *what = *qn_law_preset ((QnLawKind) kind);
+  *what = *qn_law_preset (kind);
 }
 
 static void

@@ -1,6 +1,7 @@
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/study/cmd-study.h"
+#include "core/base/word.h"
 #include "study/cases/folder.h"
 #include "study/report/figures.h"
 #include "study/report/summary.h"
@@ -64,17 +65,6 @@ typedef struct PlotOptions {
   char **by;
 } PlotOptions;
 
-static gboolean
-find_kind (const char *name, QnStudyFigureKind *kind)
-{
-  for (int i = 0; i < QN_STUDY_FIGURE_COUNT; i++)
-    if (g_strcmp0 (name, qn_study_figure_names[i]) == 0) {
-      *kind = (QnStudyFigureKind) i;
-      return TRUE;
-    }
-  return FALSE;
-}
-
 /* The first output that is a number, where none is named. */
 static int
 default_output (const QnTable *table)
@@ -132,7 +122,8 @@ run_plot (const QnSubcommand *self, int argc, char **argv)
     return;
   if (options.kind == NULL)
     qn_cli_usage_error (_ ("--kind is missing"));
-  if (!find_kind (options.kind, &figure.kind))
+  if (!qn_find_word (options.kind, qn_study_figure_names, QN_STUDY_FIGURE_COUNT,
+                     &figure.kind))
     qn_cli_refuse_name (options.kind, qn_study_figure_names, QN_STUDY_FIGURE_COUNT);
   qn_picture_output (&options.picture);
   figure.monochrome = options.picture.monochrome;

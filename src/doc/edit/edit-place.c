@@ -1,5 +1,6 @@
 #include "doc/edit/edit-place.h"
 
+#include "core/base/word.h"
 #include "doc/edit/edit-masonry.h"
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -224,26 +225,12 @@ move_thing (QnProject *draft, const Thing *thing, QnVec2 by, GError **error)
 
 /* ---- in line ---- */
 
-static gboolean
-find_name (const char *const *names, int count, const char *name, int *found)
-{
-  for (int i = 0; i < count; i++)
-    if (strcmp (names[i], name) == 0) {
-      *found = i;
-      return TRUE;
-    }
-  return FALSE;
-}
-
 gboolean
 qn_align_parse (const char *name, QnAlign *align)
 {
   static const char *const names[QN_ALIGN_COUNT] = { "left", "center", "right",
                                                      "top",  "middle", "bottom" };
-  int found = 0;
-  gboolean known = find_name (names, QN_ALIGN_COUNT, name, &found);
-  *align = (QnAlign) found;
-  return known;
+  return qn_find_word (name, names, QN_ALIGN_COUNT, align);
 }
 
 static QnVec2
@@ -295,10 +282,7 @@ qn_spread_parse (const char *name, QnSpreadMode *spread)
 {
   static const char *const names[QN_SPREAD_COUNT] = { "centers-x", "centers-y", "gaps-x",
                                                       "gaps-y" };
-  int found = 0;
-  gboolean known = find_name (names, QN_SPREAD_COUNT, name, &found);
-  *spread = (QnSpreadMode) found;
-  return known;
+  return qn_find_word (name, names, QN_SPREAD_COUNT, spread);
 }
 
 static double

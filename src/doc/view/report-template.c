@@ -1,5 +1,6 @@
 #include "doc/view/report-template.h"
 
+#include "core/base/word.h"
 #include "io/project/project-members.h"
 #include "io/project/project.h"
 #include "io/text/io-error.h"
@@ -31,9 +32,9 @@ const char *const qn_report_section_names[] = {
 static gboolean
 add_section (QnReportTemplate *plan, const char *name, char **problem)
 {
-  for (int i = 0; i < QN_REPORT_SECTION_COUNT; i++)
-    if (strcmp (qn_report_section_names[i], name) == 0)
-      return plan->sections[i] = true;
+  int i;
+  if (qn_find_word (name, qn_report_section_names, QN_REPORT_SECTION_COUNT, &i))
+    return plan->sections[i] = true;
   g_autofree char *known = g_strjoinv (", ", (char **) qn_report_section_names);
   *problem = g_strdup_printf (_ ("is none of %s"), known);
   return FALSE;

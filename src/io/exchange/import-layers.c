@@ -1,3 +1,4 @@
+#include "core/base/word.h"
 #include "io/exchange/import-work.h"
 #include "io/text/io-error.h"
 
@@ -61,24 +62,13 @@ static const char neutral[] = " layer ebene calque livello quoin left right nort
 
 static const char *const role_names[] = { "block", "support", "opening", "ignored" };
 
-static gboolean
-find_role (const char *word, QnRole *role)
-{
-  for (int i = 0; i < QN_ROLE_COUNT; i++)
-    if (strcmp (role_names[i], word) == 0) {
-      *role = (QnRole) i;
-      return TRUE;
-    }
-  return FALSE;
-}
-
 gboolean
 qn_import_check_layers (const QnImportSettings *settings, GError **error)
 {
   for (char **layer = settings->layers; layer != NULL && *layer != NULL; layer++) {
     const char *equals = strrchr (*layer, '=');
     QnRole role;
-    if (equals == NULL || !find_role (equals + 1, &role)) {
+    if (equals == NULL || !qn_find_word (equals + 1, role_names, QN_ROLE_COUNT, &role)) {
       g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE,
                    _ ("%s: expected NAME=block, support, opening or ignored"), *layer);
       return FALSE;
@@ -173,7 +163,7 @@ qn_import_propose_role (const QnImportSettings *settings, const char *layer,
   *doubtful = FALSE;
   if (entry == NULL)
     return guess_role (layer, doubtful);
-  find_role (strrchr (entry, '=') + 1, &role);
+  qn_find_word (strrchr (entry, '=') + 1, role_names, QN_ROLE_COUNT, &role);
   return role;
 }
 

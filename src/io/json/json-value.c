@@ -1,6 +1,7 @@
 #include "io/json/json-value.h"
 
 #include "core/base/integer.h"
+#include "core/base/word.h"
 #include "io/json/json-path.h"
 #include "io/json/json-tokens.h"
 #include "io/text/io-error.h"
@@ -427,14 +428,8 @@ qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
   const char *given = NULL;
   if (!qn_member_string (object, key, need, &given))
     return FALSE;
-  if (given == NULL)
+  if (given == NULL || qn_find_word (given, names, count, choice))
     return TRUE;
-  for (int i = 0; i < count; i++) {
-    if (strcmp (given, names[i]) == 0) {
-      *(int *) choice = i;
-      return TRUE;
-    }
-  }
   QnJsonValue member = qn_json_value_member (object, key);
   return fail_choice (&member, given, names, count);
 }

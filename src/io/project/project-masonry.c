@@ -2,6 +2,7 @@
 
 #include "core/base/integer.h"
 #include "core/base/memory.h"
+#include "core/base/word.h"
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 #include "io/text/io-error.h"
@@ -367,15 +368,11 @@ read_edges (const QnJsonValue *place, QnMasonryWall *wall)
   if (!qn_member_array (place, "edges", QN_OPTIONAL, &list))
     return FALSE;
   while (qn_json_value_next (&list, &element)) {
-    int edge = 0;
-    while (edge < QN_EDGE_COUNT
-           && (!cJSON_IsString (element.json)
-               || g_strcmp0 (element.json->valuestring, qn_edge_names[edge]) != 0))
-      edge++;
-    if (element.index >= G_N_ELEMENTS (edges) || edge == QN_EDGE_COUNT)
+    if (element.index >= G_N_ELEMENTS (edges)
+        || !qn_find_word (cJSON_GetStringValue (element.json), qn_edge_names,
+                          QN_EDGE_COUNT, edges[element.index]))
       return qn_json_value_fail (
         &element, _ ("expected \"straight\" or \"toothed\" for left and right"));
-    *edges[element.index] = (QnEdge) edge;
   }
   return TRUE;
 }

@@ -1,4 +1,5 @@
 #include "render/scene/view-options.h"
+#include "core/base/word.h"
 
 #include <glib.h>
 #include <math.h>
@@ -52,31 +53,16 @@ qn_view_options_init (QnViewOptions *options, QnView view)
   };
 }
 
-static int
-find_name (const char *const *names, int count, const char *name)
-{
-  for (int i = 0; name != NULL && i < count; i++)
-    if (strcmp (names[i], name) == 0)
-      return i;
-  return -1;
-}
-
 bool
 qn_view_parse (const char *name, QnView *view)
 {
-  int i = find_name (qn_view_names, QN_VIEW_COUNT, name);
-  if (i >= 0)
-    *view = (QnView) i;
-  return i >= 0;
+  return qn_find_word (name, qn_view_names, QN_VIEW_COUNT, view);
 }
 
 bool
 qn_field_parse (const char *name, QnField *field)
 {
-  int i = find_name (qn_field_names, QN_FIELD_COUNT, name);
-  if (i >= 0)
-    *field = (QnField) i;
-  return i >= 0;
+  return qn_find_word (name, qn_field_names, QN_FIELD_COUNT, field);
 }
 
 const char *const qn_view_switches[] = {
@@ -90,18 +76,15 @@ qn_view_switch (QnViewOptions *options, const char *name)
   bool *const flags[] = { &options->ghost,      &options->symbols, &options->loads,
                           &options->dimensions, &options->names,   &options->values,
                           &options->legend,     &options->titles,  &options->monochrome };
-  int i = find_name (qn_view_switches, QN_N_ELEMENTS (flags), name);
-  return i >= 0 ? flags[i] : NULL;
+  int i;
+  return qn_find_word (name, qn_view_switches, QN_N_ELEMENTS (flags), &i) ? flags[i]
+                                                                          : NULL;
 }
 
 bool
 qn_diagram_parse (const char *name, QnDiagram *diagram)
 {
-  int i = find_name (qn_diagram_names, QN_DIAGRAM_COUNT, name);
-  if (i < 0)
-    return false;
-  *diagram = (QnDiagram) i;
-  return true;
+  return qn_find_word (name, qn_diagram_names, QN_DIAGRAM_COUNT, diagram);
 }
 
 static bool

@@ -1,6 +1,7 @@
 #include "study/plan/draft.h"
 
 #include "core/base/integer.h"
+#include "core/base/word.h"
 #include "io/json/json-value.h"
 #include "io/text/file-read.h"
 #include "io/text/file-writer.h"
@@ -462,10 +463,9 @@ qn_draft_get_plan (const QnDraft *draft, int *count)
   const char *name =
     cJSON_GetStringValue (cJSON_GetObjectItemCaseSensitive (plan, "kind"));
   *count = count_at (plan, "count");
-  for (int kind = 0; kind < QN_PLAN_COUNT; kind++)
-    if (g_strcmp0 (name, qn_plan_kind_names[kind]) == 0)
-      return (QnPlanKind) kind;
-  return QN_PLAN_MONTE_CARLO;
+  QnPlanKind kind = QN_PLAN_MONTE_CARLO;
+  qn_find_word (name, qn_plan_kind_names, QN_PLAN_COUNT, &kind);
+  return kind;
 }
 
 void
@@ -490,10 +490,9 @@ QnStudyRun
 qn_draft_get_run (const QnDraft *draft)
 {
   const char *name = cJSON_GetStringValue (member (draft, "run"));
-  for (int run = 0; run < QN_STUDY_RUN_COUNT; run++)
-    if (g_strcmp0 (name, qn_study_run_names[run]) == 0)
-      return (QnStudyRun) run;
-  return QN_STUDY_SOLVE;
+  QnStudyRun run = QN_STUDY_SOLVE;
+  qn_find_word (name, qn_study_run_names, QN_STUDY_RUN_COUNT, &run);
+  return run;
 }
 
 void

@@ -1,4 +1,5 @@
 #include "core/base/integer.h"
+#include "core/base/word.h"
 #include "io/exchange/record.h"
 #include "io/json/json-path.h"
 #include "io/json/json-value.h"
@@ -516,10 +517,8 @@ read_outputs (const QnJsonValue *root, QnStudy *study)
     return FALSE;
   while (qn_json_value_next (&list, &element)) {
     const char *name = cJSON_GetStringValue (element.json);
-    int output = 0;
-    while (output < QN_STUDY_OUTPUT_COUNT
-           && g_strcmp0 (name, qn_study_output_names[output]) != 0)
-      output++;
+    QnStudyOutput output = QN_STUDY_OUTPUT_COUNT;
+    qn_find_word (name, qn_study_output_names, QN_STUDY_OUTPUT_COUNT, &output);
     /* What it gives is kept under the name of what it is. */
     gboolean renamed = bounds && output == QN_STUDY_COLLAPSE_MULTIPLIER;
     if (renamed) {
@@ -531,18 +530,17 @@ read_outputs (const QnJsonValue *root, QnStudy *study)
       output = QN_STUDY_ASSOCIATIVE_MULTIPLIER;
     }
     if (output == QN_STUDY_OUTPUT_COUNT
-        || !qn_study_run_gives (study->run, analysis, (QnStudyOutput) output))
+        || !qn_study_run_gives (study->run, analysis, output))
       return qn_json_value_failf (&element, _ ("a run \"%s\" has no such output"),
                                   qn_study_run_names[study->run]);
-    QnStudyOutput value = (QnStudyOutput) output;
-    if (value == QN_STUDY_CRACK_MISFIT && study->cracks->len == 0)
+    if (output == QN_STUDY_CRACK_MISFIT && study->cracks->len == 0)
       return qn_json_value_fail (&element, _ ("no cracks are given"));
     guint same = 0;
-    while (same < study->outputs->len && qn_study_output (study, same) != value)
+    while (same < study->outputs->len && qn_study_output (study, same) != output)
       same++;
     if (same == study->outputs->len)
-      g_array_append_val (study->outputs, value);
-    else if (!bounds || value != QN_STUDY_ASSOCIATIVE_MULTIPLIER)
+      g_array_append_val (study->outputs, output);
+    else if (!bounds || output != QN_STUDY_ASSOCIATIVE_MULTIPLIER)
       return qn_json_value_fail (&element, _ ("this output is given twice"));
   }
   return study->outputs->len > 0

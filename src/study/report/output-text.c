@@ -1,5 +1,6 @@
 #include "study/report/output-text.h"
 
+#include "core/base/word.h"
 #include "core/result/mechanism.h"
 #include "io/text/outcome-text.h"
 #include "render/scene/motion.h"
@@ -42,11 +43,11 @@ qn_study_output_text (QnStudyOutput output)
 const char *
 qn_study_word (const char *name)
 {
-  for (int i = 0; i < QN_OUTCOME_COUNT; i++)
-    if (g_strcmp0 (name, qn_outcome_names[i]) == 0)
-      return qn_outcome_text ((QnOutcome) i, FALSE);
-  for (int i = 0; i < QN_MECHANISM_KIND_COUNT; i++)
-    if (g_strcmp0 (name, qn_mechanism_kind_names[i]) == 0)
-      return qn_mechanism_kind_text ((QnMechanismKind) i);
+  QnOutcome outcome;
+  QnMechanismKind kind;
+  if (qn_find_word (name, qn_outcome_names, QN_OUTCOME_COUNT, &outcome))
+    return qn_outcome_text (outcome, FALSE);
+  if (qn_find_word (name, qn_mechanism_kind_names, QN_MECHANISM_KIND_COUNT, &kind))
+    return qn_mechanism_kind_text (kind);
   return name;
 }
