@@ -130,20 +130,21 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case NAME:
     return qn_edit_rename_block (model, set.ids[0], value->text, error);
   case THICKNESS:
-    return qn_edit_set_thickness (model, set, value->number, error);
+    return qn_edit_set_blocks (model, set, QN_BLOCK_THICKNESS, value->number, error);
   case WEIGHT:
-    return qn_edit_set_unit_weight (model, set, value->number, error);
+    return qn_edit_set_blocks (model, set, QN_BLOCK_UNIT_WEIGHT, value->number, error);
   case STONE:
     return value->number < QN_STONE_COUNT
-           && qn_edit_set_unit_weight (
-             model, set, qn_typical_stones[qn_value_int (value)].unit_weight, error);
+           && qn_edit_set_blocks (model, set, QN_BLOCK_UNIT_WEIGHT,
+                                  qn_typical_stones[qn_value_int (value)].unit_weight,
+                                  error);
   case LAW:
     if (value->number > (double) model->law_count)
       return FALSE;
-    return qn_edit_set_law (model, set, qn_value_get_law (value), error);
+    return qn_edit_set_blocks (model, set, QN_BLOCK_LAW, qn_value_get_law (value), error);
   default:
-    return qn_edit_set_support_in (model, set, (QnDof) (field - SUPPORT),
-                                   value->number != 0.0, error);
+    return qn_edit_set_support (model, set, (int) (field - SUPPORT), 1,
+                                &(bool){ value->number != 0.0 }, error);
   }
 }
 

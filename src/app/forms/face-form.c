@@ -137,17 +137,18 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   guint count = 0;
   const QnId *ids = selected (data, &count);
   const QnFaceSet set = { contacts_of (data), ids, count };
-  if (field == LAW)
-    return qn_edit_set_face_law (model, set, qn_value_get_law (value), error);
-  if (field == RESET)
-    return qn_edit_set_face_law (model, set, QN_NONE, error)
-           && qn_edit_set_face_pairs (model, set, NULL, error);
+  const QnId law = field == LAW ? qn_value_get_law (value) : QN_NONE;
   int row = (int) qn_bound_form_get_number (data, PLACEMENT);
-  if (row == ROW_AS_ALL)
-    return qn_edit_set_face_pairs (model, set, NULL, error);
+  if ((field == LAW || field == RESET)
+      && !qn_edit_set_faces (model, set, &law, NULL, error))
+    return FALSE;
+  if (field == LAW)
+    return TRUE;
+  if (field == RESET || row == ROW_AS_ALL)
+    return qn_edit_set_faces (model, set, NULL, NULL, error);
   QnPairRule rule = { .placement = (QnPlacement) (row - 1) };
   return take_rule (data, field, &rule, error)
-         && qn_edit_set_face_pairs (model, set, &rule, error);
+         && qn_edit_set_faces (model, set, NULL, &rule, error);
 }
 
 const QnFormKind qn_face_form =

@@ -243,9 +243,9 @@ apply (const Form *form, QnModel *model, GError **error)
   blocks.ids = qn_selection_get (selection, QN_PART_BLOCK, &blocks.count);
   const QnId *ids = qn_selection_get (selection, QN_PART_FACE, &count);
   if (blocks.count > 0)
-    return qn_edit_set_law (model, blocks, form->shown, error);
-  return qn_edit_set_face_law (model, (QnFaceSet){ contacts, ids, count }, form->shown,
-                               error);
+    return qn_edit_set_blocks (model, blocks, QN_BLOCK_LAW, form->shown, error);
+  return qn_edit_set_faces (model, (QnFaceSet){ contacts, ids, count }, &form->shown,
+                            NULL, error);
 }
 
 /* The joints that have the law; where there are none, the blocks. */

@@ -15,7 +15,7 @@ qn_tool_joint_set_law (QnCanvas *canvas, const QnId *ids, guint count, const cha
     QnId id =
       law != NULL && *law != '\0' ? qn_model_find_law (draft.model, law) : QN_NONE;
     qn_canvas_end_edit (canvas, &draft, _ ("Set Law of Joints"), NULL,
-                        qn_edit_set_face_law (draft.model, set, id, &draft.error));
+                        qn_edit_set_faces (draft.model, set, &id, NULL, &draft.error));
   }
 }
 

@@ -37,7 +37,8 @@ press (QnCanvas *canvas, const QnToolEvent *event)
   if (qn_canvas_begin_edit (canvas, &draft))
     qn_canvas_end_edit (canvas, &draft, all ? _ ("Free Block") : _ ("Fix Block"), NULL,
                         qn_edit_set_support (draft.model, (QnBlockSet){ &pick.id, 1 },
-                                             fixed, &draft.error));
+                                             QN_DOF_UX, QN_DOF_COUNT, fixed,
+                                             &draft.error));
 }
 
 const QnTool qn_tool_support = {

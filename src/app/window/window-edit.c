@@ -367,10 +367,10 @@ hold (QnWindow *self, GVariant *parameter)
   for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++)
     if (g_str_equal (kinds[i].name, g_variant_get_string (parameter, NULL))
         && qn_canvas_begin_edit (self->canvas, &draft))
-      qn_canvas_end_edit (self->canvas, &draft, _ ("Set Support"), NULL,
-                          qn_edit_set_support (draft.model,
-                                               qn_canvas_get_selected (self->canvas),
-                                               kinds[i].support, &draft.error));
+      qn_canvas_end_edit (
+        self->canvas, &draft, _ ("Set Support"), NULL,
+        qn_edit_set_support (draft.model, qn_canvas_get_selected (self->canvas),
+                             QN_DOF_UX, QN_DOF_COUNT, kinds[i].support, &draft.error));
 }
 
 static void

@@ -186,7 +186,7 @@ is_translation (QnTransform t)
 static void
 move_points (QnModel *model, const gboolean *flags, QnTransform transform)
 {
-  qn_edit_move_edge_loads (model, flags, transform);
+  qn_edit_transform_attached (model, flags, transform);
   for (gsize i = 0; i < model->block_count; i++) {
     if (!flags[i])
       continue;
@@ -194,12 +194,6 @@ move_points (QnModel *model, const gboolean *flags, QnTransform transform)
     for (QnId k = 0; k < model->blocks[i].vertex_count; k++)
       v[k] = qn_transform_apply (transform, v[k]);
   }
-  for (gsize i = 0; i < qn_model_load_count (model); i++) {
-    QnLoad *load = qn_model_load (model, i);
-    if (load->kind == QN_LOAD_FORCE && load->has_at && flags[load->block])
-      load->at = qn_transform_apply (transform, load->at);
-  }
-  qn_edit_transform_nodes (model, flags, transform);
 }
 
 gboolean
@@ -256,10 +250,9 @@ qn_edit_copy_blocks (QnModel *model, QnBlockSet set, QnTransform transform, int 
   return TRUE;
 }
 
-/* Sets the degrees of freedom from `first` to before `end`. */
-static gboolean
-edit_support (QnModel *model, QnBlockSet set, int first, int end, const bool *support,
-              GError **error)
+gboolean
+qn_edit_set_support (QnModel *model, QnBlockSet set, int first, int count,
+                     const bool *support, GError **error)
 {
   if (set.count == 0)
     return refuse_nothing (error);
@@ -267,32 +260,16 @@ edit_support (QnModel *model, QnBlockSet set, int first, int end, const bool *su
   detach_masonry (model, set);
   g_autofree gboolean *walls = walls_of (model, set);
   for (guint i = 0; i < set.count; i++) {
-    for (int dof = first; dof < end; dof++)
-      model->blocks[set.ids[i]].support[dof] = support[dof - first];
+    for (int dof = 0; dof < count; dof++)
+      model->blocks[set.ids[i]].support[first + dof] = support[dof];
   }
   detach_walls (model, walls);
   return qn_edit_rebuild (model, NULL, error);
 }
 
 gboolean
-qn_edit_set_support (QnModel *model, QnBlockSet set, const bool support[QN_DOF_COUNT],
-                     GError **error)
-{
-  return edit_support (model, set, 0, QN_DOF_COUNT, support, error);
-}
-
-gboolean
-qn_edit_set_support_in (QnModel *model, QnBlockSet set, QnDof dof, bool fixed,
-                        GError **error)
-{
-  return edit_support (model, set, (int) dof, (int) dof + 1, &fixed, error);
-}
-
-typedef enum { FIELD_THICKNESS, FIELD_UNIT_WEIGHT, FIELD_LAW } Field;
-
-static gboolean
-set_field (QnModel *model, QnBlockSet set, Field field, double value, QnId law,
-           GError **error)
+qn_edit_set_blocks (QnModel *model, QnBlockSet set, QnBlockField field, double value,
+                    GError **error)
 {
   if (set.count == 0)
     return refuse_nothing (error);
@@ -301,38 +278,19 @@ set_field (QnModel *model, QnBlockSet set, Field field, double value, QnId law,
     QnBlock *block = &model->blocks[set.ids[i]];
     QnWall *wall = block->wall != QN_NONE ? &model->walls[block->wall] : NULL;
     switch (field) {
-    case FIELD_THICKNESS:
+    case QN_BLOCK_THICKNESS:
       *(wall != NULL ? &wall->thickness : &block->thickness) = value;
       break;
-    case FIELD_UNIT_WEIGHT:
+    case QN_BLOCK_UNIT_WEIGHT:
       *(wall != NULL ? &wall->unit_weight : &block->unit_weight) = value;
       *(wall != NULL ? &wall->density : &block->density) = -1.0;
       break;
-    case FIELD_LAW:
-      *(wall != NULL ? &wall->law : &block->law) = law;
+    case QN_BLOCK_LAW:
+      *(wall != NULL ? &wall->law : &block->law) = (QnId) value;
       break;
     }
   }
   return TRUE;
-}
-
-gboolean
-qn_edit_set_thickness (QnModel *model, QnBlockSet set, double thickness, GError **error)
-{
-  return set_field (model, set, FIELD_THICKNESS, thickness, QN_NONE, error);
-}
-
-gboolean
-qn_edit_set_unit_weight (QnModel *model, QnBlockSet set, double unit_weight,
-                         GError **error)
-{
-  return set_field (model, set, FIELD_UNIT_WEIGHT, unit_weight, QN_NONE, error);
-}
-
-gboolean
-qn_edit_set_law (QnModel *model, QnBlockSet set, QnId law, GError **error)
-{
-  return set_field (model, set, FIELD_LAW, 0.0, law, error);
 }
 
 gboolean

@@ -2,11 +2,11 @@
 
 #include <glib/gi18n-lib.h>
 
-static gboolean
-concerns (const QnFaceOverride *override, const QnContactFace *face)
+gboolean
+qn_override_concerns (const QnFaceOverride *override, QnId a, QnId b)
 {
-  return (override->block_a == face->a && override->block_b == face->b)
-         || (override->block_a == face->b && override->block_b == face->a);
+  return (override->block_a == a && override->block_b == b)
+         || (override->block_a == b && override->block_b == a);
 }
 
 /* Of two exceptions for the same blocks the later counts. */
@@ -14,7 +14,7 @@ const QnFaceOverride *
 qn_model_find_override (const QnModel *model, const QnContactFace *face)
 {
   for (gsize i = model->override_count; i > 0; i--) {
-    if (concerns (&model->overrides[i - 1], face))
+    if (qn_override_concerns (&model->overrides[i - 1], face->a, face->b))
       return &model->overrides[i - 1];
   }
   return NULL;
@@ -30,7 +30,7 @@ replace_override (QnModel *model, const QnContactFace *face, QnFaceOverride over
   gboolean wanted = override.law != QN_NONE || override.has_pairs;
   gsize kept = 0;
   for (gsize i = 0; i < model->override_count; i++) {
-    if (!concerns (&model->overrides[i], face))
+    if (!qn_override_concerns (&model->overrides[i], face->a, face->b))
       model->overrides[kept++] = model->overrides[i];
     else if (wanted) {
       model->overrides[kept++] = override;
@@ -47,10 +47,9 @@ replace_override (QnModel *model, const QnContactFace *face, QnFaceOverride over
   return TRUE;
 }
 
-/* The law where one is given, else the pairs. */
-static gboolean
-set_faces (QnModel *model, QnFaceSet set, const QnId *law, const QnPairRule *rule,
-           GError **error)
+gboolean
+qn_edit_set_faces (QnModel *model, QnFaceSet set, const QnId *law, const QnPairRule *rule,
+                   GError **error)
 {
   if (set.count == 0)
     return qn_edit_refuse_nothing (error, _ ("No contact face is selected"));
@@ -70,17 +69,4 @@ set_faces (QnModel *model, QnFaceSet set, const QnId *law, const QnPairRule *rul
       return FALSE;
   }
   return TRUE;
-}
-
-gboolean
-qn_edit_set_face_law (QnModel *model, QnFaceSet set, QnId law, GError **error)
-{
-  return set_faces (model, set, &law, NULL, error);
-}
-
-gboolean
-qn_edit_set_face_pairs (QnModel *model, QnFaceSet set, const QnPairRule *rule,
-                        GError **error)
-{
-  return set_faces (model, set, NULL, rule, error);
 }

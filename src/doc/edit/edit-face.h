@@ -18,9 +18,10 @@ typedef struct QnFaceSet {
 const QnFaceOverride *qn_model_find_override (const QnModel *model,
                                               const QnContactFace *face);
 
-/* QN_NONE: the laws of the blocks or of all contacts. */
-gboolean qn_edit_set_face_law (QnModel *model, QnFaceSet set, QnId law, GError **error);
+/* Whether an exception is for these two blocks. */
+gboolean qn_override_concerns (const QnFaceOverride *override, QnId a, QnId b);
 
-/* NULL: as all contacts. */
-gboolean qn_edit_set_face_pairs (QnModel *model, QnFaceSet set, const QnPairRule *rule,
-                                 GError **error);
+/* The law where one is given, QN_NONE for that of the blocks or of all contacts; else the pairs, NULL for
+ * those of all contacts. */
+gboolean qn_edit_set_faces (QnModel *model, QnFaceSet set, const QnId *law,
+                            const QnPairRule *rule, GError **error);

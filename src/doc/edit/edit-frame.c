@@ -310,9 +310,15 @@ qn_beam_rebuild_clear (QnBeamRebuild *rebuild)
 }
 
 void
-qn_edit_transform_nodes (QnModel *model, const gboolean *flags, QnTransform transform)
+qn_edit_transform_attached (QnModel *model, const gboolean *flags, QnTransform transform)
 {
   gboolean all = TRUE;
+  qn_edit_move_edge_loads (model, flags, transform);
+  for (gsize i = 0; i < qn_model_load_count (model); i++) {
+    QnLoad *load = qn_model_load (model, i);
+    if (load->kind == QN_LOAD_FORCE && load->has_at && flags[load->block])
+      load->at = qn_transform_apply (transform, load->at);
+  }
   for (gsize i = 0; i < model->block_count; i++)
     all = all && flags[i];
   for (gsize i = 0; i < model->node_count; i++) {

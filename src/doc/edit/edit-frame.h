@@ -129,8 +129,8 @@ gboolean qn_edit_copy_beams (const QnModel *from, QnModel *to,
 
 void qn_beam_rebuild_clear (QnBeamRebuild *rebuild);
 
-/* Nodes at given points of the blocks go where the transform takes those blocks; so do nodes
- * that stand free where every block of the model is among them; and so do the ends of ties. flags: one per
- * block. */
-void qn_edit_transform_nodes (QnModel *model, const gboolean *flags,
-                              QnTransform transform);
+/* Before blocks are moved: forces, nodes and ends of ties at given points of them go where the transform
+ * takes them, and loads stay on their edges; so do nodes and ends that stand free where every block of
+ * the model is among them. flags: one per block. */
+void qn_edit_transform_attached (QnModel *model, const gboolean *flags,
+                                 QnTransform transform);

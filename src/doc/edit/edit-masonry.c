@@ -1,6 +1,7 @@
 #include "doc/edit/edit-masonry.h"
 
 #include "core/base/memory.h"
+#include "doc/edit/edit-frame.h"
 #include "io/project/project-masonry.h"
 #include "io/project/project.h"
 #include <glib/gi18n-lib.h>
@@ -207,27 +208,14 @@ dup_rest (const QnModel *model, QnBlockSet set, const gboolean *whole)
   return (QnBlockSet){ ids, count };
 }
 
-/* Forces keep their points of application on the blocks of objects that move, and loads on edges their
- * edges. */
+/* What is fixed to the blocks of objects that move. */
 static void
-move_forces (QnModel *model, const gboolean *whole, QnTransform transform)
+move_attached (QnModel *model, const gboolean *whole, QnTransform transform)
 {
   g_autofree gboolean *moved = g_new0 (gboolean, model->block_count + 1);
   for (gsize i = 0; i < model->block_count; i++)
     moved[i] = model->blocks[i].masonry != QN_NONE && whole[model->blocks[i].masonry];
-  qn_edit_move_edge_loads (model, moved, transform);
-  for (gsize i = 0; i < qn_model_load_count (model); i++) {
-    QnLoad *load = qn_model_load (model, i);
-    if (load->kind != QN_LOAD_FORCE || !load->has_at)
-      continue;
-    if (moved[load->block])
-      load->at = qn_transform_apply (transform, load->at);
-  }
-  for (gsize i = 0; i < model->node_count; i++) {
-    QnNode *node = &model->nodes[i];
-    if (node->block != QN_NONE && moved[node->block] && node->seat == QN_SEAT_POINT)
-      node->at = qn_transform_apply (transform, node->at);
-  }
+  qn_edit_transform_attached (model, moved, transform);
 }
 
 /* Which objects a transform of the set carries along as a whole, one flag per object; NULL where
@@ -253,7 +241,7 @@ qn_edit_transform (QnProject *draft, QnBlockSet set, QnTransform transform,
     return qn_edit_transform_blocks (model, set, transform, error);
 
   QnBlockSet rest = dup_rest (model, set, whole);
-  move_forces (model, whole, transform);
+  move_attached (model, whole, transform);
   gboolean done =
     rest.count == 0 || qn_edit_transform_blocks (model, rest, transform, error);
   g_free ((gpointer) rest.ids);

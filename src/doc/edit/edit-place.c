@@ -207,9 +207,12 @@ find_things (const QnModel *model, QnPartSet set)
 }
 
 static gboolean
-move_thing (QnProject *draft, const Thing *thing, QnVec2 by, GError **error)
+move_thing (QnProject *draft, const Thing *thing, gboolean upward, double way,
+            GError **error)
 {
-  if (by.x == 0.0 && by.y == 0.0)
+  const QnTransform by =
+    qn_transform_translation (upward ? 0.0 : way, upward ? way : 0.0);
+  if (way == 0.0)
     return TRUE;
   g_autofree QnId *ids = g_new (QnId, thing->blocks->len + 1);
   for (guint i = 0; i < thing->blocks->len; i++) {
@@ -220,7 +223,16 @@ move_thing (QnProject *draft, const Thing *thing, QnVec2 by, GError **error)
   QnPartSet set = { { ids, thing->blocks->len }, { NULL, 0 } };
   if (thing->beam != QN_NONE)
     set.beams = (QnBeamSet){ &thing->beam, 1 };
-  return qn_edit_transform_all (draft, set, qn_transform_translation (by.x, by.y), error);
+  return qn_edit_transform_all (draft, set, by, error);
+}
+
+/* The lower side of a box, its middle or its upper side (part 0, 1, 2), upward or to the right. */
+static double
+part_of (const QnBox *box, gboolean upward, int part)
+{
+  const double low = upward ? box->min.y : box->min.x;
+  const double high = upward ? box->max.y : box->max.x;
+  return part == 0 ? low : part == 1 ? 0.5 * (low + high) : high;
 }
 
 /* ---- in line ---- */
@@ -233,33 +245,10 @@ qn_align_parse (const char *name, QnAlign *align)
   return qn_find_word (name, names, QN_ALIGN_COUNT, align);
 }
 
-static QnVec2
-way_to_line (QnAlign align, const QnBox *all, const QnBox *box)
-{
-  QnVec2 middle = qn_vec2_sub (qn_vec2_lerp (all->min, all->max, 0.5),
-                               qn_vec2_lerp (box->min, box->max, 0.5));
-  switch (align) {
-  case QN_ALIGN_LEFT:
-    return qn_vec2 (all->min.x - box->min.x, 0.0);
-  case QN_ALIGN_CENTER:
-    return qn_vec2 (middle.x, 0.0);
-  case QN_ALIGN_RIGHT:
-    return qn_vec2 (all->max.x - box->max.x, 0.0);
-  case QN_ALIGN_TOP:
-    return qn_vec2 (0.0, all->max.y - box->max.y);
-  case QN_ALIGN_MIDDLE:
-    return qn_vec2 (0.0, middle.y);
-  case QN_ALIGN_BOTTOM:
-    return qn_vec2 (0.0, all->min.y - box->min.y);
-  case QN_ALIGN_COUNT:
-    break;
-  }
-  return qn_vec2 (0.0, 0.0);
-}
-
 gboolean
 qn_edit_align (QnProject *draft, QnPartSet set, QnAlign align, GError **error)
 {
+  static const int parts[QN_ALIGN_COUNT] = { 0, 1, 2, 2, 1, 0 };
   g_autoptr (GArray) things = find_things (&draft->model, set);
   QnBox all = QN_BOX_EMPTY;
   if (things->len < 2)
@@ -269,7 +258,11 @@ qn_edit_align (QnProject *draft, QnPartSet set, QnAlign align, GError **error)
     qn_box_add_box (&all, g_array_index (things, Thing, i).box);
   for (guint i = 0; i < things->len; i++) {
     const Thing *thing = &g_array_index (things, Thing, i);
-    if (!move_thing (draft, thing, way_to_line (align, &all, &thing->box), error))
+    const gboolean upward = align >= QN_ALIGN_TOP;
+    if (!move_thing (draft, thing, upward,
+                     part_of (&all, upward, parts[align])
+                       - part_of (&thing->box, upward, parts[align]),
+                     error))
       return FALSE;
   }
   return TRUE;
@@ -288,15 +281,13 @@ qn_spread_parse (const char *name, QnSpreadMode *spread)
 static double
 middle_along (const Thing *thing, gboolean upward)
 {
-  return upward ? 0.5 * (thing->box.min.y + thing->box.max.y)
-                : 0.5 * (thing->box.min.x + thing->box.max.x);
+  return part_of (&thing->box, upward, 1);
 }
 
 static double
 size_along (const Thing *thing, gboolean upward)
 {
-  return upward ? thing->box.max.y - thing->box.min.y
-                : thing->box.max.x - thing->box.min.x;
+  return part_of (&thing->box, upward, 2) - part_of (&thing->box, upward, 0);
 }
 
 static int
@@ -333,8 +324,7 @@ qn_edit_spread (QnProject *draft, QnPartSet set, QnSpreadMode spread, GError **e
     double goal = gaps ? at + 0.5 * size : from + (to - from) * i / (count - 1);
     double way = goal - middle_along (thing, upward);
     at += size + gap;
-    if (!move_thing (draft, thing, upward ? qn_vec2 (0.0, way) : qn_vec2 (way, 0.0),
-                     error))
+    if (!move_thing (draft, thing, upward, way, error))
       return FALSE;
   }
   return TRUE;

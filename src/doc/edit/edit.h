@@ -68,20 +68,14 @@ gboolean qn_edit_copy_blocks (QnModel *model, QnBlockSet set, QnTransform transf
 /* Turns the walls of these blocks into free blocks of the same names. */
 gboolean qn_edit_detach (QnModel *model, QnBlockSet set, GError **error);
 
-/* Fixes or frees the degrees of freedom. */
-gboolean qn_edit_set_support (QnModel *model, QnBlockSet set,
-                              const bool support[QN_DOF_COUNT], GError **error);
+/* Fixes or frees `count` degrees of freedom from `first` on; the others stay as each block has them. */
+gboolean qn_edit_set_support (QnModel *model, QnBlockSet set, int first, int count,
+                              const bool *support, GError **error);
 
-/* The same for one of them; the others stay as each block has them. */
-gboolean qn_edit_set_support_in (QnModel *model, QnBlockSet set, QnDof dof, bool fixed,
-                                 GError **error);
-
-/* For wall blocks these hold for the whole wall. */
-gboolean qn_edit_set_thickness (QnModel *model, QnBlockSet set, double thickness,
-                                GError **error);
-gboolean qn_edit_set_unit_weight (QnModel *model, QnBlockSet set, double unit_weight,
-                                  GError **error);
-gboolean qn_edit_set_law (QnModel *model, QnBlockSet set, QnId law, GError **error);
+/* What all blocks of a set may be given, as a number; for wall blocks it holds for the whole wall. */
+typedef enum { QN_BLOCK_THICKNESS, QN_BLOCK_UNIT_WEIGHT, QN_BLOCK_LAW } QnBlockField;
+gboolean qn_edit_set_blocks (QnModel *model, QnBlockSet set, QnBlockField field,
+                             double value, GError **error);
 gboolean qn_edit_rename_block (QnModel *model, QnId block, const char *name,
                                GError **error);
 

@@ -3,6 +3,7 @@
 #include "core/base/polygon.h"
 #include "core/contact/plausible.h"
 #include "core/model/support.h"
+#include "doc/edit/edit-face.h"
 #include "doc/edit/edit-shape.h"
 #include "doc/text/explain.h"
 #include "io/text/text-format.h"
@@ -140,47 +141,42 @@ qn_repair_get_choices (const QnModel *model, const QnFinding *finding, gboolean 
   return count;
 }
 
+/* For a button, in the history, and for who wants to know what it does. */
+static const struct {
+  const char *label, *step, *sentence;
+} words[QN_REPAIR_COUNT] = {
+  [QN_REPAIR_CLOSE] = { N_ ("Close"), N_ ("Close Gaps"),
+                        N_ ("Extends all blocks beside gaps like this one to the "
+                            "middle") },
+  [QN_REPAIR_SNAP] = { N_ ("Snap"), N_ ("Snap Corners"),
+                       N_ ("Moves corners of %s onto %s") },
+  [QN_REPAIR_MOVE] = { N_ ("Move"), N_ ("Move to Contact"),
+                       N_ ("Moves %s as a whole until it touches %s") },
+  [QN_REPAIR_TRIM] = { N_ ("Trim"), N_ ("Trim Block"),
+                       N_ ("Removes from %s its overlap with %s") },
+  [QN_REPAIR_MERGE] = { N_ ("Merge"), N_ ("Merge Blocks"),
+                        N_ ("Makes one block of %s and %s") },
+  [QN_REPAIR_SUPPORT] = { N_ ("Fix"), N_ ("Fix Block"), N_ ("Fixes %s to the ground") },
+  [QN_REPAIR_DELETE] = { N_ ("Delete"), N_ ("Delete"), N_ ("Removes %s") },
+  [QN_REPAIR_FORGET] = { N_ ("Remove"), N_ ("Remove Exception"),
+                         N_ ("Removes the exception for %s and %s") },
+};
+
 const char *
 qn_repair_get_label (QnRepair repair)
 {
-  static const char *const labels[QN_REPAIR_COUNT] = {
-    [QN_REPAIR_CLOSE] = N_ ("Close"),   [QN_REPAIR_SNAP] = N_ ("Snap"),
-    [QN_REPAIR_MOVE] = N_ ("Move"),     [QN_REPAIR_TRIM] = N_ ("Trim"),
-    [QN_REPAIR_MERGE] = N_ ("Merge"),   [QN_REPAIR_SUPPORT] = N_ ("Fix"),
-    [QN_REPAIR_DELETE] = N_ ("Delete"), [QN_REPAIR_FORGET] = N_ ("Remove"),
-  };
-  return _ (labels[repair]);
+  return _ (words[repair].label);
 }
 
 const char *
 qn_repair_get_step_name (QnRepair repair)
 {
-  static const char *const names[QN_REPAIR_COUNT] = {
-    [QN_REPAIR_CLOSE] = N_ ("Close Gaps"),
-    [QN_REPAIR_SNAP] = N_ ("Snap Corners"),
-    [QN_REPAIR_MOVE] = N_ ("Move to Contact"),
-    [QN_REPAIR_TRIM] = N_ ("Trim Block"),
-    [QN_REPAIR_MERGE] = N_ ("Merge Blocks"),
-    [QN_REPAIR_SUPPORT] = N_ ("Fix Block"),
-    [QN_REPAIR_DELETE] = N_ ("Delete"),
-    [QN_REPAIR_FORGET] = N_ ("Remove Exception"),
-  };
-  return _ (names[repair]);
+  return _ (words[repair].step);
 }
 
 char *
 qn_repair_explain (const QnModel *model, const QnFinding *finding, QnRepair repair)
 {
-  static const char *const sentences[QN_REPAIR_COUNT] = {
-    [QN_REPAIR_CLOSE] = N_ ("Extends all blocks beside gaps like this one to the middle"),
-    [QN_REPAIR_SNAP] = N_ ("Moves corners of %s onto %s"),
-    [QN_REPAIR_MOVE] = N_ ("Moves %s as a whole until it touches %s"),
-    [QN_REPAIR_TRIM] = N_ ("Removes from %s its overlap with %s"),
-    [QN_REPAIR_MERGE] = N_ ("Makes one block of %s and %s"),
-    [QN_REPAIR_SUPPORT] = N_ ("Fixes %s to the ground"),
-    [QN_REPAIR_DELETE] = N_ ("Removes %s"),
-    [QN_REPAIR_FORGET] = N_ ("Removes the exception for %s and %s"),
-  };
   QnId mover, keeper;
   if (finding->problem == QN_PROBLEM_BLOCK_SLIVER && finding->subject > 1)
     return g_strdup_printf (repair == QN_REPAIR_MERGE ? _ (
@@ -190,7 +186,7 @@ qn_repair_explain (const QnModel *model, const QnFinding *finding, QnRepair repa
   choose (model, finding, &mover, &keeper);
   const char *first = model->blocks[mover].name;
   const char *second = keeper != QN_NONE ? model->blocks[keeper].name : "";
-  g_auto (GStrv) parts = g_strsplit (_ (sentences[repair]), "%s", -1);
+  g_auto (GStrv) parts = g_strsplit (_ (words[repair].sentence), "%s", -1);
   GString *text = g_string_new (parts[0]);
   for (guint i = 1; parts[i] != NULL; i++)
     g_string_append_printf (text, "%s%s", i == 1 ? first : second, parts[i]);
@@ -303,11 +299,8 @@ forget (QnModel *model, const QnFinding *finding)
 {
   gsize kept = 0;
   for (gsize i = 0; i < model->override_count; i++) {
-    const QnFaceOverride *o = &model->overrides[i];
-    gboolean same = (o->block_a == finding->block_a && o->block_b == finding->block_b)
-                    || (o->block_a == finding->block_b && o->block_b == finding->block_a);
-    if (!same)
-      model->overrides[kept++] = *o;
+    if (!qn_override_concerns (&model->overrides[i], finding->block_a, finding->block_b))
+      model->overrides[kept++] = model->overrides[i];
   }
   model->override_count = kept;
   return TRUE;
@@ -400,7 +393,8 @@ qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repair, GErro
   case QN_REPAIR_MERGE:
     return merge (model, finding, error);
   case QN_REPAIR_SUPPORT:
-    return qn_edit_set_support (model, (QnBlockSet){ &mover, 1 }, fixed, error);
+    return qn_edit_set_support (model, (QnBlockSet){ &mover, 1 }, QN_DOF_UX, QN_DOF_COUNT,
+                                fixed, error);
   case QN_REPAIR_DELETE:
     return qn_edit_delete_blocks (model, (QnBlockSet){ &mover, 1 }, error);
   case QN_REPAIR_FORGET:

@@ -36,7 +36,8 @@ static gboolean
 support (QnModel *model, gpointer data, GError **error)
 {
   const Edit *edit = data;
-  return qn_edit_set_support (model, edit->set, edit->support, error);
+  return qn_edit_set_support (model, edit->set, QN_DOF_UX, QN_DOF_COUNT, edit->support,
+                              error);
 }
 
 static void

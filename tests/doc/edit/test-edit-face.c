@@ -13,14 +13,14 @@ static gboolean
 set_law (QnModel *model, gpointer data, GError **error)
 {
   const Change *c = data;
-  return qn_edit_set_face_law (model, c->set, c->law, error);
+  return qn_edit_set_faces (model, c->set, &c->law, NULL, error);
 }
 
 static gboolean
 set_pairs (QnModel *model, gpointer data, GError **error)
 {
   const Change *c = data;
-  return qn_edit_set_face_pairs (model, c->set, c->rule, error);
+  return qn_edit_set_faces (model, c->set, NULL, c->rule, error);
 }
 
 static gboolean

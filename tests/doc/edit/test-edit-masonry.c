@@ -1,5 +1,6 @@
 #include "doc/document/document.h"
 #include "doc/edit/edit-masonry.h"
+#include "doc/edit/edit-tie.h"
 #include "doc/masonry/masonry-shape.h"
 #include "support/room.h"
 
@@ -230,8 +231,14 @@ test_loads_follow (void)
   g_assert_cmpuint (model->live_load_count, ==, loads + 1);
 }
 
+static gboolean
+tie_to_ground (QnModel *model, gpointer data, GError **error)
+{
+  return qn_edit_draw_tie (model, *(const QnVec2 *) data, qn_vec2 (9, 3), error);
+}
+
 /* A wall that is moved or turned as a whole stays parametric, and so do its copies; part of it
- * does not. */
+ * does not. What is fixed to it goes along. */
 static void
 test_transform (void)
 {
@@ -241,6 +248,7 @@ test_transform (void)
   for (gsize i = 0; i < model->block_count; i++)
     all[i] = (QnId) i;
   QnVec2 before = model->blocks[block_called (document, "w1.10.3")].centroid;
+  g_assert_true (qn_document_edit (document, "Tie", NULL, tie_to_ground, &before, NULL));
   Change turn = { .set = { all, (guint) model->block_count },
                   .transform = qn_transform_rotation (qn_vec2 (0.0, 0.0), 0.3) };
   apply (document, "Rotate", transform, &turn);
@@ -250,6 +258,8 @@ test_transform (void)
   g_assert_cmpfloat_with_epsilon (after.x, expected.x, 1e-12);
   g_assert_cmpfloat_with_epsilon (after.y, expected.y, 1e-12);
   g_assert_cmpint (model->blocks[0].masonry, ==, 0);
+  g_assert_cmpfloat_with_epsilon (model->ties[0].ends[0].at.x, expected.x, 1e-12);
+  g_assert_cmpfloat_with_epsilon (model->ties[0].ends[0].at.y, expected.y, 1e-12);
 
   gsize count = model->block_count;
   Change more = { .set = { all, (guint) count },
