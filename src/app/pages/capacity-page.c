@@ -33,11 +33,10 @@ static const char *const units[] = { NULL, "g", "m/s2", "cm/s2" };
 typedef struct Form {
   QnBoundForm base;
   QnDocument *document;
-  char *control; /* name of the block; NULL: to be chosen */
-  int kind, unit;
-  QnSpectrum spectrum; /* what is entered; points are those of `points` */
-  QnRecord points;
-  char *file;                /* path of the points */
+  QnCapacitySettings
+    entered; /* numbers, the control block, and in `spectrum` the path of a file */
+  int kind, soil, unit;
+  QnRecord points;           /* of that file */
   QnCapacityAnswer answer;   /* of the model as it was when the curve was found */
   char *block, *title;       /* names of then */
   char *reason;              /* why its path ended before multiplier 0, or NULL */
@@ -51,24 +50,24 @@ typedef struct Form {
 } Form;
 
 #define FIELDS(FIELD, MEMBER)                                                            \
-  FIELD (MECHANISM, "mechanism", NULL)                                                   \
+  MEMBER (MECHANISM, "mechanism", NULL, Form, entered.mechanism)                         \
   FIELD (CONTROL, "control", NULL)                                                       \
   FIELD (TAKE_SELECTED, "take_selected", NULL)                                           \
   MEMBER (KIND, "kind", NULL, Form, kind)                                                \
   FIELD (AG, "ag", NULL)                                                                 \
-  MEMBER (SOIL, "soil", NULL, Form, spectrum.soil)                                       \
-  MEMBER (DAMPING, "damping", NULL, Form, spectrum.damping)                              \
+  MEMBER (SOIL, "soil", NULL, Form, soil)                                                \
+  MEMBER (DAMPING, "damping", NULL, Form, entered.damping)                               \
   MEMBER (UNIT_OF_FILE, "unit", NULL, Form, unit)                                        \
   FIELD (FILE_BUTTON, "file", NULL)                                                      \
   FIELD (FILE_NAME, "file_name", NULL)                                                   \
-  MEMBER (CONFIDENCE, "confidence", NULL, Form, answer.confidence)                       \
-  MEMBER (TIE_STRAIN, "tie_strain", NULL, Form, answer.tie_strain)                       \
-  MEMBER (PART_PERIOD, "part_period", NULL, Form, answer.part_period)                    \
-  MEMBER (HEIGHT, "height", NULL, Form, spectrum.floor.height)                           \
-  MEMBER (BUILDING_HEIGHT, "building_height", NULL, Form, spectrum.floor.building)       \
-  MEMBER (STOREYS, "storeys", NULL, Form, spectrum.floor.storeys)                        \
-  MEMBER (BUILDING_PERIOD, "building_period", NULL, Form, spectrum.floor.period)         \
-  MEMBER (BUILDING_DAMPING, "building_damping", NULL, Form, spectrum.floor.damping)      \
+  MEMBER (CONFIDENCE, "confidence", NULL, Form, entered.confidence)                      \
+  MEMBER (TIE_STRAIN, "tie_strain", NULL, Form, entered.tie_strain)                      \
+  MEMBER (PART_PERIOD, "part_period", NULL, Form, entered.part_period)                   \
+  MEMBER (HEIGHT, "height", NULL, Form, entered.floor.height)                            \
+  MEMBER (BUILDING_HEIGHT, "building_height", NULL, Form, entered.floor.building)        \
+  MEMBER (STOREYS, "storeys", NULL, Form, entered.floor.storeys)                         \
+  MEMBER (BUILDING_PERIOD, "building_period", NULL, Form, entered.floor.period)          \
+  MEMBER (BUILDING_DAMPING, "building_damping", NULL, Form, entered.floor.damping)       \
   FIELD (FACTS, "facts", NULL)                                                           \
   FIELD (PLOT, "plot", NULL)                                                             \
   FIELD (TABLE, "table", NULL)                                                           \
@@ -78,56 +77,58 @@ typedef struct Form {
   FIELD (EXPORT_TABLE, "export_table", NULL)
 QN_FORM_FIELDS;
 
-/* ---- the answer ---- */
-
-/* Holds the curve against what is entered. */
-static void
-check (Form *form)
-{
-  QnCapacityAnswer *answer = &form->answer;
-  answer->spectrum = form->spectrum;
-  answer->spectrum.kind = form->kind == TYPE_1   ? QN_SPECTRUM_EN_1
-                          : form->kind == TYPE_2 ? QN_SPECTRUM_EN_2
-                                                 : QN_SPECTRUM_POINTS;
-  answer->spectrum.points = form->points.points;
-  answer->spectrum.point_count = form->points.count;
-  answer->has_spectrum =
-    form->kind != NONE && (form->kind != FROM_FILE || form->points.count > 0);
-  if (form->found)
-    qn_capacity_answer_check (answer);
-}
-
-/* ---- what the project keeps ---- */
+/* ---- what is entered ---- */
 
 static const char *const kinds[] = { "type1", "type2" };
+
+/* As the project keeps it, with its name for the file; strings are borrowed. */
+static QnCapacitySettings
+settings_of (const Form *form, const char *file)
+{
+  static const char *const soils[] = { "A", "B", "C", "D", "E" };
+  const gboolean of_code = form->kind <= TYPE_2;
+  QnCapacitySettings s = form->entered;
+  s.direct = TRUE;
+  s.spectrum = (char *) (of_code                   ? kinds[form->kind]
+                         : form->kind == FROM_FILE ? file
+                                                   : NULL);
+  s.ag = of_code ? s.ag : 0;
+  s.soil = of_code ? (char *) soils[form->soil] : NULL;
+  s.unit = !of_code && s.spectrum != NULL ? (char *) units[form->unit] : NULL;
+  if (s.spectrum == NULL || !(s.floor.height > 0))
+    s.floor = (QnFloor){ 0 };
+  return s;
+}
+
+/* Holds the curve against what is entered; FALSE with a message where the file does not say it. */
+static gboolean
+check (Form *form)
+{
+  QnCapacitySettings settings = settings_of (form, form->entered.spectrum);
+  g_autoptr (GError) error = NULL;
+  settings.control = NULL; /* told once a curve is to be found */
+  qn_record_clear (&form->points);
+  if (!qn_capacity_settings_apply (&settings, qn_document_get_project (form->document),
+                                   TRUE, &form->answer, &form->points, &error)) {
+    form->answer.has_spectrum = FALSE;
+    g_free (form->message);
+    form->message = g_strdup (error->message);
+  } else if (form->found)
+    qn_capacity_answer_check (&form->answer);
+  return error == NULL;
+}
 
 /* Keeps what is entered, as one step for a run of entries. */
 static void
 store (Form *form)
 {
-  const char soil[] = { (char) ('A' + (int) form->spectrum.soil), '\0' };
-  gboolean of_code = form->kind == TYPE_1 || form->kind == TYPE_2;
   const char *folder = qn_document_get_folder (form->document);
-  g_autofree char *beside = form->file != NULL ? g_path_get_dirname (form->file) : NULL;
-  g_autofree char *name = form->file == NULL ? NULL
-                          : g_strcmp0 (beside, folder) == 0
-                            ? g_path_get_basename (form->file)
-                            : g_strdup (form->file);
-  QnCapacitySettings settings = {
-    .control = form->control,
-    .spectrum = of_code                   ? (char *) kinds[form->kind]
-                : form->kind == FROM_FILE ? name
-                                          : NULL,
-    .ag = of_code ? form->spectrum.ground_acceleration : 0,
-    .soil = of_code ? (char *) soil : NULL,
-    .damping = form->spectrum.damping,
-    .confidence = form->answer.confidence,
-    .mechanism = form->answer.kinematic,
-    .tie_strain = form->answer.tie_strain,
-    .part_period = form->answer.part_period,
-    .floor = form->spectrum.floor.height > 0 ? form->spectrum.floor : (QnFloor){ 0 },
-    .unit = form->kind == FROM_FILE ? (char *) units[form->unit] : NULL,
-  };
+  const char *file = form->entered.spectrum;
+  g_autofree char *beside = file != NULL ? g_path_get_dirname (file) : NULL;
+  g_autofree char *name = file == NULL                      ? NULL
+                          : g_strcmp0 (beside, folder) == 0 ? g_path_get_basename (file)
+                                                            : g_strdup (file);
+  QnCapacitySettings settings = settings_of (form, name);
   g_autofree char *json = qn_capacity_settings_to_json (&settings);
   g_autoptr (GError) error = NULL;
   form->storing = TRUE;
@@ -190,11 +191,12 @@ static void
 find (Form *form)
 {
   const QnModel *model = qn_document_get_model (form->document);
-  QnId control =
-    form->control != NULL ? qn_model_find_block (model, form->control) : QN_NONE;
-  if (form->control != NULL && control == QN_NONE) {
+  QnId control = form->entered.control != NULL
+                   ? qn_model_find_block (model, form->entered.control)
+                   : QN_NONE;
+  if (form->entered.control != NULL && control == QN_NONE) {
     g_autofree char *message =
-      g_strdup_printf (_ ("No block is called %s"), form->control);
+      g_strdup_printf (_ ("No block is called %s"), form->entered.control);
     say (form, message);
     return;
   }
@@ -248,31 +250,27 @@ dup_facts (const Form *form)
 /* ---- files ---- */
 
 static void
-read_points (Form *form, const char *path)
+on_points_chosen (gpointer data, const char *path, const GError *error)
 {
-  QnRecord record;
-  g_autoptr (GError) error = NULL;
-  if (!qn_capacity_read_spectrum (path, units[form->unit], &record, &error)) {
-    say (form, error->message);
-    return;
-  }
-  qn_record_clear (&form->points);
-  form->points = record;
-  g_free (form->file);
-  form->file = g_strdup (path);
-  check (form);
-  say (form, NULL);
-}
-
-static void
-on_points_chosen (gpointer form, const char *path, const GError *error)
-{
+  Form *form = data;
   if (path == NULL) {
     say (form, error->message);
     return;
   }
-  read_points (form, path);
-  store (form);
+  g_autofree char *before = form->entered.spectrum;
+  form->entered.spectrum = g_strdup (path);
+  g_clear_pointer (&form->message, g_free);
+  if (check (form))
+    store (form);
+  else { /* one that cannot be read is not taken */
+    g_free (form->entered.spectrum);
+    form->entered.spectrum = g_steal_pointer (&before);
+    g_autofree char *told = g_steal_pointer (&form->message);
+    check (form);
+    say (form, told);
+    return;
+  }
+  say (form, NULL);
 }
 
 static gboolean
@@ -351,13 +349,12 @@ show (gpointer data, guint field, QnValue *value)
   gboolean code = form->kind == TYPE_1 || form->kind == TYPE_2;
   switch (field) {
   case MECHANISM:
-    value->number = form->answer.kinematic;
     return !busy;
   case CONTROL:
-    value->text = g_strdup (form->control != NULL ? form->control : "");
+    value->text = g_strdup (form->entered.control != NULL ? form->entered.control : "");
     return TRUE;
   case AG:
-    value->number = form->spectrum.ground_acceleration / QN_STANDARD_GRAVITY;
+    value->number = form->entered.ag / QN_STANDARD_GRAVITY;
     return code;
   case SOIL:
   case DAMPING:
@@ -366,8 +363,9 @@ show (gpointer data, guint field, QnValue *value)
   case FILE_BUTTON:
     return form->kind == FROM_FILE;
   case FILE_NAME:
-    value->text = form->file != NULL ? g_path_get_basename (form->file) : g_strdup ("");
-    return form->kind == FROM_FILE && form->file != NULL;
+    if (form->entered.spectrum != NULL)
+      value->text = g_path_get_basename (form->entered.spectrum);
+    return form->kind == FROM_FILE && form->entered.spectrum != NULL;
   case CONFIDENCE:
   case HEIGHT:
     return form->kind != NONE;
@@ -379,7 +377,7 @@ show (gpointer data, guint field, QnValue *value)
   case STOREYS:
   case BUILDING_PERIOD:
   case BUILDING_DAMPING:
-    return form->kind != NONE && form->spectrum.floor.height > 0;
+    return form->kind != NONE && form->entered.floor.height > 0;
   case FACTS:
     value->text = dup_facts (form);
     return TRUE;
@@ -413,8 +411,9 @@ take_selected (Form *form)
     say (form, _ ("Select one block in the drawing first"));
     return;
   }
-  g_free (form->control);
-  form->control = g_strdup (qn_document_get_model (form->document)->blocks[ids[0]].name);
+  g_free (form->entered.control);
+  form->entered.control =
+    g_strdup (qn_document_get_model (form->document)->blocks[ids[0]].name);
 }
 
 static gboolean
@@ -424,42 +423,24 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   g_clear_pointer (&form->message, g_free);
   switch (field) {
   case MECHANISM:
-    form->answer.kinematic = value->number != 0;
-    clear_curve (form);
-    break;
   case TIE_STRAIN:
     clear_curve (form);
     break;
   case CONTROL:
-    g_free (form->control);
-    form->control =
+    g_free (form->entered.control);
+    form->entered.control =
       value->text != NULL && *value->text != '\0' ? g_strdup (value->text) : NULL;
     break;
   case TAKE_SELECTED:
     take_selected (form);
     break;
   case AG:
-    form->spectrum.ground_acceleration = value->number * QN_STANDARD_GRAVITY;
-    break;
-  case UNIT_OF_FILE:
-    if (form->file != NULL) {
-      g_autofree char *path = g_strdup (form->file);
-      read_points (form, path);
-    }
+    form->entered.ag = value->number * QN_STANDARD_GRAVITY;
     break;
   case HEIGHT:
   case BUILDING_HEIGHT:
-    form->spectrum.floor.building =
-      fmax (form->spectrum.floor.building, form->spectrum.floor.height);
-    break;
-  case KIND:
-  case SOIL:
-  case DAMPING:
-  case CONFIDENCE:
-  case PART_PERIOD:
-  case STOREYS:
-  case BUILDING_PERIOD:
-  case BUILDING_DAMPING:
+    form->entered.floor.building =
+      fmax (form->entered.floor.building, form->entered.floor.height);
     break;
   case FILE_BUTTON:
   case EXPORT_PICTURE:
@@ -473,7 +454,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     g_cancellable_cancel (form->cancellable);
     return TRUE;
   default:
-    return TRUE;
+    break;
   }
   check (form);
   store (form);
@@ -492,57 +473,50 @@ make_plot (gpointer data, gboolean zoomed, char **message)
   return NULL;
 }
 
+static double
+share_or (double share, double usual)
+{
+  return share > 0 && share < 1 ? share : usual;
+}
+
 /* Takes up what the project keeps; what it does not say is as at first. */
 static void
 load (Form *form)
 {
-  QnCapacitySettings kept;
-  g_free (form->stored);
-  form->stored =
-    qn_project_dup_extra (qn_document_get_project (form->document), QN_CAPACITY_MEMBER);
-  g_clear_pointer (&form->message, g_free);
+  const QnProject *project = qn_document_get_project (form->document);
+  QnCapacitySettings *kept = &form->entered;
+  QnFloor *floor = &kept->floor;
   g_autoptr (GError) error = NULL;
-  if (!qn_capacity_settings_read (qn_document_get_project (form->document), &kept,
-                                  &error))
+  g_free (form->stored);
+  form->stored = qn_project_dup_extra (project, QN_CAPACITY_MEMBER);
+  g_clear_pointer (&form->message, g_free);
+  qn_capacity_settings_clear (kept);
+  if (!qn_capacity_settings_read (project, kept, &error))
     form->message = g_strdup (error->message);
-  const char *soil = kept.soil != NULL ? kept.soil : "B";
-  gboolean is_soil = *soil >= 'A' && *soil <= 'E';
-  form->spectrum =
-    (QnSpectrum){ .ground_acceleration =
-                    kept.ag > 0 ? kept.ag : 0.25 * QN_STANDARD_GRAVITY,
-                  .soil = is_soil ? (QnSoil) (*soil - 'A') : QN_SOIL_B,
-                  .damping = kept.damping > 0 && kept.damping < 1 ? kept.damping : 0.05,
-                  .floor = kept.floor };
-  QnFloor *floor = &form->spectrum.floor;
+  g_autofree char *spectrum = g_steal_pointer (&kept->spectrum);
+  g_autofree char *soil = g_steal_pointer (&kept->soil);
+  g_autofree char *unit = g_steal_pointer (&kept->unit);
+  kept->ag = kept->ag > 0 ? kept->ag : 0.25 * QN_STANDARD_GRAVITY;
+  kept->damping = share_or (kept->damping, 0.05);
+  kept->confidence = fmax (kept->confidence, 1);
   floor->building = fmax (floor->building, floor->height);
   floor->storeys = MAX (floor->storeys, 1);
   floor->period = floor->period > 0 ? floor->period : 0.3;
-  floor->damping = floor->damping > 0 && floor->damping < 1 ? floor->damping : 0.05;
-  form->answer.tie_strain = kept.tie_strain;
-  form->answer.part_period = kept.part_period;
-  form->answer.confidence = fmax (kept.confidence, 1);
-  if (form->answer.kinematic != kept.mechanism && form->cancellable == NULL) {
-    form->answer.kinematic = kept.mechanism;
-    clear_curve (form);
-  }
-  g_free (form->control);
-  form->control = g_strdup (kept.control);
+  floor->damping = share_or (floor->damping, 0.05);
+  form->soil = soil != NULL && *soil >= 'A' && *soil <= 'E' ? *soil - 'A' : QN_SOIL_B;
   form->unit = 0;
   for (int i = 1; i < (int) G_N_ELEMENTS (units); i++)
-    if (g_strcmp0 (units[i], kept.unit) == 0)
+    if (g_strcmp0 (units[i], unit) == 0)
       form->unit = i;
-  form->kind = form->stored != NULL ? NONE : TYPE_1;
+  form->kind = spectrum != NULL ? FROM_FILE : form->stored != NULL ? NONE : TYPE_1;
   for (int i = TYPE_1; i <= TYPE_2; i++)
-    if (g_strcmp0 (kept.spectrum, kinds[i]) == 0)
+    if (g_strcmp0 (spectrum, kinds[i]) == 0)
       form->kind = i;
-  if (kept.spectrum != NULL && form->kind == NONE) {
-    form->kind = FROM_FILE;
-    g_autofree char *path = qn_file_inside (qn_document_get_folder (form->document),
-                                            kept.spectrum, FALSE, NULL);
-    if (path != NULL)
-      read_points (form, path);
-  }
-  qn_capacity_settings_clear (&kept);
+  if (form->kind == FROM_FILE)
+    kept->spectrum =
+      qn_file_inside (qn_document_get_folder (form->document), spectrum, FALSE, NULL);
+  if (form->answer.kinematic != kept->mechanism && form->cancellable == NULL)
+    clear_curve (form);
   check (form);
 }
 
@@ -569,8 +543,7 @@ clear (gpointer data)
   g_clear_object (&form->chooser);
   clear_curve (form);
   qn_record_clear (&form->points);
-  g_free (form->control);
-  g_free (form->file);
+  qn_capacity_settings_clear (&form->entered);
   g_free (form->stored);
   g_free (form->digest);
   g_free (form->message);
