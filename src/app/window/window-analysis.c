@@ -100,23 +100,6 @@ clear_queue (QnWindow *self)
   self->next_analysis = self->last_analysis = NULL;
 }
 
-/* The run of the model as it is by that method, or NULL. */
-static QnRun *
-find_run (QnWindow *self, QnProcedure procedure, QnFlow flow)
-{
-  const GPtrArray *runs = qn_document_get_runs (self->document);
-  for (guint i = runs->len; i-- > 0;) {
-    QnRun *run = g_ptr_array_index (runs, i);
-    const QnAnalysisSettings *by = &run->model.analysis;
-    if (run->kind == QN_RUN_ANALYSIS && !run->live && by->procedure == procedure
-        && (procedure != QN_PROCEDURE_LIMIT || by->flow == flow)
-        && run->result.outcome != QN_OUTCOME_CANCELLED
-        && !qn_document_is_stale (self->document, run))
-      return run;
-  }
-  return NULL;
-}
-
 /* Of several methods that which follows a path, with a curve and steps: limit analysis has neither. */
 static QnProcedure
 path_procedure (QnWindow *self)
@@ -138,12 +121,14 @@ start_next (QnWindow *self)
     return;
   }
   while (self->next_analysis != self->last_analysis
-         && find_run (self, self->next_analysis->procedure, self->next_analysis->flow)
+         && qn_document_find_run (self->document, self->next_analysis->procedure,
+                                  self->next_analysis->flow, FALSE)
               != NULL)
     self->next_analysis++;
   if (self->next_analysis == self->last_analysis) {
     clear_queue (self);
-    QnRun *path = find_run (self, path_procedure (self), QN_FLOW_ASSOCIATIVE);
+    QnRun *path = qn_document_find_run (self->document, path_procedure (self),
+                                        QN_FLOW_ASSOCIATIVE, FALSE);
     gtk_stack_set_visible_child_name (self->side_stack, "result");
     if (path != NULL)
       qn_document_set_run (self->document, path);
@@ -157,7 +142,8 @@ start_next (QnWindow *self)
 static void
 run_all (QnWindow *self, GVariant *parameter)
 {
-  QnRun *path = find_run (self, path_procedure (self), QN_FLOW_ASSOCIATIVE);
+  QnRun *path = qn_document_find_run (self->document, path_procedure (self),
+                                      QN_FLOW_ASSOCIATIVE, FALSE);
   g_autoptr (GError) error = NULL;
   gtk_widget_set_visible (self->info_bar, FALSE);
   if (path == NULL

@@ -231,6 +231,21 @@ qn_document_remove_run (QnDocument *self, QnRun *run)
     qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
 }
 
+QnRun *
+qn_document_find_run (QnDocument *self, QnProcedure procedure, QnFlow flow, gboolean live)
+{
+  for (guint i = self->runs->len; i-- > 0;) {
+    QnRun *run = g_ptr_array_index (self->runs, i);
+    const QnAnalysisSettings *by = &run->model.analysis;
+    if (run->kind == QN_RUN_ANALYSIS && (live || !run->live) && by->procedure == procedure
+        && (procedure != QN_PROCEDURE_LIMIT || by->flow == flow)
+        && run->result.outcome != QN_OUTCOME_CANCELLED
+        && !qn_document_is_stale (self, run))
+      return run;
+  }
+  return NULL;
+}
+
 QnRunAge
 qn_document_get_run_age (QnDocument *self, const QnRun *run)
 {

@@ -169,6 +169,11 @@ void qn_document_set_run (QnDocument *document, QnRun *run);
 void qn_document_add_run (QnDocument *document, QnRun *run);
 void qn_document_remove_run (QnDocument *document, QnRun *run);
 
+/* The latest run of the model as it is by that method, which was not made after an edit unless `live`, or
+ * NULL. */
+QnRun *qn_document_find_run (QnDocument *document, QnProcedure procedure, QnFlow flow,
+                             gboolean live);
+
 /* Changes since a run; titles, views and figures do not count. */
 typedef enum {
   QN_RUN_CURRENT,

@@ -1,6 +1,7 @@
 #include "doc/document/selection.h"
 
 #include "core/base/integer.h"
+#include "doc/edit/edit-masonry.h"
 #include "render/scene/reading.h"
 
 #include <math.h>
@@ -9,13 +10,14 @@
 /* Faces whose directions differ by less belong together. */
 #define SAME_DIRECTION 1e-6
 
+/* Behind the parts, each of which may be many, the items, of which there is one. */
+enum { FIRST_ITEM = QN_PART_COUNT, LIST_COUNT = FIRST_ITEM + QN_ITEM_COUNT };
+
 struct _QnSelection {
   GObject parent_instance;
-  GArray *parts[QN_PART_COUNT]; /* of QnId, ascending */
-  QnId object;                  /* of the opening, or QN_NONE */
+  GArray *lists[LIST_COUNT]; /* of QnId, ascending */
+  QnId object;               /* of the opening, or QN_NONE */
   int opening;
-  QnItemKind kind; /* of the item */
-  QnId item;       /* or QN_NONE */
 };
 
 G_DEFINE_FINAL_TYPE (QnSelection, qn_selection, G_TYPE_OBJECT)
@@ -26,8 +28,8 @@ static guint selection_signals[SIGNAL_COUNT];
 static void
 qn_selection_finalize (GObject *object)
 {
-  for (int i = 0; i < QN_PART_COUNT; i++)
-    g_array_unref (QN_SELECTION (object)->parts[i]);
+  for (int i = 0; i < LIST_COUNT; i++)
+    g_array_unref (QN_SELECTION (object)->lists[i]);
   G_OBJECT_CLASS (qn_selection_parent_class)->finalize (object);
 }
 
@@ -48,9 +50,9 @@ new_ids (void)
 static void
 qn_selection_init (QnSelection *self)
 {
-  for (int i = 0; i < QN_PART_COUNT; i++)
-    self->parts[i] = new_ids ();
-  self->object = self->item = QN_NONE;
+  for (int i = 0; i < LIST_COUNT; i++)
+    self->lists[i] = new_ids ();
+  self->object = QN_NONE;
 }
 
 QnSelection *
@@ -62,23 +64,23 @@ qn_selection_new (void)
 gboolean
 qn_selection_has (QnSelection *self, QnPartKind kind, QnId id)
 {
-  return g_array_binary_search (self->parts[kind], &id, qn_compare_ids, NULL);
+  return g_array_binary_search (self->lists[kind], &id, qn_compare_ids, NULL);
 }
 
 const QnId *
 qn_selection_get (QnSelection *self, QnPartKind kind, guint *count)
 {
-  *count = self->parts[kind]->len;
-  return (const QnId *) self->parts[kind]->data;
+  *count = self->lists[kind]->len;
+  return (const QnId *) self->lists[kind]->data;
 }
 
 gboolean
 qn_selection_is_empty (QnSelection *self)
 {
   guint count = 0;
-  for (int i = 0; i < QN_PART_COUNT; i++)
-    count += self->parts[i]->len;
-  return count == 0 && self->object == QN_NONE && self->item == QN_NONE;
+  for (int i = 0; i < LIST_COUNT; i++)
+    count += self->lists[i]->len;
+  return count == 0 && self->object == QN_NONE;
 }
 
 void
@@ -110,29 +112,26 @@ same_ids (const GArray *a, const GArray *b)
 
 /* Takes over the lists. */
 static void
-replace_all (QnSelection *self, GArray *const parts[QN_PART_COUNT], QnId object,
-             int opening, QnItemKind kind, QnId item)
+replace_all (QnSelection *self, GArray *const lists[LIST_COUNT], QnId object, int opening)
 {
-  gboolean same = object == self->object && opening == self->opening && kind == self->kind
-                  && item == self->item;
-  for (int i = 0; i < QN_PART_COUNT; i++) {
-    sort_ids (parts[i]);
-    same = same_ids (parts[i], self->parts[i]) && same;
-    g_array_unref (self->parts[i]);
-    self->parts[i] = parts[i];
+  gboolean same = object == self->object && opening == self->opening;
+  for (int i = 0; i < LIST_COUNT; i++) {
+    sort_ids (lists[i]);
+    same = same_ids (lists[i], self->lists[i]) && same;
+    g_array_unref (self->lists[i]);
+    self->lists[i] = lists[i];
   }
   self->object = object;
   self->opening = opening;
-  self->kind = kind;
-  self->item = item;
   if (!same)
     g_signal_emit (self, selection_signals[SIGNAL_CHANGED], 0);
 }
 
 static void
-replace (QnSelection *self, GArray *const parts[QN_PART_COUNT])
+begin_lists (GArray *lists[LIST_COUNT])
 {
-  replace_all (self, parts, QN_NONE, 0, QN_ITEM_DEAD_LOAD, QN_NONE);
+  for (int i = 0; i < LIST_COUNT; i++)
+    lists[i] = new_ids ();
 }
 
 static GArray *
@@ -156,17 +155,25 @@ ids_toggled (GArray *ids, QnId id)
   return copy;
 }
 
-/* Takes over the list of one kind. Blocks and beams may be selected together. */
+/* Takes over one of the lists. Blocks and beams may be selected together. */
 static void
-replace_one (QnSelection *self, QnPartKind kind, GArray *ids, gboolean keep)
+replace_one (QnSelection *self, int list, GArray *ids, gboolean keep)
 {
-  GArray *parts[QN_PART_COUNT];
-  keep = keep && kind != QN_PART_FACE;
-  for (int i = 0; i < QN_PART_COUNT; i++)
-    parts[i] = i == (int) kind             ? ids
-               : keep && i != QN_PART_FACE ? g_array_copy (self->parts[i])
-                                           : new_ids ();
-  replace (self, parts);
+  GArray *lists[LIST_COUNT];
+  for (int i = 0; i < LIST_COUNT; i++)
+    lists[i] = i == list ? ids
+               : keep && list < QN_PART_FACE && i < QN_PART_FACE
+                 ? g_array_copy (self->lists[i])
+                 : new_ids ();
+  replace_all (self, lists, QN_NONE, 0);
+}
+
+/* The first of a list, or QN_NONE. */
+static QnId
+first_of (QnSelection *self, int list)
+{
+  const GArray *ids = self->lists[list];
+  return ids->len > 0 ? g_array_index (ids, QnId, 0) : QN_NONE;
 }
 
 void
@@ -178,13 +185,13 @@ qn_selection_set (QnSelection *self, QnPartKind kind, const QnId *ids, guint cou
 void
 qn_selection_add (QnSelection *self, QnPartKind kind, const QnId *ids, guint count)
 {
-  replace_one (self, kind, ids_with (g_array_copy (self->parts[kind]), ids, count), TRUE);
+  replace_one (self, kind, ids_with (g_array_copy (self->lists[kind]), ids, count), TRUE);
 }
 
 void
 qn_selection_toggle (QnSelection *self, QnPartKind kind, QnId id)
 {
-  replace_one (self, kind, ids_toggled (self->parts[kind], id), TRUE);
+  replace_one (self, kind, ids_toggled (self->lists[kind], id), TRUE);
 }
 
 void
@@ -196,16 +203,15 @@ qn_selection_set_face (QnSelection *self, QnId face)
 QnId
 qn_selection_get_face (QnSelection *self)
 {
-  const GArray *faces = self->parts[QN_PART_FACE];
-  return faces->len > 0 ? g_array_index (faces, QnId, 0) : QN_NONE;
+  return first_of (self, QN_PART_FACE);
 }
 
 void
 qn_selection_set_opening (QnSelection *self, QnId object, int opening)
 {
-  GArray *const none[QN_PART_COUNT] = { new_ids (), new_ids (), new_ids () };
-  replace_all (self, none, object, object != QN_NONE ? opening : 0, QN_ITEM_DEAD_LOAD,
-               QN_NONE);
+  GArray *none[LIST_COUNT];
+  begin_lists (none);
+  replace_all (self, none, object, object != QN_NONE ? opening : 0);
 }
 
 gboolean
@@ -219,21 +225,24 @@ qn_selection_get_opening (QnSelection *self, QnId *object, int *opening)
 void
 qn_selection_set_item (QnSelection *self, QnItemKind kind, QnId id)
 {
-  GArray *const none[QN_PART_COUNT] = { new_ids (), new_ids (), new_ids () };
-  replace_all (self, none, QN_NONE, 0, id != QN_NONE ? kind : QN_ITEM_DEAD_LOAD, id);
+  replace_one (self, FIRST_ITEM + (int) kind, ids_with (new_ids (), &id, id != QN_NONE),
+               FALSE);
 }
 
 QnId
 qn_selection_get_item (QnSelection *self, QnItemKind kind)
 {
-  return self->kind == kind ? self->item : QN_NONE;
+  return first_of (self, FIRST_ITEM + (int) kind);
 }
 
 QnId
 qn_selection_get_any_item (QnSelection *self, QnItemKind *kind)
 {
-  *kind = self->kind;
-  return self->item;
+  int i = 0;
+  while (i + 1 < QN_ITEM_COUNT && self->lists[FIRST_ITEM + i]->len == 0)
+    i++;
+  *kind = (QnItemKind) i;
+  return qn_selection_get_item (self, *kind);
 }
 
 /* ---- what belongs together ---- */
@@ -254,12 +263,13 @@ select_matching (QnSelection *self, const QnModel *model, QnId block, BlockTest 
 void
 qn_selection_select_all (QnSelection *self, const QnModel *model)
 {
-  GArray *const parts[QN_PART_COUNT] = { new_ids (), new_ids (), new_ids () };
+  GArray *lists[LIST_COUNT];
+  begin_lists (lists);
   for (QnId i = 0; i < (QnId) model->block_count; i++)
-    g_array_append_val (parts[QN_PART_BLOCK], i);
+    g_array_append_val (lists[QN_PART_BLOCK], i);
   for (QnId i = 0; i < (QnId) model->beam_count; i++)
-    g_array_append_val (parts[QN_PART_BEAM], i);
-  replace (self, parts);
+    g_array_append_val (lists[QN_PART_BEAM], i);
+  replace_all (self, lists, QN_NONE, 0);
 }
 
 /* Wall blocks are named <wall>.<course>.<position>: those of a course share what precedes the
@@ -380,15 +390,6 @@ follow_block (const QnModel *before, QnId old, const QnModel *after)
   return renamed ? old : QN_NONE;
 }
 
-/* The object that a block was made of, by its parameters: its bit is in `whole` where all of its blocks are
- * selected. Bricks that change are other blocks of the same object. */
-static gboolean
-is_of_whole (const guint8 *whole, const QnModel *model, QnId block)
-{
-  QnId object = model->blocks[block].masonry;
-  return object != QN_NONE && whole[object];
-}
-
 /* Whether an object is the same as before: its blocks are called after it. */
 static gboolean
 is_same_object (const QnBlock *a, const QnBlock *b)
@@ -398,34 +399,21 @@ is_same_object (const QnBlock *a, const QnBlock *b)
          && strncmp (a->name, b->name, length) == 0;
 }
 
-/* One byte for each object; the caller frees them. */
-static guint8 *
-find_whole (QnSelection *self, const QnModel *before, const QnModel *after)
+/* Which objects of parametric masonry are selected as a whole, one flag for each of `count`. Bricks that
+ * change are other blocks of the same object. */
+static gboolean *
+find_whole (QnSelection *self, const QnModel *before, const QnModel *after, gsize *count)
 {
-  QnId most = QN_NONE;
+  gboolean *whole =
+    qn_edit_whole_objects (before, qn_selection_get_parts (self).blocks, count);
+  g_autofree const QnBlock **lasts = g_new0 (const QnBlock *, *count + 1);
   for (gsize i = 0; i < before->block_count; i++)
-    most = MAX (most, before->blocks[i].masonry);
-  for (gsize i = 0; i < after->block_count; i++)
-    most = MAX (most, after->blocks[i].masonry);
-  guint8 *whole = g_malloc0 ((gsize) (most + 2));
-  g_autofree const QnBlock **firsts = g_new0 (const QnBlock *, (gsize) (most + 2));
-  for (guint i = 0; i < self->parts[QN_PART_BLOCK]->len; i++) {
-    QnId block = g_array_index (self->parts[QN_PART_BLOCK], QnId, i);
-    if ((gsize) block < before->block_count && before->blocks[block].masonry != QN_NONE)
-      whole[before->blocks[block].masonry] = TRUE;
-  }
-  for (QnId i = 0; i < (QnId) before->block_count; i++) {
-    const QnBlock *block = &before->blocks[i];
-    if (block->masonry == QN_NONE)
-      continue;
-    firsts[block->masonry] = block;
-    if (!qn_selection_has (self, QN_PART_BLOCK, i))
-      whole[block->masonry] = FALSE;
-  }
+    if (before->blocks[i].masonry != QN_NONE)
+      lasts[before->blocks[i].masonry] = &before->blocks[i];
   for (gsize i = 0; i < after->block_count; i++) {
     const QnBlock *block = &after->blocks[i];
-    if (block->masonry != QN_NONE && whole[block->masonry]
-        && !is_same_object (firsts[block->masonry], block))
+    if (block->masonry != QN_NONE && (gsize) block->masonry < *count
+        && whole[block->masonry] && !is_same_object (lasts[block->masonry], block))
       whole[block->masonry] = FALSE;
   }
   return whole;
@@ -492,29 +480,34 @@ qn_selection_follow (QnSelection *self, const QnModel *before,
                      const QnContacts *contacts_before, const QnModel *after,
                      const QnContacts *contacts_after)
 {
-  GArray *const parts[QN_PART_COUNT] = { new_ids (), new_ids (), new_ids () };
   const gsize counts[QN_PART_COUNT] = { before->block_count, before->beam_count,
                                         contacts_before->face_count };
-  g_autofree guint8 *whole = find_whole (self, before, after);
+  GArray *lists[LIST_COUNT];
+  gsize objects;
+  g_autofree gboolean *whole = find_whole (self, before, after, &objects);
+  begin_lists (lists);
   for (QnId i = 0; i < (QnId) after->block_count; i++)
-    if (is_of_whole (whole, after, i))
-      g_array_append_val (parts[QN_PART_BLOCK], i);
-  for (int kind = 0; kind < QN_PART_COUNT; kind++)
-    for (guint i = 0; i < self->parts[kind]->len; i++) {
-      const QnId old = g_array_index (self->parts[kind], QnId, i);
-      if ((gsize) old >= counts[kind]
-          || (kind == QN_PART_BLOCK && is_of_whole (whole, before, old)))
+    if (after->blocks[i].masonry != QN_NONE && (gsize) after->blocks[i].masonry < objects
+        && whole[after->blocks[i].masonry])
+      g_array_append_val (lists[QN_PART_BLOCK], i);
+  for (int list = 0; list < LIST_COUNT; list++)
+    for (guint i = 0; i < self->lists[list]->len; i++) {
+      const QnId old = g_array_index (self->lists[list], QnId, i);
+      if (list < FIRST_ITEM && (gsize) old >= counts[list])
+        continue;
+      if (list == QN_PART_BLOCK && before->blocks[old].masonry != QN_NONE
+          && whole[before->blocks[old].masonry])
         continue;
       const QnId id =
-        kind == QN_PART_BLOCK ? follow_block (before, old, after)
-        : kind == QN_PART_BEAM
-          ? qn_model_find_beam (after, before->beams[old].name)
-          : follow_face (before, &contacts_before->faces[old], after, contacts_after);
+        list == QN_PART_BLOCK  ? follow_block (before, old, after)
+        : list == QN_PART_BEAM ? qn_model_find_beam (after, before->beams[old].name)
+        : list == QN_PART_FACE
+          ? follow_face (before, &contacts_before->faces[old], after, contacts_after)
+          : follow_item ((QnItemKind) (list - FIRST_ITEM), old, before, after);
       if (id != QN_NONE)
-        g_array_append_val (parts[kind], id);
+        g_array_append_val (lists[list], id);
     }
-  replace_all (self, parts, self->object, self->opening, self->kind,
-               follow_item (self->kind, self->item, before, after));
+  replace_all (self, lists, self->object, self->opening);
 }
 
 QnPartSet

@@ -162,11 +162,9 @@ qn_edit_whole_objects (const QnModel *model, QnBlockSet set, gsize *count)
     last = MAX (last, model->blocks[i].masonry);
   *count = (gsize) (last + 1);
   gboolean *whole = g_new0 (gboolean, *count + 1);
-  for (guint i = 0; i < set.count; i++) {
-    QnId object = model->blocks[set.ids[i]].masonry;
-    if (object != QN_NONE)
-      whole[object] = TRUE;
-  }
+  for (gsize i = 0; i < model->block_count; i++)
+    if (model->blocks[i].masonry != QN_NONE)
+      whole[model->blocks[i].masonry] = TRUE;
   g_autofree gboolean *flags = qn_block_set_to_flags (set, model);
   for (gsize i = 0; i < model->block_count; i++) {
     QnId object = model->blocks[i].masonry;

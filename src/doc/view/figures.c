@@ -75,24 +75,12 @@ qn_document_dup_figure_name (QnDocument *document, const char *like)
   return name;
 }
 
-/* The latest run of the present model by the project's own procedure, or NULL: what figures
- * without a result file show. */
+/* What figures without a result file show. */
 static QnRun *
 find_own_run (QnDocument *document)
 {
   const QnAnalysisSettings *own = &qn_document_get_model (document)->analysis;
-  const GPtrArray *runs = qn_document_get_runs (document);
-  for (guint i = runs->len; i > 0; i--) {
-    QnRun *run = g_ptr_array_index (runs, i - 1);
-    const QnAnalysisSettings *its = &run->model.analysis;
-    gboolean same = its->procedure == own->procedure
-                    && (own->procedure != QN_PROCEDURE_LIMIT || its->flow == own->flow);
-    if (same && run->kind == QN_RUN_ANALYSIS
-        && run->result.outcome != QN_OUTCOME_CANCELLED
-        && !qn_document_is_stale (document, run))
-      return run;
-  }
-  return NULL;
+  return qn_document_find_run (document, own->procedure, own->flow, TRUE);
 }
 
 void
