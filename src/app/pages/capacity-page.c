@@ -42,7 +42,7 @@ typedef struct Form {
   char *reason;              /* why its path ended before multiplier 0, or NULL */
   gboolean found;            /* whether there is a curve */
   char *digest;              /* of the model and its settings then */
-  char *message;             /* NULL: what there is to say of the curve */
+  char *message;             /* below the buttons, or NULL */
   GCancellable *cancellable; /* while it is searched */
   GObject *chooser;
   char *stored; /* the project's member as it was read or written last; NULL: none */
@@ -69,6 +69,7 @@ typedef struct Form {
   MEMBER (BUILDING_PERIOD, "building_period", NULL, Form, entered.floor.period)          \
   MEMBER (BUILDING_DAMPING, "building_damping", NULL, Form, entered.floor.damping)       \
   FIELD (FACTS, "facts", NULL)                                                           \
+  FIELD (MESSAGE, "message", NULL)                                                       \
   FIELD (PLOT, "plot", NULL)                                                             \
   FIELD (TABLE, "table", NULL)                                                           \
   FIELD (FIND, "find", NULL)                                                             \
@@ -212,41 +213,6 @@ find (Form *form)
   say (form, NULL);
 }
 
-/* ---- what is told ---- */
-
-static char *
-dup_facts (const Form *form)
-{
-  if (form->message != NULL)
-    return g_strdup (form->message);
-  if (form->cancellable != NULL)
-    return g_strdup (form->answer.kinematic ? _ ("Searching the mechanism…")
-                                            : _ ("Following the path through its peak…"));
-  if (!form->found)
-    return g_strdup (
-      form->answer.kinematic
-        ? _ ("The live load is weight times a horizontal direction. Limit analysis finds "
-             "the mechanism; its parts are moved about their hinges until they carry "
-             "nothing any more.")
-        : _ ("The live load is weight times a horizontal direction. The path in "
-             "large displacements is followed until it carries nothing any "
-             "more."));
-  g_autofree char *digest = qn_model_digest (qn_document_get_project (form->document));
-  g_autofree char *facts = qn_capacity_answer_dup_facts (
-    &form->answer, form->block, form->reason, qn_settings_get_units ());
-  GString *text = g_string_new (NULL);
-  if (g_strcmp0 (form->digest, digest) != 0)
-    g_string_append_printf (text, "%s\n\n", _ ("The model has changed since."));
-  g_string_append (text, facts);
-  for (int k = 0; k < qn_capacity_answer_count_states (&form->answer); k++)
-    if (form->answer.states[k].refused) {
-      g_autofree char *basis =
-        qn_capacity_dup_basis (&form->answer.states[k], (QnCapacityCheck) k);
-      g_string_append_printf (text, "\n%s", basis);
-    }
-  return g_string_free (text, FALSE);
-}
-
 /* ---- files ---- */
 
 static void
@@ -282,14 +248,10 @@ write_file (gpointer data, const char *path, GError **error)
   return qn_capacity_answer_export (&form->answer, form->title, &metadata, path, error);
 }
 
-/* Above what there is to say of the curve, which is still there. */
 static void
 on_told (gpointer form, const char *message, gboolean trouble)
 {
-  say (form, NULL);
-  g_autofree char *facts = dup_facts (form);
-  g_autofree char *both = g_strjoin ("\n\n", message, facts, NULL);
-  say (form, both);
+  say (form, message);
 }
 
 /* Asks for the file of what a button reads or writes. */
@@ -314,6 +276,37 @@ ask (Form *form, guint field)
 }
 
 /* ---- fields ---- */
+
+static char *
+dup_facts (const Form *form)
+{
+  if (form->cancellable != NULL)
+    return g_strdup (form->answer.kinematic ? _ ("Searching the mechanism…")
+                                            : _ ("Following the path through its peak…"));
+  if (!form->found)
+    return g_strdup (
+      form->answer.kinematic
+        ? _ ("The live load is weight times a horizontal direction. Limit analysis finds "
+             "the mechanism; its parts are moved about their hinges until they carry "
+             "nothing any more.")
+        : _ ("The live load is weight times a horizontal direction. The path in "
+             "large displacements is followed until it carries nothing any "
+             "more."));
+  g_autofree char *digest = qn_model_digest (qn_document_get_project (form->document));
+  g_autofree char *facts = qn_capacity_answer_dup_facts (
+    &form->answer, form->block, form->reason, qn_settings_get_units ());
+  GString *text = g_string_new (NULL);
+  if (g_strcmp0 (form->digest, digest) != 0)
+    g_string_append_printf (text, "%s\n\n", _ ("The model has changed since."));
+  g_string_append (text, facts);
+  for (int k = 0; k < qn_capacity_answer_count_states (&form->answer); k++)
+    if (form->answer.states[k].refused) {
+      g_autofree char *basis =
+        qn_capacity_dup_basis (&form->answer.states[k], (QnCapacityCheck) k);
+      g_string_append_printf (text, "\n%s", basis);
+    }
+  return g_string_free (text, FALSE);
+}
 
 static void
 set_cell (Form *form, int column, int row, const char *text)
@@ -381,6 +374,9 @@ show (gpointer data, guint field, QnValue *value)
   case FACTS:
     value->text = dup_facts (form);
     return TRUE;
+  case MESSAGE:
+    value->text = g_strdup (form->message);
+    return form->message != NULL;
   case PLOT:
     gtk_widget_queue_draw (form->base.widgets[PLOT]);
     return TRUE;
