@@ -263,20 +263,21 @@ qn_arch_ring_voussoir (const QnArchRing *ring, int32_t course, int32_t index,
 }
 
 bool
-qn_arch_ring_haunch (const QnArchRing *ring, double level, QnRing *line)
+qn_arch_ring_line (const QnArchRing *ring, bool outside, double level, QnRing *line)
 {
   size_t most = (size_t) ring->arch.voussoirs * ((size_t) ring->chords + 1) + 1;
   line->points = qn_alloc (most, sizeof *line->points);
   line->count = 0;
   if (line->points == NULL)
     return false;
-  line->points[line->count++] = qn_arch_ring_extrados (ring, 0);
+  line->points[line->count++] = point_at (ring, 0, outside ? ring->arch.ring : 0);
   for (int32_t i = 0; i < ring->arch.voussoirs; i++) {
     double u0 = joint_at (ring, i), u1 = joint_at (ring, i + 1);
     int32_t n = chords_between (ring, u0, u1);
     for (int32_t k = 1; k <= n; k++) {
       QnVec2 last = line->points[line->count - 1];
-      QnVec2 p = upper_point (ring, u0, u1, k, n, ring->arch.ring);
+      QnVec2 p = outside ? upper_point (ring, u0, u1, k, n, ring->arch.ring)
+                         : point_at (ring, position_between (u0, u1, k, n), 0);
       bool above = p.y >= level;
       if (above && p.y > level)
         p = qn_vec2_lerp (last, p, (level - last.y) / (p.y - last.y));
@@ -285,25 +286,6 @@ qn_arch_ring_haunch (const QnArchRing *ring, double level, QnRing *line)
       if (above)
         return true;
     }
-  }
-  return true;
-}
-
-bool
-qn_arch_ring_line (const QnArchRing *ring, QnRing *line)
-{
-  size_t most = (size_t) ring->arch.voussoirs * ((size_t) ring->chords + 1) + 1;
-  line->points = qn_alloc (most, sizeof *line->points);
-  line->count = 0;
-  if (line->points == NULL)
-    return false;
-  line->points[line->count++] = qn_arch_ring_intrados (ring, 0);
-  for (int32_t i = 0; i < ring->arch.voussoirs; i++) {
-    double u0 = joint_at (ring, i), u1 = joint_at (ring, i + 1);
-    int32_t n = chords_between (ring, u0, u1);
-    for (int32_t k = 1; k <= n; k++)
-      line->points[line->count++] =
-        qn_arch_ring_intrados (ring, position_between (u0, u1, k, n));
   }
   return true;
 }

@@ -43,10 +43,6 @@ QnVec2 qn_arch_ring_extrados (const QnArchRing *ring, double u);
 bool qn_arch_ring_voussoir (const QnArchRing *ring, int32_t course, int32_t index,
                             QnRing *voussoir);
 
-/* The extrados of the left half from the springing up to a level, as the voussoirs have it, as an
- * open line. */
-bool qn_arch_ring_haunch (const QnArchRing *ring, double level, QnRing *line);
-
 /* How many rings there are; the smaller radius of a three-centred arch, m. */
 static inline int32_t
 qn_arch_rings (const QnArch *arch)
@@ -56,6 +52,6 @@ qn_arch_rings (const QnArch *arch)
 
 double qn_arch_haunch (const QnArch *arch);
 
-/* The whole intrados from left to right as the voussoirs have it (for the hole below it), as an
- * open line. */
-bool qn_arch_ring_line (const QnArchRing *ring, QnRing *line);
+/* The intrados, for the hole below it, or the extrados, from the left springing up to a level or to the
+ * right one, as the voussoirs have it: an open line. */
+bool qn_arch_ring_line (const QnArchRing *ring, bool outside, double level, QnRing *line);

@@ -167,8 +167,8 @@ lay_backing (const QnMasonry *masonry, const QnArchRing rings[2], int32_t pier,
   double x[] = { pier_left (portal, pier),
                  pier_left (portal, pier) + pier_width (portal, pier) };
   QnRing lines[2] = { { 0 } }, block;
-  bool made = qn_arch_ring_haunch (&rings[0], portal->backing, &lines[0])
-              && qn_arch_ring_haunch (&rings[1], portal->backing, &lines[1]);
+  bool made = qn_arch_ring_line (&rings[0], true, portal->backing, &lines[0])
+              && qn_arch_ring_line (&rings[1], true, portal->backing, &lines[1]);
   const size_t count = lines[1].count, all = count + lines[0].count;
   block.points = made ? qn_alloc (all + 2, sizeof *block.points) : NULL;
   block.count = 0;

@@ -92,7 +92,7 @@ make_hole (const QnOpening *opening, QnRing *hole, QnDiag *diag)
   QnArchRing ring;
   qn_arch_ring_init (&ring, &arch);
   QnRing line;
-  if (!qn_arch_ring_line (&ring, &line))
+  if (!qn_arch_ring_line (&ring, false, INFINITY, &line))
     return qn_diag_no_memory (diag);
   QnVec2 springing = { x0, y0 + opening->height - arch.rise };
   hole->points = qn_alloc (line.count + 2, sizeof *hole->points);

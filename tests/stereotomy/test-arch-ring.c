@@ -57,7 +57,7 @@ test_shared_joints (void)
     QnArchRing ring;
     qn_arch_ring_init (&ring, &arches[k]);
     QnRing line;
-    g_assert_true (qn_arch_ring_line (&ring, &line));
+    g_assert_true (qn_arch_ring_line (&ring, false, INFINITY, &line));
     double crown = 0;
     for (size_t i = 0; i < line.count; i++) {
       crown = fmax (crown, line.points[i].y);

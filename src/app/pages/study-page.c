@@ -5,7 +5,6 @@
 #include "app/widgets/help.h"
 #include "doc/text/explain.h"
 #include "io/text/io-error.h"
-#include "study/report/output-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 

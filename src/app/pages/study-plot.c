@@ -3,7 +3,7 @@
 
 #include "app/widgets/context-menu.h"
 #include "app/widgets/plot-view.h"
-#include "study/report/output-text.h"
+#include "study/report/column.h"
 #include <glib/gi18n.h>
 #include <math.h>
 

@@ -9,7 +9,6 @@
 #include "io/text/io-error.h"
 #include "study/cases/folder.h"
 #include "study/report/column.h"
-#include "study/report/output-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 

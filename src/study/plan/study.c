@@ -1,5 +1,7 @@
 #include "study/plan/study.h"
 
+#include <glib/gi18n-lib.h>
+
 const char *const qn_study_run_names[QN_STUDY_RUN_COUNT] = {
   [QN_STUDY_SOLVE] = "solve",
   [QN_STUDY_LIMIT] = "limit",
@@ -39,33 +41,17 @@ qn_plan_is_by_levels (QnPlanKind kind)
          || kind == QN_PLAN_COMBINATIONS;
 }
 
-const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT] = {
-  [QN_STUDY_COLLAPSE_MULTIPLIER] = "collapse_multiplier",
-  [QN_STUDY_ASSOCIATIVE_MULTIPLIER] = "associative_multiplier",
-  [QN_STUDY_FIRST_LIMIT_MULTIPLIER] = "first_limit_multiplier",
-  [QN_STUDY_LOWER_BOUND] = "lower_bound",
-  [QN_STUDY_UPPER_BOUND] = "upper_bound",
-  [QN_STUDY_MECHANISM_KIND] = "mechanism_kind",
-  [QN_STUDY_MECHANISM_SHAPE] = "mechanism_shape",
-  [QN_STUDY_LAST_MULTIPLIER] = "last_multiplier",
-  [QN_STUDY_LARGEST_DISPLACEMENT] = "largest_displacement",
-  [QN_STUDY_STEPS] = "steps",
-  [QN_STUDY_ITERATIONS] = "iterations",
-  [QN_STUDY_WIDEST_CRACK] = "widest_crack",
-  [QN_STUDY_CRACK_MISFIT] = "crack_misfit",
-  [QN_STUDY_COLLAPSED] = "collapsed",
-  [QN_STUDY_TIME_OF_COLLAPSE] = "time_of_collapse",
-  [QN_STUDY_PEAK_DISPLACEMENT] = "peak_displacement",
-  [QN_STUDY_FRICTION_ENERGY] = "friction_energy",
-  [QN_STUDY_LARGEST_SLIP] = "largest_slip",
-  [QN_STUDY_ENERGY_ERROR] = "energy_error",
-  [QN_STUDY_FREQUENCY_1] = "frequency_1",
-  [QN_STUDY_FREQUENCY_2] = "frequency_2",
-  [QN_STUDY_FREQUENCY_3] = "frequency_3",
-  [QN_STUDY_FREQUENCY_4] = "frequency_4",
-  [QN_STUDY_FREQUENCY_5] = "frequency_5",
-  [QN_STUDY_FREQUENCY_6] = "frequency_6",
-};
+#define OUTPUT_NAME(name, text, key) key,
+#define OUTPUT_TEXT(name, text, key) text,
+
+const char *const qn_study_output_names[] = { QN_STUDY_OUTPUTS (OUTPUT_NAME) };
+
+const char *
+qn_study_output_text (QnStudyOutput output)
+{
+  static const char *const texts[] = { QN_STUDY_OUTPUTS (OUTPUT_TEXT) };
+  return _ (texts[output]);
+}
 
 gboolean
 qn_study_run_bounds (QnStudyRun run, const QnAnalysisSettings *analysis)

@@ -35,36 +35,45 @@ typedef enum {
   QN_PLAN_COUNT
 } QnPlanKind;
 
-/* Outputs of a case. */
+/* Outputs of a case: enumeration, name for readers with its unit, key in files. Displacements are of any
+ * block, at the last step or, the peak, at any time from the dead load on; cracks are openings of joints,
+ * and their misfit, where the path has reached its target, the root mean square of computed less measured
+ * widths. The kind of a mechanism is a word, its shape in the database as shape.h has it and in tables the
+ * number of the group of cases that move alike. COLLAPSED to ENERGY_ERROR are of runs in time. */
+/* clang-format off */
+#define QN_STUDY_OUTPUTS(X) \
+  X (COLLAPSE_MULTIPLIER, "Collapse multiplier λ", "collapse_multiplier") \
+  X (ASSOCIATIVE_MULTIPLIER, "Associative bound of λ", "associative_multiplier") \
+  X (FIRST_LIMIT_MULTIPLIER, "Multiplier λ at the first jump", "first_limit_multiplier") \
+  X (LOWER_BOUND, "Limit analysis of λ: static value", "lower_bound") \
+  X (UPPER_BOUND, "Limit analysis of λ: kinematic value", "upper_bound") \
+  X (MECHANISM_KIND, "Kind of mechanism", "mechanism_kind") \
+  X (MECHANISM_SHAPE, "Shape of mechanism", "mechanism_shape") \
+  X (LAST_MULTIPLIER, "Multiplier λ of the last step", "last_multiplier") \
+  X (LARGEST_DISPLACEMENT, "Largest displacement (m)", "largest_displacement") \
+  X (STEPS, "Number of steps", "steps") \
+  X (ITERATIONS, "Number of iterations", "iterations") \
+  X (WIDEST_CRACK, "Widest crack (m)", "widest_crack") \
+  X (CRACK_MISFIT, "Misfit of measured cracks (m)", "crack_misfit") \
+  X (COLLAPSED, "Collapsed (1: yes, 0: no)", "collapsed") \
+  X (TIME_OF_COLLAPSE, "Time of collapse (s)", "time_of_collapse") \
+  X (PEAK_DISPLACEMENT, "Peak displacement (m)", "peak_displacement") \
+  X (FRICTION_ENERGY, "Energy lost by friction (J)", "friction_energy") \
+  X (LARGEST_SLIP, "Largest slip, over the length of its joint", "largest_slip") \
+  X (ENERGY_ERROR, "Error of the energy balance, over the input", "energy_error") \
+  X (FREQUENCY_1, "1st frequency (Hz)", "frequency_1") \
+  X (FREQUENCY_2, "2nd frequency (Hz)", "frequency_2") \
+  X (FREQUENCY_3, "3rd frequency (Hz)", "frequency_3") \
+  X (FREQUENCY_4, "4th frequency (Hz)", "frequency_4") \
+  X (FREQUENCY_5, "5th frequency (Hz)", "frequency_5") \
+  X (FREQUENCY_6, "6th frequency (Hz)", "frequency_6")
+/* clang-format on */
+
 typedef enum {
-  QN_STUDY_COLLAPSE_MULTIPLIER,
-  QN_STUDY_ASSOCIATIVE_MULTIPLIER,
-  QN_STUDY_FIRST_LIMIT_MULTIPLIER,
-  QN_STUDY_LOWER_BOUND,
-  QN_STUDY_UPPER_BOUND,
-  QN_STUDY_MECHANISM_KIND, /* a word */
-  QN_STUDY_MECHANISM_SHAPE, /* in the database as shape.h has it, in tables the number of the
-                               group of cases that move alike */
-  QN_STUDY_LAST_MULTIPLIER,
-  QN_STUDY_LARGEST_DISPLACEMENT, /* m, of any block at the last step */
-  QN_STUDY_STEPS,
-  QN_STUDY_ITERATIONS,
-  QN_STUDY_WIDEST_CRACK, /* m, opening of any joint at the last step */
-  QN_STUDY_CRACK_MISFIT, /* m, root mean square of computed less measured widths, where the
-                            path has reached its target */
-  QN_STUDY_COLLAPSED,    /* this and the next five: of a dynamic run; 1 or 0 */
-  QN_STUDY_TIME_OF_COLLAPSE,  /* s */
-  QN_STUDY_PEAK_DISPLACEMENT, /* m, of any block at any time, from the dead load on */
-  QN_STUDY_FRICTION_ENERGY,   /* J, lost by slip */
-  QN_STUDY_LARGEST_SLIP,      /* of a joint, over the length of its face */
-  QN_STUDY_ENERGY_ERROR,      /* of the balance, over the largest input */
-  QN_STUDY_FREQUENCY_1,       /* Hz; the lowest frequencies of a modal run */
-  QN_STUDY_FREQUENCY_2,
-  QN_STUDY_FREQUENCY_3,
-  QN_STUDY_FREQUENCY_4,
-  QN_STUDY_FREQUENCY_5,
-  QN_STUDY_FREQUENCY_6,
-  QN_STUDY_OUTPUT_COUNT
+#define QN_STUDY_OUTPUT_MEMBER(name, text, key) QN_STUDY_##name,
+  QN_STUDY_OUTPUTS (QN_STUDY_OUTPUT_MEMBER)
+#undef QN_STUDY_OUTPUT_MEMBER
+    QN_STUDY_OUTPUT_COUNT
 } QnStudyOutput;
 
 typedef struct QnParameter {
@@ -111,6 +120,9 @@ typedef struct QnStudy {
 extern const char *const qn_study_run_names[QN_STUDY_RUN_COUNT];
 extern const char *const qn_plan_kind_names[QN_PLAN_COUNT];
 extern const char *const qn_study_output_names[QN_STUDY_OUTPUT_COUNT];
+
+/* Name of an output for readers, translated. */
+const char *qn_study_output_text (QnStudyOutput output);
 
 /* Whether a plan is made of the levels of its parameters, not of random points. */
 gboolean qn_plan_is_by_levels (QnPlanKind kind);

@@ -1,6 +1,9 @@
 #include "study/report/column.h"
 
-#include "study/report/output-text.h"
+#include "core/base/word.h"
+#include "core/result/mechanism.h"
+#include "io/text/outcome-text.h"
+#include "render/scene/motion.h"
 
 #include <glib/gi18n-lib.h>
 #include <gsl/gsl_sort.h>
@@ -156,6 +159,18 @@ describe_group (const QnTable *table, const QnRow *like, int column)
                known > 0 ? first[known - 1].multiplier : NAN },
     .row = typical,
   };
+}
+
+const char *
+qn_study_word (const char *name)
+{
+  QnOutcome outcome;
+  QnMechanismKind kind;
+  if (qn_find_word (name, qn_outcome_names, QN_OUTCOME_COUNT, &outcome))
+    return qn_outcome_text (outcome, FALSE);
+  if (qn_find_word (name, qn_mechanism_kind_names, QN_MECHANISM_KIND_COUNT, &kind))
+    return qn_mechanism_kind_text (kind);
+  return name;
 }
 
 char *

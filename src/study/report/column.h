@@ -37,6 +37,9 @@ typedef struct QnMechanismShare {
   gsize row;        /* a typical case: the middle one by multiplier */
 } QnMechanismShare;
 
+/* The word for an outcome or kind of mechanism, translated; `name` itself where it is neither. */
+const char *qn_study_word (const char *name);
+
 /* "overturning", "shape 2, overturning"; translated. Free with g_free(). */
 char *qn_mechanism_share_dup_name (const QnMechanismShare *share);
 

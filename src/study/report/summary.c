@@ -3,7 +3,6 @@
 #include "io/text/outcome-text.h"
 #include "io/text/text-format.h"
 #include "study/report/column.h"
-#include "study/report/output-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

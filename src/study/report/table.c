@@ -3,7 +3,6 @@
 #include "io/text/file-writer.h"
 #include "study/cases/folder.h"
 #include "study/cases/shape.h"
-#include "study/report/output-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
