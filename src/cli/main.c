@@ -24,16 +24,6 @@ find_subcommand (const char *name)
   return NULL;
 }
 
-/* What data/commands.py reads. */
-static void
-describe (void)
-{
-  for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++) {
-    char *argv[] = { (char *) subcommands[i]->name, (char *) QN_DESCRIBE, NULL };
-    subcommands[i]->run (subcommands[i], 2, argv);
-  }
-}
-
 static void
 dispatch (int argc, char **argv)
 {
@@ -54,7 +44,11 @@ dispatch (int argc, char **argv)
   } else if (strcmp (argv[1], "--version") == 0) {
     qn_print ("quoin %s\n", QN_VERSION);
   } else if (strcmp (argv[1], QN_DESCRIBE) == 0) {
-    describe ();
+    /* What data/commands.py reads. */
+    for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++) {
+      char *arguments[] = { (char *) subcommands[i]->name, argv[1], NULL };
+      subcommands[i]->run (subcommands[i], 2, arguments);
+    }
   } else {
     const QnSubcommand *subcommand = find_subcommand (argv[1]);
     if (subcommand == NULL)

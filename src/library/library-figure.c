@@ -33,14 +33,6 @@ struct QuoinFigure {
   QnReportTemplate plan;
 };
 
-static bool
-find_kind (const char *view, Kind *kind, QnView *picture)
-{
-  *kind = PICTURE;
-  return qn_find_word (view, kind_names, G_N_ELEMENTS (kind_names), kind)
-         || qn_view_parse (view, picture);
-}
-
 static void
 clear_reference (gpointer line)
 {
@@ -54,10 +46,11 @@ quoin_figure_new (QuoinModel *model, QuoinResult *result, const char *view,
   if (!quoin_library_given (model, "model", error)
       || !quoin_library_given (view, "view", error))
     return NULL;
-  Kind kind;
+  Kind kind = PICTURE;
   QnView picture = QN_VIEW_MODEL;
   GError *cause = NULL;
-  if (!find_kind (view, &kind, &picture)) {
+  if (!qn_find_word (view, kind_names, G_N_ELEMENTS (kind_names), &kind)
+      && !qn_view_parse (view, &picture)) {
     quoin_library_set_error (error, QUOIN_ERROR_USAGE, "%s: no such view", view);
     return NULL;
   }

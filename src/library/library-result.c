@@ -284,18 +284,6 @@ set_capacity (QnCapacitySettings *settings, const char *const *options, GError *
   return true;
 }
 
-/* The picture or the table of an answer, where one is asked for. */
-static bool
-write_capacity (const QnCapacityAnswer *answer, const QnProject *project,
-                const char *picture, GError **cause)
-{
-  QnMetadata metadata;
-  qn_project_get_metadata (project, &metadata);
-  return picture == NULL
-         || qn_capacity_answer_export (answer, project->model.title, &metadata, picture,
-                                       cause);
-}
-
 /* The answer of a model that is written over; false with an error of either kind. */
 static bool
 find_capacity (QuoinModel *own, QnCapacityAnswer *answer, QuoinCaller *caller,
@@ -332,6 +320,7 @@ quoin_capacity (QuoinModel *model, const char *const *options, const char *pictu
   QnCapacitySettings settings;
   QnCapacityAnswer answer = { 0 };
   QnRecord points = { 0 };
+  QnMetadata metadata;
   GError *cause = NULL;
   gsize length;
   char *text = NULL;
@@ -341,12 +330,15 @@ quoin_capacity (QuoinModel *model, const char *const *options, const char *pictu
   QuoinCaller caller = {
     .func = progress, .data = data, .model = &own->project.model, .all = "capacity"
   };
+  qn_project_get_metadata (&own->project, &metadata);
   if (qn_capacity_settings_read (&own->project, &settings, &cause)
       && set_capacity (&settings, options, &cause)
       && qn_capacity_settings_apply (&settings, &own->project, FALSE, &answer, &points,
                                      &cause)
       && find_capacity (own, &answer, &caller, error)
-      && write_capacity (&answer, &own->project, picture, &cause)) {
+      && (picture == NULL
+          || qn_capacity_answer_export (&answer, own->project.model.title, &metadata,
+                                        picture, &cause))) {
     report_end (&caller, &(QnResult){ .outcome = QN_OUTCOME_TARGET_REACHED });
     text = qn_capacity_answer_dup_json (&answer, &own->project, &length);
   }

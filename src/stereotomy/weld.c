@@ -74,15 +74,6 @@ rank_of (QnVec2 p, const QnRing *frame, double tolerance)
   return rank;
 }
 
-static size_t
-vertex_total (const QnRings *rings)
-{
-  size_t total = 0;
-  for (size_t i = 0; i < rings->count; i++)
-    total += rings->items[i].count;
-  return total;
-}
-
 /* The distinct places of all vertices, sorted by coordinates. Returns their number. */
 static size_t
 collect_places (const QnRings *rings, Place *places)
@@ -139,7 +130,9 @@ QnStatus
 qn_weld_vertices (QnRings *rings, double least, double tolerance, const QnRing *frame,
                   QnHealing *healing, QnDiag *diag)
 {
-  size_t total = vertex_total (rings);
+  size_t total = 0;
+  for (size_t i = 0; i < rings->count; i++)
+    total += rings->items[i].count;
   if (total == 0)
     return QN_OK;
   Place *places = qn_alloc (total, sizeof *places);

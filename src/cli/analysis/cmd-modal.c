@@ -59,16 +59,6 @@ write_result (const ModalOptions *options, const QnInput *input, const QnModes *
 }
 
 static void
-print_damping (double ratio, const QnModes *modes)
-{
-  QnModesDamping damping = qn_modes_damping (modes, ratio);
-  qn_print (
-    _ ("damping by mass %.6g 1/s and by stiffness %.6g s: %.4g of critical for modes "
-       "%zu and %zu\n"),
-    damping.mass, damping.stiffness, ratio, damping.first + 1, damping.last + 1);
-}
-
-static void
 print_modes (const ModalOptions *options, const QnInput *input, const QnModes *modes)
 {
   qn_print ("%6s  %14s  %14s  %14s  %14s  %14s\n", _ ("mode"), _ ("omega [rad/s]"),
@@ -83,8 +73,14 @@ print_modes (const ModalOptions *options, const QnInput *input, const QnModes *m
       qn_print ("%14s", _ ("rigid motion"));
     qn_print ("  %14.6g  %14.6g\n", modes->masses[3 * i + 1], modes->masses[3 * i + 2]);
   }
-  if (options->damping > 0)
-    print_damping (options->damping, modes);
+  if (options->damping > 0) {
+    const QnModesDamping damping = qn_modes_damping (modes, options->damping);
+    qn_print (
+      _ ("damping by mass %.6g 1/s and by stiffness %.6g s: %.4g of critical for modes "
+         "%zu and %zu\n"),
+      damping.mass, damping.stiffness, options->damping, damping.first + 1,
+      damping.last + 1);
+  }
   if (modes->open + modes->slides > 0)
     qn_print (_ ("closed joints are elastic, also %zu contact pairs that slide under the "
                  "load; %zu of %zu, which are open or carry no compression, are left "

@@ -4,6 +4,7 @@
 #include "cli/base/progress.h"
 #include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
+#include "core/base/word.h"
 #include "core/path/analysis.h"
 #include "io/exchange/table-csv.h"
 #include "io/text/file-writer.h"
@@ -206,21 +207,10 @@ solve_project (const SolveOptions *options, QnInput *input)
   qn_result_clear (&result);
 }
 
-static QnResultDetail
-parse_detail (const char *detail)
-{
-  if (detail != NULL && strcmp (detail, "pairs") == 0)
-    return QN_DETAIL_PAIRS;
-  if (detail != NULL && strcmp (detail, "steps") == 0)
-    return QN_DETAIL_STEPS;
-  if (detail != NULL && strcmp (detail, "forces") != 0)
-    qn_cli_usage_error (_ ("--detail is forces, pairs or steps"));
-  return QN_DETAIL_FORCES;
-}
-
 void
 qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char **argv)
 {
+  static const char *const details[QN_DETAIL_COUNT] = { "forces", "pairs", "steps" };
   SolveOptions options = { 0 };
   const GOptionEntry entries[] = {
     { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
@@ -244,7 +234,9 @@ qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char
   };
   if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
     return;
-  options.level = parse_detail (options.detail);
+  if (options.detail != NULL
+      && !qn_find_word (options.detail, details, QN_DETAIL_COUNT, &options.level))
+    qn_cli_usage_error (_ ("--detail is forces, pairs or steps"));
   if (override != NULL)
     qn_input_override (&options.input, override, TRUE);
   qn_cli_set_own_override (override);

@@ -65,19 +65,6 @@ solve_stability (const StabilityOptions *options, const QnInput *input)
   qn_result_clear (&result);
 }
 
-/* On the undeformed structure the tangent of elastic joints never changes: every answer would be
- * "stable". */
-static void
-require_nonlinear (const QnInput *input)
-{
-  if (input->project.model.analysis.geometry == QN_GEOMETRY_NONLINEAR)
-    return;
-  qn_project_set_key_error (&input->project, "analysis.geometry",
-                            _ ("linear geometry has no buckling: set it to nonlinear"),
-                            QN_TROUBLE);
-  qn_cli_must (FALSE);
-}
-
 static void
 run_stability (const QnSubcommand *self, int argc, char **argv)
 {
@@ -94,7 +81,14 @@ run_stability (const QnSubcommand *self, int argc, char **argv)
   if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
     return;
   const QnInput *input = qn_input_load (argv[1], &options.input);
-  require_nonlinear (input);
+  /* On the undeformed structure the tangent of elastic joints never changes: every answer would be
+   * "stable". */
+  if (input->project.model.analysis.geometry != QN_GEOMETRY_NONLINEAR) {
+    qn_project_set_key_error (&input->project, "analysis.geometry",
+                              _ ("linear geometry has no buckling: set it to nonlinear"),
+                              QN_TROUBLE);
+    qn_cli_must (FALSE);
+  }
   qn_input_require_sound (input);
   solve_stability (&options, input);
 }

@@ -14,17 +14,6 @@ typedef struct CurveOptions {
   char **references;
 } CurveOptions;
 
-static QnReferenceLine
-parse_reference (const char *text)
-{
-  QnReferenceLine line;
-  if (!qn_reference_line_parse (text, &line))
-    qn_cli_usage_error (_ ("%s: a reference is a number, or a number=text"), text);
-  if (line.label == NULL)
-    line.label = _ ("reference");
-  return line;
-}
-
 static void
 run_curve (const QnSubcommand *self, int argc, char **argv)
 {
@@ -57,8 +46,13 @@ run_curve (const QnSubcommand *self, int argc, char **argv)
   gsize count = (gsize) argc - 1,
         lines = options.references != NULL ? g_strv_length (options.references) : 0;
   g_autofree QnReferenceLine *references = g_new (QnReferenceLine, lines);
-  for (gsize i = 0; i < lines; i++)
-    references[i] = parse_reference (options.references[i]);
+  for (gsize i = 0; i < lines; i++) {
+    if (!qn_reference_line_parse (options.references[i], &references[i]))
+      qn_cli_usage_error (_ ("%s: a reference is a number, or a number=text"),
+                          options.references[i]);
+    if (references[i].label == NULL)
+      references[i].label = _ ("reference");
+  }
   const QnSheetRun *runs = qn_input_load_runs (argv + 1, count, &options.input);
   const QnCurveSheet sheet = { .title = options.title,
                                .until = options.until,

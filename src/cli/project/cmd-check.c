@@ -48,15 +48,6 @@ check_model (const CheckOptions *options, const char *path)
     qn_input_refuse (&input->project, &diag);
 }
 
-/* One line, which names what is not true. */
-static void
-tell_first_fault (const QnCheckReport *report)
-{
-  g_autofree char *text = qn_fault_dup_text (&report->project->model, report->contacts,
-                                             &report->faults->items[0]);
-  qn_cli_error (_ ("%s: not true: %s"), report->result_name, text);
-}
-
 static void
 check_result (const CheckOptions *options, const char *path)
 {
@@ -89,7 +80,9 @@ check_result (const CheckOptions *options, const char *path)
                                          contacts, unproved, QN_TROUBLE));
   tell (options, &report);
   if (faults.count > 0) {
-    tell_first_fault (&report);
+    g_autofree char *first =
+      qn_fault_dup_text (&project->model, contacts, &faults.items[0]);
+    qn_cli_error (_ ("%s: not true: %s"), name, first);
     qn_cli_stop (QN_EXIT_INVALID);
   }
 }

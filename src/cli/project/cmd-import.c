@@ -34,17 +34,6 @@ tell_import (const ImportOptions *options, const QnImportReport *report)
 }
 
 static void
-import_file (const ImportOptions *options, const char *path)
-{
-  QnProject *project = qn_cli_keep (g_new0 (QnProject, 1));
-  QnImportReport report;
-  gboolean done = qn_import_file (path, &options->settings, project, &report, QN_TROUBLE);
-  tell_import (options, &report);
-  qn_import_report_clear (&report);
-  qn_cli_must (done && qn_project_save (project, options->output, QN_TROUBLE));
-}
-
-static void
 run_import (const QnSubcommand *self, int argc, char **argv)
 {
   ImportOptions options = { .settings = QN_IMPORT_DEFAULTS };
@@ -90,7 +79,13 @@ run_import (const QnSubcommand *self, int argc, char **argv)
       qn_cli_usage_error ("--%s", qn_cli_trouble->message);
   if (options.output == NULL)
     qn_cli_usage_error (_ ("-o is missing"));
-  import_file (&options, argv[1]);
+  QnProject *project = qn_cli_keep (g_new0 (QnProject, 1));
+  QnImportReport report;
+  gboolean done =
+    qn_import_file (argv[1], &options.settings, project, &report, QN_TROUBLE);
+  tell_import (&options, &report);
+  qn_import_report_clear (&report);
+  qn_cli_must (done && qn_project_save (project, options.output, QN_TROUBLE));
 }
 
 const QnSubcommand qn_cmd_import = {

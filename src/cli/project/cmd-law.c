@@ -98,23 +98,17 @@ take_law_of_project (const char *model, const char *name, QnLawPreset *what)
 }
 
 static void
-take_preset (const char *name, QnLawPreset *what)
-{
-  QnLawKind kind = QN_LAW_ELASTIC;
-  if (!qn_find_word (name, qn_law_kind_names, QN_LAW_KIND_COUNT, &kind))
-    qn_cli_usage_error (_ ("no law is called “%s”"), name);
-  *what = *qn_law_preset (kind);
-}
-
-static void
 prepare (const LawOptions *options, const char *name, History *history)
 {
   QnLawPreset *what = &history->what;
   QnDiag diag = { 0 };
+  QnLawKind kind = QN_LAW_ELASTIC;
   if (options->model != NULL)
     take_law_of_project (options->model, name, what);
+  else if (qn_find_word (name, qn_law_kind_names, QN_LAW_KIND_COUNT, &kind))
+    *what = *qn_law_preset (kind);
   else
-    take_preset (name, what);
+    qn_cli_usage_error (_ ("no law is called “%s”"), name);
   for (char **setting = options->settings; setting && *setting; setting++)
     apply_setting (&what->law, *setting);
   if (options->path != NULL)

@@ -5,6 +5,7 @@
 #include "cli/base/subcommand.h"
 #include "cli/verify/verify-cases.h"
 #include "core/modal/modal.h"
+#include "core/model/support.h"
 #include "core/path/analysis.h"
 #include "core/path/stability.h"
 
@@ -44,17 +45,6 @@ load_case (const QnVerifyGroup *group, const QnVerifyCase *test, QnInput *input)
     qn_input_refuse (&input->project, &diag);
 }
 
-static size_t
-count_free_blocks (const QnModel *model)
-{
-  size_t count = 0;
-  for (size_t i = 0; i < model->block_count; i++) {
-    const bool *fixed = model->blocks[i].support;
-    count += !(fixed[QN_DOF_UX] && fixed[QN_DOF_UY] && fixed[QN_DOF_RZ]);
-  }
-  return count;
-}
-
 /* A column of `width` characters: text is padded by what is seen, not by bytes. */
 static void
 print_cell (const char *text, int width, gboolean left)
@@ -86,11 +76,13 @@ print_row (const QnVerifyCase *test, const QnInput *input, const QnResult *resul
     error = -error; /* too large in size is an excess */
   gboolean met = fabs (error) <= test->tolerance;
 
+  size_t free_blocks = 0;
+  for (size_t i = 0; i < input->project.model.block_count; i++)
+    free_blocks += !qn_support_is_full (input->project.model.blocks[i].support);
   g_autofree char *name =
     g_strconcat (_ (test->name), result->mechanism_uncertain ? "‡" : "", NULL);
   print_cell (name, 23, TRUE);
-  qn_print (" %6zu %5zu", count_free_blocks (&input->project.model),
-            input->contacts.face_count);
+  qn_print (" %6zu %5zu", free_blocks, input->contacts.face_count);
   print_value (test->reference, TRUE);
   print_value (test->paper, test->paper > 0);
   print_value (found, isfinite (found));

@@ -30,18 +30,6 @@ encloses (const Part *outer, const Part *inner)
          && qn_polygon_depth (outer->ring.points, outer->ring.count, p) > 0;
 }
 
-static void
-find_parents (Part *parts, guint count)
-{
-  for (guint i = 0; i < count; i++)
-    for (guint k = 0; k < count; k++)
-      if (k != i && encloses (&parts[k], &parts[i])) {
-        if (parts[i].depth++ == 0
-            || fabs (parts[k].area) < fabs (parts[parts[i].parent].area))
-          parts[i].parent = k;
-      }
-}
-
 /* What is left of a part around its holes, where that is one simple ring: *whole. FALSE without memory. */
 static gboolean
 cut_holes (QnDrawingPath *path, const Part *part, gboolean *whole)
@@ -80,7 +68,12 @@ qn_drawing_join_parts (QnDrawing *drawing, guint first, guint end, gboolean even
     qn_ring_orient (&parts[i].ring);
     parts[i].inner = qn_polygon_inner_point (parts[i].ring.points, parts[i].ring.count);
   }
-  find_parents (parts, count);
+  for (guint i = 0; i < count; i++)
+    for (guint k = 0; k < count; k++)
+      if (k != i && encloses (&parts[k], &parts[i])
+          && (parts[i].depth++ == 0
+              || fabs (parts[k].area) < fabs (parts[parts[i].parent].area)))
+        parts[i].parent = k;
   for (guint i = 0; i < count; i++) {
     const Part *part = &parts[i];
     Part *parent = &parts[part->parent];

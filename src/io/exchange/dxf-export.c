@@ -70,18 +70,6 @@ put_length (Export *export, int code, double metres)
 }
 
 static void
-put_header (Export *export)
-{
-  put_text (export, "  0\nSECTION\n  2\nHEADER\n"
-                    "  9\n$ACADVER\n  1\nAC1015\n"
-                    "  9\n$HANDSEED\n  5\nFFFFFF\n"
-                    "  9\n$INSUNITS\n");
-  put_int (export, 70, qn_dxf_unit_code (export->unit));
-  put_text (export, "  9\n$MEASUREMENT\n 70\n1\n"
-                    "  0\nENDSEC\n");
-}
-
-static void
 begin_table (Export *export, const char *name, guint handle, int entries)
 {
   put (export, 0, "TABLE");
@@ -310,7 +298,13 @@ qn_dxf_export (const QnModel *model, const QnContacts *contacts, const QnResult 
                     model->beam_count > 0, model->tie_count > 0 };
   if (export.writer == NULL)
     return FALSE;
-  put_header (&export);
+  put_text (&export, "  0\nSECTION\n  2\nHEADER\n"
+                     "  9\n$ACADVER\n  1\nAC1015\n"
+                     "  9\n$HANDSEED\n  5\nFFFFFF\n"
+                     "  9\n$INSUNITS\n");
+  put_int (&export, 70, qn_dxf_unit_code (export.unit));
+  put_text (&export, "  9\n$MEASUREMENT\n 70\n1\n"
+                     "  0\nENDSEC\n");
   put_tables (&export);
   put_text (&export, "  0\nSECTION\n  2\nBLOCKS\n");
   put_space (&export, "*Model_Space", HANDLE_MODEL);

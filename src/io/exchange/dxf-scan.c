@@ -320,18 +320,6 @@ take_hatch (Scanner *scanner)
   }
 }
 
-/* Entities that nobody takes for a part of the structure. */
-static gboolean
-is_annotation (const char *type)
-{
-  static const char *const types[] = {
-    "TEXT",        "MTEXT",   "DIMENSION", "LEADER",     "ATTRIB", "ATTDEF",
-    "MULTILEADER", "MLEADER", "TOLERANCE", "VIEWPORT",   "POINT",  "IMAGE",
-    "WIPEOUT",     "RAY",     "XLINE",     "ACAD_TABLE", NULL
-  };
-  return g_strv_contains (types, type);
-}
-
 static void
 take_layer (Scanner *scanner)
 {
@@ -411,10 +399,16 @@ take_simple (Scanner *scanner)
       keep_entity (scanner, &entity);
     return;
   }
+  /* Entities that nobody takes for a part of the structure. */
+  static const char *const annotations[] = {
+    "TEXT",        "MTEXT",   "DIMENSION", "LEADER",     "ATTRIB", "ATTDEF",
+    "MULTILEADER", "MLEADER", "TOLERANCE", "VIEWPORT",   "POINT",  "IMAGE",
+    "WIPEOUT",     "RAY",     "XLINE",     "ACAD_TABLE", NULL
+  };
   g_autofree char *text = g_strdup_printf (_ ("%s entities left out"), scanner->type);
   QnDrawingNote *left_out =
     qn_drawing_note (scanner->drawing, text, scanner->entity_line);
-  left_out->minor = is_annotation (scanner->type);
+  left_out->minor = g_strv_contains (annotations, scanner->type);
 }
 
 /* Polylines of both kinds, and splines. */

@@ -108,16 +108,6 @@ qn_import_drop_flawed (QnImportWork *work)
     qn_import_tell (work, FALSE, _ ("outlines without area left out: %zu"), flat);
 }
 
-/* Key of an outline to the tolerance: centroid and area. */
-static char *
-outline_key (const QnRing *ring, double tolerance)
-{
-  QnVec2 c = qn_ring_centroid (ring);
-  double t = 2 * tolerance;
-  return g_strdup_printf ("%.0f %.0f %.0f", c.x / t, c.y / t,
-                          sqrt (fabs (qn_ring_area (ring))) / t);
-}
-
 void
 qn_import_drop_repeated (QnImportWork *work)
 {
@@ -125,8 +115,12 @@ qn_import_drop_repeated (QnImportWork *work)
     g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
   for (guint i = 0; i < work->outlines->len; i++) {
     QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
+    const QnVec2 c = qn_ring_centroid (&outline->ring);
+    const double t = 2 * work->tolerance,
+                 size = sqrt (fabs (qn_ring_area (&outline->ring)));
     if (outline->role != QN_ROLE_OPENING
-        && !g_hash_table_add (keys, outline_key (&outline->ring, work->tolerance)))
+        && !g_hash_table_add (
+          keys, g_strdup_printf ("%.0f %.0f %.0f", c.x / t, c.y / t, size / t)))
       outline->ring.count = 0;
   }
   gsize repeated = qn_import_drop_empty (work);

@@ -41,18 +41,6 @@ qn_import_block_size (const QnDrawing *drawing)
   return qn_import_median (sizes);
 }
 
-static QnBox
-drawing_bounds (const QnDrawing *drawing)
-{
-  QnBox bounds = QN_BOX_EMPTY;
-  for (guint i = 0; i < drawing->paths->len; i++) {
-    const QnDrawingPath *path = &g_array_index (drawing->paths, QnDrawingPath, i);
-    QnRing ring = { path->points, path->hidden ? 0 : path->count };
-    qn_box_add_box (&bounds, qn_ring_bounds (&ring));
-  }
-  return bounds;
-}
-
 static gboolean
 is_plausible (double size)
 {
@@ -66,7 +54,12 @@ qn_import_choose_unit (QnImportWork *work)
   static const char *const names[] = { "m", "mm", "cm" };
   const QnDrawing *drawing = work->drawing;
   double size = qn_import_block_size (drawing), declared = drawing->unit;
-  QnBox bounds = drawing_bounds (drawing);
+  QnBox bounds = QN_BOX_EMPTY;
+  for (guint i = 0; i < drawing->paths->len; i++) {
+    const QnDrawingPath *path = &g_array_index (drawing->paths, QnDrawingPath, i);
+    if (!path->hidden)
+      qn_box_add_box (&bounds, qn_box_of_points (path->points, path->count));
+  }
   double width = bounds.max.x - bounds.min.x, height = bounds.max.y - bounds.min.y;
   work->unit = work->settings->unit;
   if (work->unit > 0) {

@@ -122,18 +122,6 @@ reaches_duration (const QnProject *project, gsize index, const QnRecord *record,
   return FALSE;
 }
 
-static void
-warn_once (QnProject *project, gsize index, const char *doubt)
-{
-  char *warning =
-    g_strdup_printf ("%s: analysis.dynamic.ground[%" G_GSIZE_FORMAT "].record: %s",
-                     project->name, index, doubt);
-  if (g_ptr_array_find_with_equal_func (project->warnings, warning, g_str_equal, NULL))
-    g_free (warning);
-  else
-    g_ptr_array_add (project->warnings, warning);
-}
-
 /* Most of a signal's Arias intensity that an analysis may leave out at its end. */
 #define MOST_CUT 0.01
 
@@ -169,8 +157,13 @@ take_record (QnProject *project, gsize index, const QnRecord *record, GError **e
   double peak = qn_record_facts (record).peak;
   double scale = motion->peak > 0 && peak > 0 ? motion->peak / peak : 1;
   g_autofree char *doubt = motion->peak > 0 ? NULL : qn_record_dup_doubt (record);
-  if (doubt != NULL)
-    warn_once (project, index, doubt);
+  g_autofree char *warning =
+    g_strdup_printf ("%s: analysis.dynamic.ground[%" G_GSIZE_FORMAT "].record: %s",
+                     project->name, index, doubt);
+  if (doubt != NULL
+      && !g_ptr_array_find_with_equal_func (project->warnings, warning, g_str_equal,
+                                            NULL))
+    g_ptr_array_add (project->warnings, g_steal_pointer (&warning));
   motion->point_count = 0;
   motion->record_unit = record->unit;
   for (gsize i = 0; i < record->count; i++)

@@ -68,7 +68,7 @@ read_section (const QnJsonValue *place, QnModel *model)
                               QN_RANGE_POSITIVE, &number);
 }
 
-static const QnMember node_members[] = {
+static const QnMember beam_node_members[] = {
   QN_KNOWN ("name"),
   QN_ENTITY ("block", OPTIONAL, BLOCK, QnNode, block),
   QN_CHOICE ("side", OPTIONAL, qn_block_side_names, QnNode, side),
@@ -83,7 +83,7 @@ read_node (const QnJsonValue *place, QnModel *model)
 {
   const char *name;
   if (!read_entity_name (place, &name)
-      || !qn_members_check (place, node_members, NULL, NULL))
+      || !qn_members_check (place, beam_node_members, NULL, NULL))
     return FALSE;
   QnNode *node = qn_model_add_node (model, name);
   if (node == NULL)
@@ -97,7 +97,7 @@ read_node (const QnJsonValue *place, QnModel *model)
     node->seat = at ? QN_SEAT_POINT : side.json != NULL ? QN_SEAT_SIDE : QN_SEAT_CENTROID;
   return (rides || qn_member_vec2 (place, "at", QN_REQUIRED, &node->at))
          && exclude (place, "side", "at")
-         && qn_members_take (place, node_members, model, node);
+         && qn_members_take (place, beam_node_members, model, node);
 }
 
 static const QnMember beam_members[] = {
@@ -150,7 +150,7 @@ append_node (GString *json, const QnModel *model, size_t index)
                            node->seat == QN_SEAT_SIDE ? QN_BLOCK_SIDE_COUNT : node->side,
                          .at = placed ? qn_vec2 (NAN, NAN) : node->at };
   qn_json_put_string (json, "name", node->name);
-  qn_members_write (json, node_members, model, node, &usual);
+  qn_members_write (json, beam_node_members, model, node, &usual);
 }
 
 static bool

@@ -133,22 +133,15 @@ static const Kind kinds[] = {
 };
 /* clang-format on */
 
-static const Kind *
-find_kind (const char *name)
-{
-  for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++)
-    if (strcmp (kinds[i].name, name) == 0)
-      return &kinds[i];
-  return NULL;
-}
-
 /* Warnings about unknown keys are errors here: the user has just typed them. */
 gboolean
 qn_project_generate (const char *kind_name, const char *const *keys, double friction,
                      QnProject *project, GError **error)
 {
-  const Kind *kind = find_kind (kind_name);
-  if (kind == NULL) {
+  const Kind *kind = kinds;
+  while (kind < kinds + G_N_ELEMENTS (kinds) && strcmp (kind->name, kind_name) != 0)
+    kind++;
+  if (kind == kinds + G_N_ELEMENTS (kinds)) {
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE,
                  _ ("%s: not one of wall, arch, column, buttress, portal, rubble, grid, "
                     "voronoi, facade-strip"),

@@ -31,17 +31,6 @@ typedef struct LoadStarts {
   gsize at[QN_MAX_LOAD_SETS + 1];
 } LoadStarts;
 
-static LoadStarts
-find_load_starts (const QnModel *model)
-{
-  LoadStarts starts = { { 0 } };
-  for (gsize i = 0; i < model->live_load_count; i++)
-    starts.at[model->live_loads[i].set + 1]++;
-  for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
-    starts.at[set + 1] += starts.at[set];
-  return starts;
-}
-
 /* The note of a load that is not dead. */
 static int32_t *
 note_of_live_load (QnModel *model, const LoadStarts *starts, const char *path)
@@ -104,7 +93,11 @@ qn_project_keep_inner (QnProject *project, cJSON *unknown)
 {
   cJSON *kept = cJSON_CreateObject ();
   int32_t number = 0;
-  const LoadStarts starts = find_load_starts (&project->model);
+  LoadStarts starts = { { 0 } };
+  for (gsize i = 0; i < project->model.live_load_count; i++)
+    starts.at[project->model.live_loads[i].set + 1]++;
+  for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+    starts.at[set + 1] += starts.at[set];
   while (unknown != NULL && unknown->child != NULL) {
     cJSON *members = cJSON_DetachItemViaPointer (unknown, unknown->child);
     g_autofree char *owner =

@@ -258,15 +258,6 @@ read_load (const QnJsonValue *place, QnModel *model, QnLoad *load)
          && (load->kind != QN_LOAD_VEHICLE || read_vehicle_name (place, model, load));
 }
 
-/* Whether a load is in every combination of the code as it is, which the own weight by EN 1990 is not. */
-static gboolean
-stays_as_it_is (const QnModel *model, const QnLoad *load)
-{
-  return load->kind != QN_LOAD_SETTLEMENT
-         && (load->load_case == 0
-             || *model->load_cases[load->load_case - 1].action == '\0');
-}
-
 static gboolean
 read_load_list (const QnJsonValue *loads, const char *key, int32_t set, QnModel *model,
                 QnLoad *(*add) (QnModel *model))
@@ -281,7 +272,10 @@ read_load_list (const QnJsonValue *loads, const char *key, int32_t set, QnModel 
     load->set = set;
     if (!read_load (&place, model, load))
       return FALSE;
-    if (*model->combinations.code != '\0' && stays_as_it_is (model, load))
+    /* In every combination of the code as it is, which the own weight by EN 1990 is not. */
+    if (*model->combinations.code != '\0' && load->kind != QN_LOAD_SETTLEMENT
+        && (load->load_case == 0
+            || *model->load_cases[load->load_case - 1].action == '\0'))
       qn_json_value_warn (&place, _ ("has no case with an action: no combination of the "
                                      "code changes its factor"));
   }

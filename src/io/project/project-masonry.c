@@ -315,17 +315,6 @@ read_leaves (const QnJsonValue *place, QnMasonry *masonry)
 }
 
 static gboolean
-read_opening (const QnJsonValue *place, QnOpening *opening)
-{
-  return qn_members_read (place, opening_members, NULL, opening)
-         && require (place, "rise", opening->head == QN_HEAD_SEGMENTAL)
-         && require (place, "depth", opening->span != QN_SPAN_NONE)
-         && require (place, "voussoirs",
-                     opening->span == QN_SPAN_FLAT_ARCH
-                       || opening->span == QN_SPAN_VOUSSOIRS);
-}
-
-static gboolean
 read_openings (const QnJsonValue *place, QnMasonry *masonry)
 {
   QnJsonValue list, element = { 0 };
@@ -335,7 +324,13 @@ read_openings (const QnJsonValue *place, QnMasonry *masonry)
     QnOpening *opening = qn_masonry_add_opening (masonry);
     if (opening == NULL)
       return qn_json_value_no_memory (&element);
-    if (!read_opening (&element, opening))
+    if (!qn_members_read (&element, opening_members, NULL, opening))
+      return FALSE;
+    const gboolean stones =
+      opening->span == QN_SPAN_FLAT_ARCH || opening->span == QN_SPAN_VOUSSOIRS;
+    if (!require (&element, "rise", opening->head == QN_HEAD_SEGMENTAL)
+        || !require (&element, "depth", opening->span != QN_SPAN_NONE)
+        || !require (&element, "voussoirs", stones))
       return FALSE;
   }
   return TRUE;

@@ -99,8 +99,8 @@ read_item (const QnJsonValue *item, const QnMember *m, const QnModel *model, gpo
 }
 
 static gboolean
-read_list (const QnJsonValue *object, const QnMember *m, QnNeed need,
-           const QnModel *model, gpointer to)
+read_list_member (const QnJsonValue *object, const QnMember *m, QnNeed need,
+                  const QnModel *model, gpointer to)
 {
   const int count = m->kind == QN_MEMBER_NAMES ? 2 : m->detail;
   QnJsonValue list, item = { 0 };
@@ -133,7 +133,7 @@ read_weight (const QnJsonValue *object, QnNeed need, const QnModel *model,
 }
 
 static gboolean
-read_law (const QnJsonValue *object, const QnModel *model, QnId *law)
+read_law_name (const QnJsonValue *object, const QnModel *model, QnId *law)
 {
   QnJsonValue material = qn_json_value_member (object, "material");
   if (material.json != NULL && cJSON_HasObjectItem (object->json, "law"))
@@ -185,11 +185,11 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
   case QN_MEMBER_FLAGS:
   case QN_MEMBER_NUMBERS:
   case QN_MEMBER_NAMES:
-    return read_list (object, m, need, model, at);
+    return read_list_member (object, m, need, model, at);
   case QN_MEMBER_WEIGHT:
     return read_weight (object, need, model, at);
   case QN_MEMBER_LAW:
-    return read_law (object, model, at);
+    return read_law_name (object, model, at);
   }
   return TRUE;
 }

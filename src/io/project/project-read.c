@@ -1,4 +1,3 @@
-#include "core/base/memory.h"
 #include "io/json/json-value.h"
 #include "io/project/project-inner.h"
 #include "io/project/project-masonry.h"
@@ -41,18 +40,6 @@ static const char *const figure_keys[] = {
   "loads", "dimensions", "names",   "values",      "legend",     "titles",
   "size",  "dpi",        "backend", "transparent", "monochrome", "model_digest"
 };
-
-static gboolean
-read_title_and_gravity (const QnJsonValue *root, QnModel *model)
-{
-  const char *title = NULL;
-  if (!qn_member_string (root, "title", QN_OPTIONAL, &title)
-      || !qn_member_number (root, "gravity", QN_OPTIONAL, QN_RANGE_NOT_NEGATIVE,
-                            &model->gravity))
-    return FALSE;
-  model->title = qn_strdup (title);
-  return model->title != NULL || title == NULL || qn_json_value_no_memory (root);
-}
 
 /* Numbers of a capacity curve that only a mechanism has. */
 static void
@@ -147,6 +134,11 @@ read_laws (const QnJsonValue *root, QnNeed need, QnModel *model)
 static gboolean
 read_document (const QnJsonValue *root, cJSON *document, QnProject *project)
 {
+  static const QnMember head[] = {
+    QN_STRING ("title", OPTIONAL, QnModel, title),
+    QN_NUMBER ("gravity", OPTIONAL, NOT_NEGATIVE, QnModel, gravity),
+    { 0 },
+  };
   QnModel *model = &project->model;
   QnDiag diag;
   /* With walls, parametric masonry or beams, no block of its own is needed. */
@@ -160,8 +152,8 @@ read_document (const QnJsonValue *root, cJSON *document, QnProject *project)
   QnNeed laws = beams && !joints ? QN_OPTIONAL : QN_REQUIRED;
   return qn_read_format (root, "quoin",
                          _ ("this is not a Quoin project: expected \"quoin\""))
-         && keep_extras (root, document, project) && read_title_and_gravity (root, model)
-         && read_laws (root, laws, model)
+         && keep_extras (root, document, project)
+         && qn_members_take (root, head, NULL, model) && read_laws (root, laws, model)
          && qn_read_list (root, &qn_block_list, blocks, model)
          && qn_read_masonry (root, project)
          && qn_read_list (root, &qn_wall_list, QN_OPTIONAL, model)

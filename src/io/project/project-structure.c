@@ -40,7 +40,7 @@ static const QnMember block_members[] = {
   { 0 },
 };
 
-static const QnMember wall_members[] = {
+static const QnMember wall_structure_members[] = {
   QN_KNOWN ("name"),
   QN_TWO ("origin", WRITTEN, QnWall, origin),
   QN_TWO ("unit", REQUIRED, QnWall, unit),
@@ -134,7 +134,7 @@ read_wall (const QnJsonValue *place, QnModel *model)
   QnWall *wall = qn_model_add_wall (model, name);
   if (wall == NULL)
     return qn_json_value_no_memory (place);
-  return qn_members_read (place, wall_members, model, wall)
+  return qn_members_read (place, wall_structure_members, model, wall)
          && qn_read_courses (place, wall);
 }
 
@@ -163,7 +163,7 @@ append_wall (GString *json, const QnModel *model, size_t index)
 {
   const QnWall *wall = &model->walls[index];
   qn_json_put_string (json, "name", wall->name);
-  qn_members_write (json, wall_members, model, wall, NULL);
+  qn_members_write (json, wall_structure_members, model, wall, NULL);
   g_string_append (json, ",\n      \"courses\": [");
   int32_t entry = 0;
   for (int32_t course = 0; course < wall->course_count; course++) {

@@ -168,14 +168,6 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
   return g_string_free (path, FALSE);
 }
 
-/* Whether a problem of a polygon is that of one vertex and not of all of them together. */
-static gboolean
-is_of_one_vertex (QnProblem problem)
-{
-  return problem == QN_PROBLEM_DUPLICATE_VERTEX || problem == QN_PROBLEM_NOT_FINITE
-         || problem == QN_PROBLEM_TOO_LARGE;
-}
-
 /* Path of the key that a diagnostic is about. */
 static char *
 dup_problem_path (const QnProject *project, const QnDiag *diag)
@@ -195,8 +187,11 @@ dup_problem_path (const QnProject *project, const QnDiag *diag)
 
   g_string_append_printf (path, "%s%s", path->len > 0 ? "." : "", diag->field);
   gboolean in_course = strcmp (diag->field, "courses") == 0;
-  gboolean at_vertex =
-    strcmp (diag->field, "vertices") == 0 && is_of_one_vertex (diag->problem);
+  /* Other problems of a polygon are those of all vertices together. */
+  gboolean at_vertex = strcmp (diag->field, "vertices") == 0
+                       && (diag->problem == QN_PROBLEM_DUPLICATE_VERTEX
+                           || diag->problem == QN_PROBLEM_NOT_FINITE
+                           || diag->problem == QN_PROBLEM_TOO_LARGE);
   gboolean at_point = strcmp (diag->field, "points") == 0;
   if ((in_course || at_vertex || at_point) && diag->sub != QN_NONE)
     g_string_append_printf (path, "[%d]", diag->sub);

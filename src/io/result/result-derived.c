@@ -25,29 +25,15 @@ add_unproved (GPtrArray *unproved, const char *member)
     g_ptr_array_add (unproved, g_strdup (member));
 }
 
-static gboolean
-has_relaxed (const QnResult *result)
-{
-  gboolean any = FALSE;
-  for (size_t i = 0; i < result->step_count; i++)
-    any = any || result->steps[i].relaxed;
-  return any;
-}
-
-static gboolean
-has_jumps (const QnResult *result)
-{
-  gboolean any = FALSE;
-  for (size_t i = 0; i < result->step_count; i++)
-    any = any || result->steps[i].event == QN_EVENT_SNAP;
-  return any;
-}
-
 static void
 list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unproved)
 {
   const QnResult *result = &file->result;
-  gboolean in_time = result->history.width > 0;
+  gboolean in_time = result->history.width > 0, relaxed = FALSE, jumps = FALSE;
+  for (size_t i = 0; i < result->step_count; i++) {
+    relaxed |= result->steps[i].relaxed;
+    jumps |= result->steps[i].event == QN_EVENT_SNAP;
+  }
   gboolean no_answer = result->outcome == QN_OUTCOME_NOT_CONVERGED
                        || result->outcome == QN_OUTCOME_CANCELLED;
   /* Limit analysis is repeated where it found no equilibrium. */
@@ -65,8 +51,8 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
     { "statistics", TRUE },
     { "steps[].iterations", result->step_count > 0 },
     { "steps[].residual", result->step_count > 0 },
-    { "steps[].relaxed", has_relaxed (result) },
-    { "steps[].event", has_jumps (result) },
+    { "steps[].relaxed", relaxed },
+    { "steps[].event", jumps },
     { "refused", result->refused_count > 0 },
     { "unproved_multiplier", result->has_unproved_multiplier },
     { "outcome", (result->step_count == 0 && !is_rigid) || no_answer },
@@ -141,22 +127,14 @@ add_unknown (Walk *walk, gsize at)
   add_unproved (walk->unproved, member->str);
 }
 
-/* Members that depend on place, time, language and program of writing. */
-static gboolean
-is_outside (const char *key)
-{
-  static const char *const members[] = { "generator", "model", "overrides", "reason" };
-  for (gsize i = 0; i < G_N_ELEMENTS (members); i++)
-    if (strcmp (key, members[i]) == 0)
-      return TRUE;
-  return FALSE;
-}
-
 static gboolean compare_values (Walk *walk, gsize stated, gsize found);
 
 static gboolean
 compare_objects (Walk *walk, gsize stated, gsize found)
 {
+  /* Members that depend on place, time, language and program of writing. */
+  static const char *const outside[] = { "generator", "model", "overrides", "reason",
+                                         NULL };
   const QnJsonToken *s = walk->stated.tokens, *f = walk->found.tokens;
   gsize next = found + 1; /* mostly members have the same order */
   for (gsize i = stated + 1; i < s[stated].next; i = s[i].next) {
@@ -169,7 +147,7 @@ compare_objects (Walk *walk, gsize stated, gsize found)
       continue;
     }
     next = f[value].next;
-    if (stated == 0 && is_outside (key))
+    if (stated == 0 && g_strv_contains (outside, key))
       continue;
     if (!compare_values (walk, i + 1, value))
       return FALSE;

@@ -4,76 +4,16 @@
 #include <math.h>
 #include <string.h>
 
-/* A conversion, "%-12.4g", with its width and precision written out where arguments gave them. */
-typedef struct Conversion {
-  GString *spec;
-  gboolean is_long, is_size;
-} Conversion;
-
 #pragma GCC diagnostic ignored "-Wformat-nonliteral" /* specs come from checked formats */
-
-static void
-append_broken (GString *text, const char *string)
-{
-  for (const char *end; (end = strchr (string, '\n')) != NULL; string = end + 1) {
-    g_string_append_len (text, string, end - string);
-    g_string_append (text, "\\u000a");
-  }
-  g_string_append (text, string);
-}
-
-static void
-append_number (GString *text, const char *spec, double number, gboolean *finite)
-{
-  if (isfinite (number)) {
-    g_string_append_printf (text, spec, number);
-    return;
-  }
-  g_string_append (text, "–");
-  if (finite != NULL)
-    *finite = FALSE;
-}
-
-static void
-append_string (GString *text, const char *spec, const char *string)
-{
-  g_autofree char *cell = g_strdup_printf (spec, string);
-  append_broken (text, cell);
-}
-
-/* A walk through the format; va_list is passed by address, since functions that take one by value leave
- * it undefined. */
-typedef struct Walk {
-  va_list arguments;
-} Walk;
-
-/* Reads a conversion behind its "%"; returns the place of its letter. */
-static const char *
-read_conversion (const char *at, Walk *walk, Conversion *conversion)
-{
-  g_string_assign (conversion->spec, "%");
-  conversion->is_long = conversion->is_size = FALSE;
-  for (; strchr ("#0- +.123456789*lz", *at) != NULL && *at != '\0'; at++) {
-    conversion->is_long |= *at == 'l';
-    conversion->is_size |= *at == 'z';
-    if (*at == '*')
-      g_string_append_printf (conversion->spec, "%d", va_arg (walk->arguments, int));
-    else
-      g_string_append_c (conversion->spec, *at);
-  }
-  g_string_append_c (conversion->spec, *at);
-  return at;
-}
 
 char *
 qn_text_vprintf (gboolean *finite, const char *format, va_list arguments)
 {
   GString *text = g_string_new (NULL);
-  Conversion conversion = { .spec = g_string_new (NULL) };
-  const char *spec = conversion.spec->str;
-  Walk walk;
-  va_copy (walk.arguments, arguments);
+  /* A conversion, "%-12.4g", with its width and precision written out where arguments gave them. */
+  g_autoptr (GString) spec = g_string_new (NULL);
   for (const char *at = format; *at != '\0'; at++) {
+    gboolean is_long = FALSE, is_size = FALSE;
     gsize plain = strcspn (at, "%");
     g_string_append_len (text, at, (gssize) plain);
     at += plain;
@@ -83,23 +23,41 @@ qn_text_vprintf (gboolean *finite, const char *format, va_list arguments)
       g_string_append_c (text, *at++);
       continue;
     }
-    at = read_conversion (at + 1, &walk, &conversion);
-    spec = conversion.spec->str;
-    if (strchr ("efgEG", *at) != NULL)
-      append_number (text, spec, va_arg (walk.arguments, double), finite);
-    else if (*at == 's')
-      append_string (text, spec, va_arg (walk.arguments, const char *));
-    else if (conversion.is_size)
-      g_string_append_printf (text, spec, va_arg (walk.arguments, size_t));
-    else if (conversion.is_long)
-      g_string_append_printf (text, spec, va_arg (walk.arguments, long));
-    else {
+    g_string_assign (spec, "%");
+    for (at++; strchr ("#0- +.123456789*lz", *at) != NULL && *at != '\0'; at++) {
+      is_long |= *at == 'l';
+      is_size |= *at == 'z';
+      if (*at == '*')
+        g_string_append_printf (spec, "%d", va_arg (arguments, int));
+      else
+        g_string_append_c (spec, *at);
+    }
+    g_string_append_c (spec, *at);
+    if (strchr ("efgEG", *at) != NULL) {
+      const double number = va_arg (arguments, double);
+      if (isfinite (number))
+        g_string_append_printf (text, spec->str, number);
+      else
+        g_string_append (text, "–");
+      if (finite != NULL && !isfinite (number))
+        *finite = FALSE;
+    } else if (*at == 's') {
+      g_autofree char *cell =
+        g_strdup_printf (spec->str, va_arg (arguments, const char *));
+      for (const char *c = cell; *c != '\0'; c++)
+        if (*c == '\n')
+          g_string_append (text, "\\u000a");
+        else
+          g_string_append_c (text, *c);
+    } else if (is_size) {
+      g_string_append_printf (text, spec->str, va_arg (arguments, size_t));
+    } else if (is_long) {
+      g_string_append_printf (text, spec->str, va_arg (arguments, long));
+    } else {
       g_assert (strchr ("diuxXoc", *at) != NULL);
-      g_string_append_printf (text, spec, va_arg (walk.arguments, int));
+      g_string_append_printf (text, spec->str, va_arg (arguments, int));
     }
   }
-  va_end (walk.arguments);
-  g_string_free (conversion.spec, TRUE);
   return g_string_free (text, FALSE);
 }
 

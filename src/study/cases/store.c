@@ -203,15 +203,6 @@ qn_store_forget_failed (QnStore *store, GError **error)
 }
 
 static gboolean
-begin (QnStore *store, GError **error)
-{
-  if (store->open)
-    return TRUE;
-  store->open = run (store, "BEGIN IMMEDIATE", error);
-  return store->open;
-}
-
-static gboolean
 prepare_add (QnStore *store, GError **error)
 {
   if (store->add != NULL)
@@ -248,7 +239,8 @@ qn_store_add (QnStore *store, gsize index, const double *values,
 {
   const QnStudy *study = store->study;
   int column = 1;
-  if (!begin (store, error) || !prepare_add (store, error))
+  store->open = store->open || run (store, "BEGIN IMMEDIATE", error);
+  if (!store->open || !prepare_add (store, error))
     return FALSE;
   sqlite3_bind_int64 (store->add, column++, (gint64) index + 1);
   bind_text (store->add, &column, result->failed ? "failed" : "done");

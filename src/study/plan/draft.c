@@ -41,20 +41,13 @@ set (cJSON *object, const char *key, cJSON *value)
     cJSON_AddItemToObject (object, key, value);
 }
 
-static char *
-dup_text (const QnDraft *draft)
-{
-  char *printed = cJSON_Print (draft->tree);
-  char *text = g_strconcat (printed, "\n", NULL);
-  cJSON_free (printed);
-  return text;
-}
-
 /* The tree has changed: a step, unless it is as before. */
 static void
 record (QnDraft *draft)
 {
-  char *text = dup_text (draft);
+  char *printed = cJSON_Print (draft->tree);
+  char *text = g_strconcat (printed, "\n", NULL);
+  cJSON_free (printed);
   if (draft->steps->len > 0
       && strcmp (text, g_ptr_array_index (draft->steps, draft->position)) == 0) {
     g_free (text);
@@ -350,16 +343,6 @@ find_path (const QnDraft *draft, const char *path, guint *index)
   return FALSE;
 }
 
-static cJSON *
-add_parameter (QnDraft *draft, const char *path)
-{
-  cJSON *item = cJSON_CreateObject ();
-  set (item, "name", cJSON_CreateString (name_of (draft, path)));
-  set (item, "path", cJSON_CreateString (path));
-  cJSON_AddItemToArray (member (draft, "parameters"), item);
-  return item;
-}
-
 gboolean
 qn_draft_vary (QnDraft *draft, const char *path, double base, gboolean whole)
 {
@@ -367,7 +350,10 @@ qn_draft_vary (QnDraft *draft, const char *path, double base, gboolean whole)
   double low = base - 0.1 * fabs (base), high = base + 0.1 * fabs (base);
   if (find_path (draft, path, &index))
     return FALSE;
-  cJSON *item = add_parameter (draft, path);
+  cJSON *item = cJSON_CreateObject ();
+  set (item, "name", cJSON_CreateString (name_of (draft, path)));
+  set (item, "path", cJSON_CreateString (path));
+  cJSON_AddItemToArray (member (draft, "parameters"), item);
   if (g_str_has_suffix (path, "seed")) {
     set (item, "whole", cJSON_CreateTrue ());
     low = 1;
