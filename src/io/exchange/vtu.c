@@ -140,21 +140,19 @@ write_blocks (QnFileWriter *writer, const QnModel *model, const double *u, GErro
   return finish (writer, error);
 }
 
-/* A line for every element, with displacements and section forces where the result (nullable) has
- * them at this step. */
+/* A line for every element, with what the result, unless it is NULL, has of it at this step. */
 static gboolean
 write_beams (QnFileWriter *writer, const QnModel *model, const QnResult *result,
              size_t step, GError **error)
 {
   if (writer == NULL)
     return FALSE;
-  const double *u = NULL; /* rows of the nodes */
-  const QnBeamForces *forces = NULL;
-  if (result != NULL && step < result->step_count
-      && result->node_count == model->node_count)
-    u = qn_result_step_displacements (result, step) + result->block_count * QN_DOF_COUNT;
-  if (u != NULL && result->element_count == model->element_count)
-    forces = qn_result_step_beam_forces (result, step);
+  /* Rows of the nodes. */
+  const double *u = result != NULL ? qn_result_step_displacements (result, step)
+                                       + result->block_count * QN_DOF_COUNT
+                                   : NULL;
+  const QnBeamForces *forces =
+    result != NULL ? qn_result_step_beam_forces (result, step) : NULL;
 
   const size_t cells = model->element_count, points = 2 * cells;
   g_autofree double *at = g_new0 (double, 3 * points),
@@ -292,7 +290,8 @@ write_steps (Export *export, const QnModel *model, const QnContacts *contacts,
     if (model->element_count == 0)
       continue;
     g_autofree char *beams = g_strdup_printf ("%s_beams_%04zu.vtu", export->stem, i);
-    if (!write_beams (open_member (export, beams, error), model, result, i, error))
+    if (!write_beams (open_member (export, beams, error), model, has ? result : NULL, i,
+                      error))
       return FALSE;
     put_entry (export, time, 2, beams);
   }
@@ -332,15 +331,12 @@ qn_vtu_export (const QnModel *model, const QnContacts *contacts, const QnResult 
   export.entries = g_string_new (NULL);
 
   int trouble = qn_file_group_open (&export.group, export.folder);
-  gboolean done = trouble == 0;
-  if (done) {
-    done = write_steps (&export, model, contacts, result, error)
-           && write_list (&export, name, error);
-    if (done)
-      trouble = qn_file_group_commit (&export.group);
-    else
-      qn_file_group_discard (&export.group);
-  }
+  gboolean done = trouble == 0 && write_steps (&export, model, contacts, result, error)
+                  && write_list (&export, name, error);
+  if (done)
+    trouble = qn_file_group_commit (&export.group);
+  else if (trouble == 0)
+    qn_file_group_discard (&export.group);
   if (trouble != 0)
     qn_io_error_set_errno (error, path, _ ("cannot be written"), trouble);
   g_string_free (export.entries, TRUE);
