@@ -23,7 +23,7 @@ find $build -name '*.gcda' -delete
 some=$*
 [ $# -gt 0 ] || set -- --no-suite slow --no-suite all
 status=0
-meson test -C $build --no-rebuild "$@" >/dev/null || status=$?
+meson test -C $build --no-rebuild -t 10 "$@" >/dev/null || status=$?
 [ -n "$some" ] || meson test -C $build --no-rebuild memory-faults -t 10 >/dev/null || status=$?
 gcovr --root . --filter src/ --exclude-throw-branches --json-summary $build/coverage.json $build
 
