@@ -442,7 +442,8 @@ is_to_break (const QnAssembly *as, size_t p, double *strain)
 bool
 qn_assembly_break_bonds (QnAssembly *as)
 {
-  double most = 1, strain;
+  double most = -INFINITY,
+         strain; /* below 1 where friction relieves what is left of a bond */
   bool any = false;
 
   for (size_t p = 0; as->has_bonds && p < as->pair_count; p++)
@@ -452,7 +453,7 @@ qn_assembly_break_bonds (QnAssembly *as)
     }
   for (size_t p = 0; any && p < as->pair_count; p++)
     if (!as->inactive[p] && is_to_break (as, p, &strain)
-        && strain - 1 >= BREAK_TOGETHER * (most - 1)) {
+        && strain - 1 >= fmin (BREAK_TOGETHER * (most - 1), most - 1)) {
       bool in_a = as->responses[p].memory.a.extreme == QN_BOND_BREAKS;
       QnSpringMemory *memory = in_a ? &as->committed[p].a : &as->committed[p].b;
       as->breaks[p] = qn_bond_held (memory->extreme);

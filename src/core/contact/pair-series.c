@@ -52,7 +52,10 @@ evaluate (QnPairSeries *series)
 
   const double *fa = series->a.force, *fb = series->b.force;
   double scale = fabs (fa[0]) + fabs (fa[1]) + fabs (fb[0]) + fabs (fb[1]);
-  scale += 1e-3 * (s->a.kn + s->b.kn) * (fabs (q[0]) + fabs (q[1]));
+  /* Both may be far from where they were built, one as far back as the other. */
+  const double *qa = series->qa;
+  double far = fabs (qa[0]) + fabs (qa[1]) + fabs (qb[0]) + fabs (qb[1]);
+  scale += 1e-3 * (s->a.kn + s->b.kn) * far;
   series->gap[0] = fa[0] - fb[0];
   series->gap[1] = fa[1] - fb[1];
   series->size = scale > 0 ? hypot (series->gap[0], series->gap[1]) / scale : 0;

@@ -220,17 +220,14 @@ static void
 add_dashpot (const QnPairElasticity *pair, const QnPairStep *step,
              const QnPairInstant *start, const QnPairInstant *end, QnPairForces *out)
 {
-  const QnPairResponse *now = end->response;
+  const QnPairResponse *now = step->held != NULL ? step->held : end->response;
+  const QnPairInstant held = { .q = { end->q[0], end->q[1] }, .response = now };
   double gain = (1 - step->alpha_f) * step->rate_gain, slopes[2] = { 0 }, share = 1;
   bool follows = step->of != QN_DAMPING_INITIAL;
-  const QnPairMemory *before = &start->response->memory, *after = &now->memory;
   const double undamped[2] = { out->tangent[0][0], out->tangent[0][1] };
 
-  if (pair->bond
-      && (after->a.extreme > before->a.extreme || after->b.extreme > before->b.extreme))
-    return;
   if (follows)
-    share = elastic_share (pair, start, end, slopes);
+    share = elastic_share (pair, start, &held, slopes);
   for (int i = 0; i < 2; i++) {
     double rate = (1 - step->alpha_f) * end->rate[i] + step->alpha_f * start->rate[i];
     double mean = follows ? (end->q[i] - start->q[i]) / step->length : 0;
@@ -247,6 +244,30 @@ add_dashpot (const QnPairElasticity *pair, const QnPairStep *step,
   }
   if (step->of == QN_DAMPING_IMPACT)
     keep_pressed (pair, step, start, end, undamped, out);
+}
+
+/* Whether the bond of a spring is damaged further, but not held. */
+static bool
+softens (const QnSpring *spring, const QnSpringMemory *before,
+         const QnSpringMemory *after)
+{
+  return qn_spring_has_bond (spring) && after->extreme > before->extreme
+         && after->extreme < QN_BOND_BREAKS;
+}
+
+bool
+qn_pair_holds_damage (const QnPairSprings *springs, const QnPairMemory *committed,
+                      const QnPairInstant *start, const QnPairInstant *end,
+                      QnPairResponse *held)
+{
+  const QnPairMemory *before = &start->response->memory, *after = &end->response->memory;
+
+  if (!softens (&springs->a, &before->a, &after->a)
+      && !softens (&springs->b, &before->b, &after->b))
+    return false;
+  QnPairSprings lasting = *springs;
+  lasting.a.outlasts = lasting.b.outlasts = true;
+  return qn_pair_evaluate (&lasting, committed, end->q, held);
 }
 
 QnPairForces

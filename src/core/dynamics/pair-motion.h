@@ -49,7 +49,7 @@ typedef struct QnPairElasticity {
   double k[2];     /* elastic stiffness, normal and tangential, N/m */
   double friction; /* of the spring that slips first; INFINITY: no slip */
   bool opens;      /* under tension */
-  bool bond;       /* may break, without a dashpot on the lost force */
+  bool bond;       /* may break */
   bool conserves;  /* elastic laws with opening and slip alone: c applies */
 } QnPairElasticity;
 
@@ -67,6 +67,8 @@ typedef struct QnPairStep {
   double length;    /* of the step, s */
   double damping;   /* a of this pair, s */
   QnDampingStiffness of;
+  const QnPairResponse
+    *held; /* where a bond softens: qn_pair_holds_damage(); else NULL */
 } QnPairStep;
 
 /* Forces besides those of the law, N, and the tangent of the total force, dF/dq1 / (1 - af), N/m. */
@@ -75,6 +77,12 @@ typedef struct QnPairForces {
   double dashpot[2];    /* d */
   double tangent[2][2];
 } QnPairForces;
+
+/* Whether a bond is damaged further in a step; *held then is the response at its end were it damaged no further,
+ * on which dashpots act: a lost force is not one that moves, and no dashpot has a leap where softening begins. */
+bool qn_pair_holds_damage (const QnPairSprings *springs, const QnPairMemory *committed,
+                           const QnPairInstant *start, const QnPairInstant *end,
+                           QnPairResponse *held);
 
 QnPairForces qn_pair_motion (const QnPairElasticity *elasticity, const QnPairStep *step,
                              const QnPairInstant *start, const QnPairInstant *end);

@@ -338,7 +338,13 @@ evaluate_pairs (QnTimeStep *step)
       memset (step->branches + QN_BRANCH * p, 0, QN_BRANCH * sizeof *step->branches);
       continue;
     }
-    pair_step.damping = step->damping[p];
+    QnPairResponse held;
+    pair_step.damping = isnan (as->breaks[p]) ? step->damping[p] : 0;
+    pair_step.held = pair_step.damping > 0 && pair_step.of != QN_DAMPING_INITIAL
+                         && qn_pair_holds_damage (&as->springs[p], &as->committed[p],
+                                                  &start, &end, &held)
+                       ? &held
+                       : NULL;
     *forces = qn_pair_motion (&step->elasticity[p], &pair_step, &start, &end);
     for (int i = 0; i < 2; i++)
       step->sums[2 * p + i] =

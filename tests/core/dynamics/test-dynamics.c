@@ -93,6 +93,37 @@ test_joints (void)
     }
 }
 
+/* Of a bond with cohesion alone friction relieves what is left, which breaks nevertheless when it is brittle. */
+static void
+test_relieved_bond (void)
+{
+  g_auto (TestRun) c;
+  init_case (&c, 0.4, 0.2);
+  add_weight (&c);
+  c.model.laws[0] = (QnLaw){ .name = c.model.laws[0].name,
+                             .kind = QN_LAW_COULOMB,
+                             .basis = QN_BASIS_SURFACE,
+                             .kn = 3.4e8,
+                             .ks = 1.36e8,
+                             .friction = 0.5,
+                             .residual_friction = 0.4,
+                             .cohesion = 2e5,
+                             .fracture_energy_tension = 2,
+                             .fracture_energy_shear = 200,
+                             .exponential = true };
+  QnDynamicSettings *dynamic = &c.model.analysis.dynamic;
+  dynamic->duration = 0.4;
+  dynamic->time_step = 0.002;
+  dynamic->rho = 0.5;
+  dynamic->of = QN_DAMPING_IMPACT;
+  QnGroundMotion *motion = qn_model_add_ground_motion (&c.model);
+  motion->kind = QN_SIGNAL_PULSE;
+  motion->direction = qn_vec2 (1, 0);
+  motion->pulse = (QnPulse){ QN_PULSE_SINE, 50, 0.3, 0 };
+  test_run_solve (&c);
+  g_assert_cmpint (c.result.outcome, !=, QN_OUTCOME_NOT_CONVERGED);
+}
+
 /* --- A mass on a spring ------------------------------------------------------------------- */
 
 /* Error of x(t) after `steps` steps over two periods, over the first amplitude. */
@@ -689,6 +720,7 @@ test_not_finite (void)
 
 QN_TESTS
 {
+  g_test_add_func ("/dynamics/relieved-bond", test_relieved_bond);
   g_test_add_func ("/dynamics/not-finite", test_not_finite);
   g_test_add_func ("/dynamics/joints", test_joints);
   g_test_add_func ("/dynamics/spring", test_spring);
