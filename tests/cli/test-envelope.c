@@ -144,6 +144,35 @@ test_beside (void)
   g_assert_true (isnan (g_array_index (rows, Row, 4).m[1]));
 }
 
+/* A position is the decimal number that the table says: at 0.3 m, the end of the deck, the axle still acts,
+ * which three steps of 0.1 m in binary would pass. */
+static void
+test_decimal_positions (void)
+{
+  static const char deck[] =
+    "{ \"format\": \"quoin\", \"version\": 1, \"laws\": [ { \"name\": \"j\", \"kind\": "
+    "\"coulomb\", \"kn\": 1e9, \"ks\": 1e9, \"friction\": 0.6 } ], \"blocks\": [\n"
+    "{ \"name\": \"g\", \"vertices\": [[-0.2, -1], [0, -1], [0, 0], [-0.2, 0]], "
+    "\"thickness\": 3, \"unit_weight\": 0, \"support\": [true, true, true] },\n"
+    "{ \"name\": \"d\", \"vertices\": [[-0.5, 0], [0.3, 0], [0.3, 0.2], [-0.5, 0.2]], "
+    "\"thickness\": 3, \"unit_weight\": 20000 } ], \"contact\": { \"law\": \"j\" },\n"
+    "\"vehicles\": [ { \"name\": \"axle\", \"axles\": [[0, 1000]], \"patch\": [0.01, "
+    "0.2], \"track\": 1.6 } ], \"loads\": { \"dead\": [ { \"kind\": \"weight\", "
+    "\"direction\": [0, -1] } ], \"live\": [ { \"kind\": \"vehicle\", \"vehicle\": "
+    "\"axle\", \"position\": 0 } ] } }";
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *model = g_build_filename (folder, "deck.quoin", NULL);
+  g_autofree char *csv = g_build_filename (folder, "e.csv", NULL);
+  g_assert_true (g_file_set_contents (model, deck, -1, NULL));
+  cli_do ("envelope", model, "--from", "0", "--to", "0.3", "--step", "0.1", "--one-way",
+          "-q", "--csv", csv, NULL);
+  g_autoptr (GArray) rows = read_rows (csv);
+  g_assert_cmpuint (rows->len, ==, 4);
+  /* Half of its patch on the deck: 9.6 kN at 0.1 m from the edge of the pier, 500 N at 0.2975 m. */
+  g_assert_cmpfloat_with_epsilon (g_array_index (rows, Row, 3).m[0], 960 / (500 * 0.2975),
+                                  1e-5);
+}
+
 /* Without fill it stands on the blocks, and is drawn there. */
 static void
 test_bare (void)
@@ -233,6 +262,7 @@ QN_TESTS
   g_test_add_func ("/cli/envelope/flow", test_flow);
   g_test_add_func ("/cli/envelope/monotone", test_monotone);
   g_test_add_func ("/cli/envelope/beside", test_beside);
+  g_test_add_func ("/cli/envelope/decimal-positions", test_decimal_positions);
   g_test_add_func ("/cli/envelope/bare", test_bare);
   g_test_add_func ("/cli/envelope/vehicles", test_vehicles);
   g_test_add_func ("/cli/envelope/thinnest-arch", test_thinnest_arch);

@@ -2,6 +2,7 @@
 #include "cli-run.h"
 #include "support/room.h"
 
+#include <math.h>
 #include <string.h>
 
 static void
@@ -21,6 +22,30 @@ test_table (void)
   g_assert_cmpuint (g_strv_length (lines), ==, 1 + 3 * 61 + 1);
   g_autofree char *written = cli_read (result);
   g_assert_nonnull (strstr (written, "\"mechanism\": [["));
+}
+
+/* Nodes of beams stand behind the blocks, in a frame without blocks alone. */
+static void
+test_nodes_in_table (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *example = cli_example ("37-beam-vibrating.quoin");
+  g_autofree char *csv = g_build_filename (folder, "modes.csv", NULL);
+  g_autofree char *result = g_build_filename (folder, "mode.json", NULL);
+  cli_says ("omega", "modal", example, "-n", "1", "--csv", csv, "-o", result, NULL);
+  g_autofree char *table = cli_read (csv);
+  g_auto (GStrv) lines = g_strsplit (table, "\n", -1);
+  g_autofree char *written = cli_read (result);
+  double largest = 0;
+  guint rows = g_strv_length (lines) - 2;
+  for (guint i = 1; i <= rows; i++) {
+    g_auto (GStrv) fields = g_strsplit (lines[i], ",", -1);
+    for (guint k = 6; k < 8; k++)
+      largest = fmax (largest, fabs (g_ascii_strtod (fields[k], NULL)));
+  }
+  g_assert_nonnull (strstr (written, "\"node_mechanism\""));
+  g_assert_cmpuint (rows, >, 10);
+  g_assert_cmpfloat_with_epsilon (largest, 1, 1e-9);
 }
 
 static void
@@ -111,6 +136,7 @@ test_budget (void)
 QN_TESTS
 {
   g_test_add_func ("/cli/modal/table", test_table);
+  g_test_add_func ("/cli/modal/nodes-in-table", test_nodes_in_table);
   g_test_add_func ("/cli/modal/refused", test_refused);
   g_test_add_func ("/cli/modal/unstable", test_unstable);
   g_test_add_func ("/cli/modal/dry-wall", test_dry_wall);

@@ -26,10 +26,10 @@ write_modes (const ModalOptions *options, const QnModel *model, const QnModes *m
                        "mode,omega [rad/s],frequency [Hz],block number,x [m],y [m],"
                        "ux [m],uy [m],rz [rad]\n");
   for (size_t i = 0; i < modes->count; i++)
-    for (size_t b = 0; b < modes->block_count; b++) {
-      const double *shape =
-        modes->shapes + (i * (modes->block_count + modes->node_count) + b) * QN_DOF_COUNT;
-      const QnVec2 at = model->blocks[b].centroid;
+    for (size_t b = 0, bodies = modes->block_count + modes->node_count; b < bodies; b++) {
+      const double *shape = modes->shapes + (i * bodies + b) * QN_DOF_COUNT;
+      const QnVec2 at = b < modes->block_count ? model->blocks[b].centroid
+                                               : model->nodes[b - modes->block_count].at;
       qn_file_writer_csv (writer, "%zu,%g,%g,%zu,%g,%g,%g,%g,%g\n", i + 1,
                           modes->omega[i], modes->omega[i] / (2 * G_PI), b, at.x, at.y,
                           shape[QN_DOF_UX], shape[QN_DOF_UY], shape[QN_DOF_RZ]);

@@ -22,19 +22,6 @@ take_tangent (QnPathMeasure *measure, double *rate_length)
   return QN_SOLVE_CONVERGED;
 }
 
-/* Where the tangent is singular, for blocks that nothing holds before there is a live load: the
- * direction of a structure that is equally stiff everywhere. */
-static void
-take_load_direction (QnPathMeasure *measure, double *rate_length)
-{
-  const QnAssembly *as = &measure->path->equilibrium.assembly;
-  double length = sqrt (qn_dot (as->live, as->live, (size_t) as->unknown_count));
-
-  *rate_length = length / as->stiffness;
-  for (int32_t i = 0; i < as->unknown_count && length > 0; i++)
-    measure->direction[i] = as->live[i] / length;
-}
-
 /* Work or arc length, with a first step that moves the structure as far as an increment of the
  * multiplier would. */
 static bool
@@ -46,8 +33,19 @@ take_motion (QnPathMeasure *measure, double increment)
 
   if (take_tangent (measure, &rate_length) == QN_SOLVE_NO_MEMORY)
     return false;
-  if (rate_length == 0)
-    take_load_direction (measure, &rate_length);
+  if (rate_length
+      == 0) { /* blocks that nothing holds yet: as if equally stiff everywhere */
+    const double *live = eq->assembly.live;
+    double length = sqrt (qn_dot (live, live, (size_t) n));
+    rate_length = length / eq->assembly.stiffness;
+    for (int32_t i = 0; i < n && length > 0; i++)
+      measure->direction[i] = live[i] / length;
+  }
+  /* Joints that soften give way against a load that goes back; they close instead. */
+  if (measure->procedure == QN_PROCEDURE_ARC_LENGTH && measure->unknown == QN_NONE
+      && qn_dot (measure->direction, eq->assembly.live, (size_t) n) < 0)
+    for (int32_t i = 0; i < n; i++)
+      measure->direction[i] *= -1;
   double far =
     increment * rate_length
     * qn_assembly_elastic_displacements (&eq->assembly, measure->direction, NULL);
@@ -61,29 +59,6 @@ take_motion (QnPathMeasure *measure, double increment)
   measure->first = fabs (advance) * increment;
   measure->slope = advance != 0 ? 1 / advance : 0;
   return true;
-}
-
-static bool
-choose (QnPathMeasure *measure)
-{
-  double increment = 1.0 / measure->path->settings->increments;
-
-  switch (measure->procedure) {
-  case QN_PROCEDURE_LOAD:
-    measure->first = increment;
-    return true;
-  case QN_PROCEDURE_DISPLACEMENT:
-    measure->direction[measure->unknown] = 1;
-    measure->first = (measure->end - measure->start) * increment;
-    return true;
-  case QN_PROCEDURE_WORK:
-  case QN_PROCEDURE_ARC_LENGTH:
-  case QN_PROCEDURE_LIMIT:
-  case QN_PROCEDURE_DYNAMIC:
-  case QN_PROCEDURE_COUNT:
-    break;
-  }
-  return take_motion (measure, increment);
 }
 
 bool
@@ -120,7 +95,15 @@ qn_path_measure_setup (QnPathMeasure *measure, QnPath *path)
     if (path->stage > 0)
       measure->start = path->equilibrium.committed.u[measure->unknown];
   }
-  return choose (measure);
+  double increment = 1.0 / settings->increments;
+  if (measure->procedure == QN_PROCEDURE_LOAD)
+    measure->first = increment;
+  else if (measure->procedure == QN_PROCEDURE_DISPLACEMENT) {
+    measure->direction[measure->unknown] = 1;
+    measure->first = (measure->end - measure->start) * increment;
+  } else
+    return take_motion (measure, increment);
+  return true;
 }
 
 void

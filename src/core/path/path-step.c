@@ -11,12 +11,6 @@
 
 #include <string.h>
 
-static QnTarget
-target_of (const QnPathTrace *trace, double step)
-{
-  return (QnTarget){ .direction = trace->measure.direction, .advance = step };
-}
-
 /* Whether a bond that was whole is broken in the state just solved: what happens first in a long step may
  * spare others, or not let them bear what they would bear together. */
 static bool
@@ -124,7 +118,7 @@ solve_linear (QnPathTrace *trace, double *step)
   QnTarget target;
 
   for (int cut = 0;; cut++) {
-    target = target_of (trace, *step);
+    target = (QnTarget){ .direction = trace->measure.direction, .advance = *step };
     trace->refused = false;
     status = solve_statically (trace, &target);
     trace->jumped =
@@ -175,7 +169,7 @@ static QnSolveStatus
 probe (QnPathTrace *trace, double step)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
-  const QnTarget target = target_of (trace, step);
+  const QnTarget target = { .direction = trace->measure.direction, .advance = step };
 
   qn_equilibrium_restore (eq);
   QnSolveStatus status = qn_equilibrium_newton (eq, &target, 0, QN_NEWTON_BUDGET);
@@ -305,7 +299,7 @@ solve_nonlinear (QnPathTrace *trace, double *step)
   bool looks = trace->looks > 0 && !trace->events.below;
 
   for (;;) {
-    const QnTarget target = target_of (trace, *step);
+    const QnTarget target = { .direction = trace->measure.direction, .advance = *step };
     bool smallest = fabs (*step) <= QN_PATH_SMALLEST_STEP * trace->largest;
     trace->refused = false;
     QnSolveStatus status =
@@ -382,6 +376,23 @@ qn_path_step_solve (QnPathTrace *trace, double *step)
   }
 }
 
+/* Where the load just solved has gone back while joints soften on, so that it does work against its change:
+ * no structure stays there. The joints close instead, from the motion turned round. */
+static QnSolveStatus
+turn_back (QnEquilibrium *eq, const QnTarget *goal)
+{
+  qn_equilibrium_save (eq, &eq->anchor);
+  for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
+    eq->u[i] = 2 * eq->committed.u[i] - eq->u[i];
+  QnSolveStatus status = qn_assembly_evaluate (&eq->assembly, eq->u)
+                           ? qn_equilibrium_newton (eq, goal, 0, QN_NEWTON_BUDGET)
+                           : QN_SOLVE_FAILED;
+  if (status != QN_SOLVE_FAILED)
+    return status;
+  qn_equilibrium_set_state (eq, &eq->anchor);
+  return QN_SOLVE_CONVERGED;
+}
+
 QnSolveStatus
 qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy)
 {
@@ -392,6 +403,9 @@ qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy)
 
   trace->means = QN_FOUND_BY_NEWTON;
   trace->jumped = false;
+  if (status == QN_SOLVE_CONVERGED && trace->may_soften
+      && qn_equilibrium_live_work (eq, eq->committed.u) < 0)
+    status = turn_back (eq, &goal);
   if (status == QN_SOLVE_CONVERGED)
     status = qn_path_judge_stability (trace->path, NULL, false);
   *easy = status == QN_SOLVE_CONVERGED && !is_jump (trace, increment)

@@ -74,7 +74,7 @@ unit_factor (const char *unit)
                 { "in", 96 },        { "pt", 96.0 / 72 },   { "pc", 16 },
                 { "m", 96 / .0254 }, { "em", 16 },          { "ex", 8 },
                 { "deg", 1 },        { "rad", 180 / G_PI }, { "grad", 0.9 },
-                { "turn", 360 } };
+                { "turn", 360 },     { "Q", 96 / 101.6 } };
   gsize length = 0;
   while (g_ascii_isalpha (unit[length]))
     length++;

@@ -159,7 +159,7 @@ place_positions (QnEnvelope *e, const QnEnvelopeSettings *settings, GError **err
   e->count = (gsize) qn_to_integer (count, 1, MOST_POSITIONS);
   e->x = g_new (double, e->count);
   for (gsize i = 0; i < e->count; i++)
-    e->x[i] = from + (double) i * settings->step;
+    e->x[i] = rint ((from + (double) i * settings->step) * 1e9) / 1e9; /* as written */
   for (gsize k = 0; k < e->line_count; k++) {
     e->lines[k].results = g_new0 (QnResult, e->count);
     for (gsize i = 0; i < e->count; i++)

@@ -402,6 +402,42 @@ test_stack_to_and_fro (void)
   push_and_pull (&model, 5, 0.001, 0.35);
 }
 
+/* A bond that has softened closes as its load is taken back, whatever prescribes the way, and carries the same
+ * load again: it does not soften on to where it is broken, which balances no load too. */
+static void
+test_softened_bond_unloads (void)
+{
+  static const QnProcedure ways[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_WORK,
+                                      QN_PROCEDURE_ARC_LENGTH };
+  for (gsize i = 0; i < 4 * G_N_ELEMENTS (ways); i++) {
+    g_auto (TestRun) run;
+    QnModel model;
+    test_model_init_block_on_plane (&model, 1, 1);
+    QnLaw *law = &model.laws[0];
+    law->kn = law->ks = 1e8;
+    law->cohesion = 1e5;
+    law->tension = 5e3;
+    law->fracture_energy_tension = 2; /* falls from 0.1 mm to 0.8 mm on a line */
+    law->exponential = i % 2 == 1;
+    model.analysis.geometry = i % 4 < 2 ? QN_GEOMETRY_LINEAR : QN_GEOMETRY_NONLINEAR;
+    model.blocks[1].support[QN_DOF_UX] = model.blocks[1].support[QN_DOF_RZ] = true;
+    add_force (&model, "live", 0, 1000);
+    add_controlled_stage (&model, QN_PROCEDURE_DISPLACEMENT, 1, 4e-4);
+    add_stage (&model, 1, 0);
+    model.stages[1].procedure = ways[i / 4];
+    add_controlled_stage (&model, QN_PROCEDURE_DISPLACEMENT, 1, 4e-4);
+    solve (&run, &model);
+    const QnStep *steps = run.result.steps;
+    g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+    double carried = steps[end_of (&run, 1)].multiplier;
+    if (!law->exponential) /* both pairs: 5 kN (0.8 - 0.4)/(0.8 - 0.1) */
+      g_assert_cmpfloat_with_epsilon (carried, 10 * 0.4 / 0.7, 1e-6);
+    g_assert_cmpfloat_with_epsilon (uy (&run, end_of (&run, 2)), 0, 1e-9);
+    g_assert_cmpfloat_with_epsilon (steps[end_of (&run, 3)].multiplier, carried, 1e-6);
+    g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+  }
+}
+
 /* A block on joints with dilatancy is as high after every cycle as after the first, and no higher
  * than dilation goes: not lifted by one push after the other. */
 static void
@@ -587,6 +623,7 @@ QN_TESTS
   g_test_add_func ("/core/path-stages/bricks-to-and-fro", test_bricks_to_and_fro);
   g_test_add_func ("/core/path-stages/stack-to-and-fro", test_stack_to_and_fro);
   g_test_add_func ("/core/path-stages/fibre-to-and-fro", test_fibre_to_and_fro);
+  g_test_add_func ("/core/path-stages/softened-bond-unloads", test_softened_bond_unloads);
   g_test_add_func ("/core/path-stages/block-comes-down", test_block_comes_down);
   g_test_add_func ("/core/path-stages/work-of-a-cycle", test_work_of_a_cycle);
   g_test_add_func ("/core/path-stages/other-block-falls", test_other_block_falls);

@@ -48,6 +48,26 @@ test_line_and_layer (void)
   g_assert_false (path->closed);
 }
 
+/* Of the units of $INSUNITS those by which masonry is not drawn count too. */
+static void
+test_declared_units (void)
+{
+  static const struct {
+    int code;
+    double metres;
+  } cases[] = { { 3, 1609.344 }, { 8, 2.54e-8 }, { 9, 2.54e-5 }, { 13, 1e-6 },
+                { 15, 10 },      { 16, 100 },    { 4, 0.001 },   { 99, 0 } };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_auto (QnDrawing) drawing;
+    g_autofree char *text =
+      g_strdup_printf ("0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n%d\n0\nENDSEC\n" HEAD
+                       "0\nLINE\n8\nJ\n10\n1\n20\n2\n11\n3\n21\n4\n" TAIL,
+                       cases[i].code);
+    parse (text, &drawing);
+    g_assert_cmpfloat (drawing.unit, ==, cases[i].metres);
+  }
+}
+
 static void
 test_bulge (void)
 {
@@ -412,6 +432,7 @@ test_hatches (void)
 QN_TESTS
 {
   g_test_add_func ("/dxf-import/line-and-layer", test_line_and_layer);
+  g_test_add_func ("/dxf-import/declared-units", test_declared_units);
   g_test_add_func ("/dxf-import/bulge", test_bulge);
   g_test_add_func ("/dxf-import/curves", test_curves);
   g_test_add_func ("/dxf-import/inserts", test_inserts);

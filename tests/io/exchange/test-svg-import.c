@@ -283,6 +283,10 @@ test_places (void)
     { "width=\"96\" height=\"96\"><rect x=\"2.54cm\" y=\"1in\" width=\"72pt\" "
       "height=\"6pc\"/>",
       0.0254 / 96, 96, 96, 96 },
+    { "width=\"8000Q\" height=\"8000Q\" viewBox=\"0 0 100 100\"><rect x=\"1\" "
+      "width=\"3\" "
+      "height=\"1\"/>",
+      0.02, 1, 0, 3 },
     { "width=\"80mm\"><rect x=\"10mm\" y=\"0\" width=\"50%\" height=\"1\"/>", 0.0254 / 96,
       10 * 96 / 25.4, 0, 40 * 96 / 25.4 },
     { "width=\"2m\" height=\"1m\" viewBox=\"0 0 100 100\"><rect x=\"10%\" width=\"3\" "
