@@ -192,10 +192,12 @@ add_shortcut (GtkGrid *grid, int row, const char *label, const char *accelerator
     gtk_box_append (GTK_BOX (keycaps), keycap);
     g_string_append_printf (text, " %s", shown);
   }
-  GtkWidget *words = g_object_new (GTK_TYPE_LABEL, "label", label, "xalign", 0.0, NULL);
+  GtkWidget *words = g_object_new (GTK_TYPE_LABEL, "label", label, "xalign", 0.0, "wrap",
+                                   TRUE, "wrap-mode", PANGO_WRAP_WORD_CHAR, NULL);
   g_object_set_data_full (G_OBJECT (words), TEXT,
                           g_utf8_casefold (text->str, (gssize) text->len), g_free);
   g_string_free (text, TRUE);
+  gtk_widget_set_valign (keycaps, GTK_ALIGN_START);
   gtk_grid_attach (grid, keycaps, 0, row, 1, 1);
   gtk_grid_attach (grid, words, 1, row, 1, 1);
 }
@@ -207,8 +209,9 @@ on_searched (GtkEditable *entry, GtkWidget *columns)
   const char *typed = gtk_editable_get_text (entry);
   g_autofree char *folded = g_utf8_casefold (typed, -1);
   gboolean in_columns = FALSE;
-  for (GtkWidget *grid = gtk_widget_get_first_child (columns); grid != NULL;
-       grid = gtk_widget_get_next_sibling (grid)) {
+  for (GtkWidget *column = gtk_widget_get_first_child (columns); column != NULL;
+       column = gtk_widget_get_next_sibling (column)) {
+    GtkWidget *grid = gtk_flow_box_child_get_child (GTK_FLOW_BOX_CHILD (column));
     gboolean in_group = FALSE, in_grid = FALSE;
     for (GtkWidget *words = gtk_widget_get_last_child (grid), *keys; words != NULL;
          words = gtk_widget_get_prev_sibling (keys)) {
@@ -224,7 +227,7 @@ on_searched (GtkEditable *entry, GtkWidget *columns)
       gtk_widget_set_visible (keys, found);
       gtk_widget_set_visible (words, found);
     }
-    gtk_widget_set_visible (grid, in_grid);
+    gtk_widget_set_visible (column, in_grid);
     in_columns = in_columns || in_grid;
   }
   gtk_widget_set_visible (gtk_widget_get_next_sibling (columns), !in_columns);
@@ -249,14 +252,15 @@ qn_action_show_shortcuts (GtkWindow *parent)
     [QN_GROUP_VIEW] = N_ ("View"),   [QN_GROUP_GENERAL] = N_ ("General"),
   };
   g_autoptr (GtkBuilder) builder = qn_builder_new ("shortcuts");
-  GtkWidget *dialog = qn_dialog_new (parent, _ ("Keyboard shortcuts"), -1, -1);
+  GtkWidget *dialog = qn_dialog_new (parent, _ ("Keyboard shortcuts"), 1240, -1);
   GtkWidget *columns = qn_builder_get_widget (builder, "columns");
   GtkWidget *entry = qn_builder_get_widget (builder, "search");
   GtkGrid *grid = NULL;
   for (int group = QN_GROUP_FILES, row = 0; group < QN_GROUP_COUNT; group++) {
     if (grid == NULL || group == QN_GROUP_TOOLS || group == QN_GROUP_ANALYSIS) {
       grid = GTK_GRID (gtk_grid_new ());
-      gtk_box_append (GTK_BOX (columns), GTK_WIDGET (grid));
+      gtk_flow_box_append (GTK_FLOW_BOX (columns), GTK_WIDGET (grid));
+      gtk_widget_set_focusable (gtk_widget_get_parent (GTK_WIDGET (grid)), FALSE);
     }
     GtkWidget *title =
       g_object_new (GTK_TYPE_LABEL, "label", _ (titles[group]), "xalign", 0.0, NULL);
