@@ -25,6 +25,10 @@ static const double size[VARIED_COUNT] = { 0.65, 3000, 1000, 1, 1, 1, 1 };
 /* Of the law; one of Mohr and Coulomb is given 50 kPa in compression, which crush it here. */
 static QnLawKind kind;
 
+/* Blocks above the middle have a law of their own, and are thinner; weight and thickness are varied of the
+ * others. A surcharge presses on what is seen from above. */
+static bool two_laws;
+
 /* Wall 3 with one number changed to size (1 + share). */
 static void
 init_wall (QnModel *model, Varied varied, double share)
@@ -40,9 +44,28 @@ init_wall (QnModel *model, Varied varied, double share)
   law->cohesion = size[COHESION] * factor[COHESION];
   law->tension = size[TENSION] * factor[TENSION];
   g_assert_cmpint (qn_model_expand_walls (model, NULL), ==, QN_OK);
+  if (two_laws) {
+    QnLaw *upper = qn_model_add_law (model, "upper");
+    char *name = upper->name;
+    *upper = model->laws[0];
+    upper->name = name;
+    upper->source = NULL;
+    upper->friction = 0.7;
+    upper->cohesion = 5000;
+    upper->tension = 1500;
+    QnLoad *surcharge = qn_model_add_dead_load (model);
+    surcharge->kind = QN_LOAD_SURCHARGE;
+    surcharge->pressure = 500;
+  }
   for (size_t b = 0; b < model->block_count; b++) {
-    model->blocks[b].unit_weight *= factor[WEIGHT];
-    model->blocks[b].thickness *= factor[THICKNESS];
+    QnBlock *block = &model->blocks[b];
+    if (two_laws && b > model->block_count / 2) {
+      block->law = 1;
+      block->thickness *= 0.7;
+      continue;
+    }
+    block->unit_weight *= factor[WEIGHT];
+    block->thickness *= factor[THICKNESS];
   }
   model->dead_loads[0].vector.y *= factor[DEAD_LOAD];
   QnLoad *push = qn_model_add_live_load (model);
@@ -81,9 +104,10 @@ difference (Varied varied)
 }
 
 static void
-check_differences (QnLawKind wanted)
+check_differences (QnLawKind wanted, bool of_two)
 {
   kind = wanted;
+  two_laws = of_two;
   g_auto (QnModel) model;
   g_auto (QnContacts) contacts;
   g_auto (QnResult) result;
@@ -109,13 +133,19 @@ check_differences (QnLawKind wanted)
 static void
 test_differences (void)
 {
-  check_differences (QN_LAW_COULOMB);
+  check_differences (QN_LAW_COULOMB, false);
 }
 
 static void
 test_compression (void)
 {
-  check_differences (QN_LAW_MOHR_COULOMB);
+  check_differences (QN_LAW_MOHR_COULOMB, false);
+}
+
+static void
+test_two_laws (void)
+{
+  check_differences (QN_LAW_COULOMB, true);
 }
 
 /* A block that slides: lambda = mu + c / W, so 1 and 1 / W. */
@@ -149,4 +179,5 @@ QN_TESTS
   g_test_add_func ("/limit-sensitivity/differences", test_differences);
   g_test_add_func ("/limit-sensitivity/compression", test_compression);
   g_test_add_func ("/limit-sensitivity/closed-form", test_closed_form);
+  g_test_add_func ("/limit-sensitivity/two-laws", test_two_laws);
 }

@@ -99,9 +99,12 @@ test_curves (void)
     "0\nELLIPSE\n8\n0\n10\n0\n20\n0\n11\n3\n21\n0\n40\n0.5\n41\n0\n42\n"
     "6.283185307179586\n"
     "0\nSPLINE\n8\n0\n70\n8\n71\n2\n72\n6\n73\n3\n40\n0\n40\n0\n40\n0\n40\n1\n40\n1\n40\n"
-    "1\n10\n0\n20\n0\n10\n1\n20\n2\n10\n2\n20\n0\n" TAIL,
+    "1\n10\n0\n20\n0\n10\n1\n20\n2\n10\n2\n20\n0\n"
+    "0\nSPLINE\n8\n0\n70\n12\n71\n2\n40\n0\n40\n0\n40\n0\n40\n1\n40\n1\n40\n1\n"
+    "41\n1\n41\n0."
+    "70710678118654757\n41\n1\n10\n1\n20\n0\n10\n1\n20\n1\n10\n0\n20\n1\n" TAIL,
     &drawing);
-  g_assert_cmpuint (drawing.paths->len, ==, 4);
+  g_assert_cmpuint (drawing.paths->len, ==, 5);
   g_assert_true (path_at (&drawing, 0)->closed);
   const QnDrawingPath *arc = path_at (&drawing, 1);
   g_assert_cmpfloat_with_epsilon (arc->points[0].y, 1, 1e-12);
@@ -117,6 +120,12 @@ test_curves (void)
     g_assert_cmpfloat_with_epsilon (
       spline->points[i].y, spline->points[i].x * (2 - spline->points[i].x), 1e-12);
   g_assert_cmpfloat (spline->points[spline->count - 1].x, ==, 2);
+  /* With weights, a quarter of a circle. */
+  const QnDrawingPath *quarter = path_at (&drawing, 4);
+  g_assert_cmpuint (quarter->count, >, 3);
+  for (gsize i = 0; i < quarter->count; i++)
+    g_assert_cmpfloat_with_epsilon (hypot (quarter->points[i].x, quarter->points[i].y), 1,
+                                    1e-12);
 }
 
 static void

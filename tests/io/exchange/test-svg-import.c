@@ -326,6 +326,47 @@ test_places (void)
     { "><rect width=\"4\" height=\"5\" style=\"translate:1px 2px;scale:3;"
       "transform:translate(1px,0)\"/>",
       0, 4, 2, 12 },
+    { "><rect x=\"1\" y=\"2\" width=\"4\" height=\"5\" "
+      "style=\"transform:translateX(3px)\"/>",
+      0, 4, 2, 4 },
+    { "><rect x=\"1\" y=\"2\" width=\"4\" height=\"5\" "
+      "style=\"transform:translateY(3px)\"/>",
+      0, 1, 5, 4 },
+    { "><rect x=\"1\" y=\"2\" width=\"4\" height=\"5\" style=\"transform:scaleX(2)\"/>",
+      0, 2, 2, 8 },
+    { "><rect x=\"1\" y=\"2\" width=\"4\" height=\"5\" style=\"transform:scaleY(2)\"/>",
+      0, 1, 4, 4 },
+    { "><rect x=\"1\" y=\"2\" width=\"4\" height=\"5\" transform=\"scale(2, 3)\"/>", 0, 2,
+      6, 8 },
+    { "><rect x=\"1\" y=\"2\" width=\"4\" height=\"5\" transform=\"skewX(45)\"/>", 0, 3,
+      2, 9 },
+    { "><rect x=\"1\" y=\"2\" width=\"4\" height=\"5\" transform=\"skewY(45)\"/>", 0, 1,
+      3, 4 },
+    { "><rect x=\"1\" y=\"2\" width=\"4\" height=\"5\" transform=\"matrix(1 2 3 4 5 "
+      "6)\"/>",
+      0, 12, 16, 19 },
+    { "><rect x=\"1\" y=\"2\" width=\"4\" height=\"5\" transform=\"rotate(90 1 2)\"/>", 0,
+      1, 2, -5 },
+    { "><rect x=\"1\" y=\"2\" width=\"4\" height=\"5\" transform=\"none\"/>", 0, 1, 2,
+      4 },
+    { "width=\"10\" height=\"20\"><rect width=\"4\" height=\"5\" transform=\"scale(2)\" "
+      "transform-origin=\"right\"/>",
+      0, -10, -10, 8 },
+    { "width=\"10\" height=\"20\"><rect width=\"4\" height=\"5\" transform=\"scale(2)\" "
+      "transform-origin=\"center top\"/>",
+      0, -5, 0, 8 },
+    { "width=\"10\" height=\"20\"><rect width=\"4\" height=\"5\" transform=\"scale(2)\" "
+      "transform-origin=\"left 50%\"/>",
+      0, 0, -10, 8 },
+    { "><svg x=\"10\" y=\"20\" width=\"40\" height=\"20\" viewBox=\"0 0 10 10\" "
+      "preserveAspectRatio=\"xMaxYMax\"><rect width=\"5\" height=\"5\"/></svg>",
+      0, 30, 20, 10 },
+    { "><svg x=\"10\" y=\"20\" width=\"20\" height=\"40\" viewBox=\"0 0 10 10\" "
+      "preserveAspectRatio=\"xMidYMax\"><rect width=\"5\" height=\"5\"/></svg>",
+      0, 10, 40, 10 },
+    { "><svg x=\"10\" y=\"20\" width=\"20\" height=\"40\" viewBox=\"0 0 10 10\" "
+      "preserveAspectRatio=\"xMidYMin\"><rect width=\"5\" height=\"5\"/></svg>",
+      0, 10, 20, 10 },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     g_autofree char *text = g_strdup_printf ("<svg %s</svg>", cases[i].svg);
@@ -408,6 +449,22 @@ test_told (void)
   g_assert_true (path_at (&drawing, 0)->hidden);
 }
 
+/* Transformations that cannot be read leave a shape where it is. */
+static void
+test_no_transformations (void)
+{
+  g_auto (QnDrawing) drawing;
+  parse ("<svg><rect width='1' height='1' transform='rotate(50%) translate() wobble(3)'/>"
+         "<rect width='1' height='1' style='transform:translateX(1,2) matrix(1,2);"
+         "clip-path:url(#c)'/></svg>",
+         &drawing);
+  g_autofree char *notes = dup_notes (&drawing);
+  g_assert_nonnull (strstr (notes, "transformations that cannot be read: 5; "));
+  g_assert_nonnull (strstr (notes, "shapes that are clipped taken whole: 1; "));
+  for (guint i = 0; i < 2; i++)
+    assert_point (path_at (&drawing, i)->points[0], 0, 0);
+}
+
 /* Shapes of negative size are not drawn; a length that is no number counts as not given. Both are told with
  * their place. */
 static void
@@ -442,6 +499,7 @@ test_lengths (void)
 QN_TESTS
 {
   g_test_add_func ("/svg-import/told", test_told);
+  g_test_add_func ("/svg-import/no-transformations", test_no_transformations);
   g_test_add_func ("/svg-import/lengths", test_lengths);
   g_test_add_func ("/svg-import/shapes", test_shapes);
   g_test_add_func ("/svg-import/filled", test_filled);
