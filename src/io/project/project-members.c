@@ -312,9 +312,8 @@ name_of (const QnModel *model, QnNamed named, QnId id)
   case QN_NAMED_BEAM:
     return model->beams[id].name;
   case QN_NAMED_LOAD_SET:
-    return qn_model_load_set_name (model, id);
-  case QN_NAMED_LOAD_CASE:
-    return model->load_cases[id - 1].name;
+  case QN_NAMED_LOAD_CASE: /* no member has them */
+    break;
   }
   g_return_val_if_reached ("");
 }
@@ -333,6 +332,7 @@ is_usual (const QnMember *m, const char *from, const char *other)
   case QN_MEMBER_MAYBE:
   case QN_MEMBER_BYTES:
   case QN_MEMBER_PAIR:
+  case QN_MEMBER_NAMES:
     return FALSE;
   case QN_MEMBER_NUMBER:
     return number[0] == usual_number[0] || (isnan (number[0]) && isnan (usual_number[0]));
@@ -342,6 +342,7 @@ is_usual (const QnMember *m, const char *from, const char *other)
   case QN_MEMBER_CHOICE:
   case QN_MEMBER_WHOLE:
   case QN_MEMBER_STAGE:
+  case QN_MEMBER_SEED:
     return *(const int *) value == *(const int *) usual;
   case QN_MEMBER_BOOL:
   case QN_MEMBER_SWITCH:
@@ -351,8 +352,6 @@ is_usual (const QnMember *m, const char *from, const char *other)
   case QN_MEMBER_ENTITY:
   case QN_MEMBER_LAW:
     return *(const QnId *) value == QN_NONE;
-  case QN_MEMBER_SEED:
-    return *(const uint32_t *) value == *(const uint32_t *) usual;
   case QN_MEMBER_POINTS:
     return *(const int32_t *) (const void *) (from + m->count) == 0;
   case QN_MEMBER_OBJECT:
@@ -367,8 +366,6 @@ is_usual (const QnMember *m, const char *from, const char *other)
     for (int i = 0; i < m->detail; i++)
       same = same && number[i] == usual_number[i];
     return same;
-  case QN_MEMBER_NAMES:
-    return FALSE;
   case QN_MEMBER_WEIGHT:
     return number[0] == 0 && number[1] < 0;
   }
