@@ -9,7 +9,7 @@
 #include <glib/gi18n.h>
 
 /* px of the window below which a page has the place of the drawing, with text of usual size. */
-#define SHARED_HEIGHT 900
+#define SHARED_HEIGHT 1200
 
 /* ---- what is in sight ---- */
 

@@ -244,8 +244,8 @@ qn_explain_procedure (const QnAnalysisSettings *analysis)
   case QN_PROCEDURE_ARC_LENGTH:
     return _ ("arc length");
   case QN_PROCEDURE_LIMIT:
-    return analysis->flow == QN_FLOW_ASSOCIATIVE ? _ ("limit, associative")
-                                                 : _ ("limit, non-associative");
+    return analysis->flow == QN_FLOW_ASSOCIATIVE ? _ ("associative limit analysis")
+                                                 : _ ("non-associative limit analysis");
   case QN_PROCEDURE_DYNAMIC:
     return _ ("analysis in time");
   case QN_PROCEDURE_COUNT:

@@ -24,7 +24,7 @@ char *qn_explain_mechanism (const QnModel *model, const QnContacts *contacts,
 char *qn_explain_mechanism_briefly (const QnModel *model, const QnContacts *contacts,
                                     const QnResult *result);
 
-/* "load control", "limit, associative". */
+/* "load control", "associative limit analysis". */
 const char *qn_explain_procedure (const QnAnalysisSettings *analysis);
 
 /* Short label of how an analysis ended and of a pair's state, translated; static strings. */

@@ -201,7 +201,7 @@ dup_verdict (const QnReportRun *run, double demand)
   const Proof proof = find_proof (run, demand);
   g_autofree char *wanted = qn_label_number ("%.4g", demand);
   g_autofree char *carried = qn_label_number ("%.4g", proof.carried);
-  g_autofree char *ratio = qn_label_number ("%.3f", proof.carried / demand);
+  g_autofree char *ratio = qn_label_number ("%.4g", proof.carried / demand);
   if (proof.doubt != NULL)
     return g_strdup_printf (_ ("Demand, a load multiplier of %s: not decided, for %s."),
                             wanted, proof.doubt);
@@ -215,15 +215,15 @@ dup_verdict (const QnReportRun *run, double demand)
 
 /* The answer of a run, with the range that it lies in, and the verdict where a demand is given. */
 static void
-write_answer (QnPages *pages, const QnReportRun *run, double demand)
+write_answer (QnPages *pages, const QnReportRun *run, double demand, bool named)
 {
   const QnResult *result = &run->file->result;
   g_autofree char *text = qn_explain_outcome (&run->project->model, result);
-  g_autofree char *line = g_strdup_printf ("%s: %s", run->name, text);
+  g_autofree char *line = named ? g_strdup_printf ("%s: %s", run->name, text) : NULL;
   g_autofree char *interval = qn_outcome_dup_interval (&run->project->model, result);
   g_autofree char *basis = dup_basis (run);
   g_autofree char *verdict = demand > 0 ? dup_verdict (run, demand) : NULL;
-  qn_pages_paragraph (pages, line);
+  qn_pages_paragraph (pages, named ? line : text);
   if (interval != NULL)
     qn_pages_paragraph (pages, interval);
   if (verdict != NULL)
@@ -245,7 +245,10 @@ write_title (QnPages *pages, const QnReport *report, GError **error)
     qn_pages_paragraph (pages, report->plan.author);
   if (report->plan.text != NULL)
     qn_pages_paragraph (pages, report->plan.text);
-  if (report->run_count > 0)
+  if (report->run_count == 1)
+    qn_report_say (pages, _ ("%s The answer: figure\u00a0%d."),
+                   question (&report->project->model), qn_pages_next_figure (pages));
+  else if (report->run_count > 1)
     qn_report_say (pages, _ ("%s The answer of %s: figure\u00a0%d."),
                    question (&report->project->model), report->runs[0].name,
                    qn_pages_next_figure (pages));
@@ -257,7 +260,7 @@ write_title (QnPages *pages, const QnReport *report, GError **error)
   if (!qn_pages_figure (pages, &figure, share, error))
     return false;
   for (size_t i = 0; i < report->run_count; i++)
-    write_answer (pages, &report->runs[i], report->plan.demand);
+    write_answer (pages, &report->runs[i], report->plan.demand, report->run_count > 1);
   if (alone)
     qn_report_write_assumptions (pages, report, foot);
   g_autofree char *name = g_path_get_basename (report->project->name);

@@ -16,7 +16,8 @@
 #define CELL_GAP     8.0
 #define ROW_GAP      3.0
 #define HEADING_ROOM 32.0
-#define LEAST_TEXT   36.0  /* of a paragraph beneath its heading */
+#define LEAST_TEXT   36.0  /* of a paragraph that is divided */
+#define LEAST_BELOW  60.0  /* a heading */
 #define KEPT_WHOLE   150.0 /* paragraphs up to this height are not divided */
 
 /* Bytes of a word that are shown at most: the work of breaking one into lines grows with the square of
@@ -192,7 +193,7 @@ begin (QnPages *pages, double height)
   if (pages->breaks && pages->y > MARGIN)
     next_page (pages);
   pages->breaks = false;
-  need (pages, height + (heading != NULL ? HEADING_ROOM : 0));
+  need (pages, heading != NULL ? HEADING_ROOM + MAX (height, LEAST_BELOW) : height);
   if (heading == NULL)
     return;
   if (pages->y > MARGIN)

@@ -43,7 +43,7 @@ test_proposed (void)
   wait_for_job (document);
   g_assert_cmpuint (qn_document_get_runs (document)->len, ==, 3);
   g_assert_cmpstr (qn_document_get_run (document)->name, ==,
-                   "friction 0.25, limit, associative");
+                   "friction 0.25, associative limit analysis");
 
   /* A third one is named by what differs from the first; from where that is too much, by number. */
   vary (document, 0.75);
