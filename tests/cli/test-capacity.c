@@ -62,6 +62,25 @@ test_gable (void)
                                   first * first / (sum * second), 0.005);
 }
 
+/* The curve ends where its multiplier is zero. Beyond, where a rough block turns over its corner onto its side,
+ * there is no end, but that is not asked for. */
+static void
+test_rough_block (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *model = cli_write (folder, "block.quoin", block);
+  g_autofree char *json = g_build_filename (folder, "c.json", NULL);
+  cli_do ("capacity", model, "--spectrum", "type1", "--ag", "2.4525", "--soil", "C",
+          "--set", "laws[0].friction=3", "--set", "analysis.max_factorizations=2000",
+          "--json", json, NULL);
+  g_autofree char *found = cli_read (json);
+  g_assert_cmpfloat_with_epsilon (number_after (found, "\"end_displacement\": "), 0.3,
+                                  1e-4);
+  g_assert_nonnull (strstr (found, "\"reaches_zero\": true"));
+  g_assert_cmpfloat_with_epsilon (number_after (found, "\"period_half_stiffness\": "),
+                                  1.6958, 1e-3);
+}
+
 /* The example by hand of docs/method/capacity.md, solved. */
 static void
 test_block (void)
@@ -418,6 +437,7 @@ test_ends (void)
 QN_TESTS
 {
   g_test_add_func ("/capacity/block", test_block);
+  g_test_add_func ("/capacity/rough-block", test_rough_block);
   g_test_add_func ("/capacity/above-ground", test_above_ground);
   g_test_add_func ("/capacity/facade-strip", test_facade_strip);
   g_test_add_func ("/capacity/corner-wedge", test_corner_wedge);

@@ -220,6 +220,8 @@ typedef struct Search {
   void *report_data;
   char **reason;
   QnDiag *diag;
+  double highest; /* multiplier */
+  bool at_zero;
 } Search;
 
 /* Why nothing is concluded from an analysis; NULL: it ended for a reason of the structure. */
@@ -239,14 +241,31 @@ dup_fault (const QnModel *model, const QnResult *result)
            : NULL;
 }
 
+/* Ends a path once its multiplier, which has been above zero, is there again: how a block comes to lie on its side
+ * is not asked. */
+static bool
+until_zero (const QnProgress *progress, void *data)
+{
+  Search *search = data;
+  search->highest = fmax (search->highest, progress->multiplier);
+  search->at_zero = search->model->analysis.procedure == QN_PROCEDURE_DISPLACEMENT
+                    && search->highest > 0 && progress->multiplier <= 0;
+  return !search->at_zero
+         && (search->report == NULL || search->report (progress, search->report_data));
+}
+
 /* The result is there where FOUND. */
 static QnCapacityEnd
 analyse (const Search *search, QnResult *result)
 {
-  QnStatus status = qn_analysis_run (search->model, search->contacts, search->report,
-                                     search->report_data, result, search->diag);
+  Search own = *search;
+  const QnBudget end = { .model = search->model, .spent = QN_STOP_ZERO };
+  QnStatus status = qn_analysis_run (search->model, search->contacts, until_zero, &own,
+                                     result, search->diag);
   if (status == QN_ERROR_CANCELLED)
     return QN_CAPACITY_CANCELLED;
+  if (own.at_zero)
+    status = qn_budget_conclude (&end, status, search->contacts, result, search->diag);
   if (status != QN_OK)
     return QN_CAPACITY_REFUSED;
   if (result->outcome != QN_OUTCOME_CANCELLED)
@@ -347,7 +366,6 @@ follow_softer (const Search *search, QnCapacity *capacity)
 {
   QnModel *model = search->model;
   QnResult result;
-  QnCapacity softer;
   for (gsize i = 0; i < model->law_count; i++) {
     model->laws[i].kn *= 0.5;
     model->laws[i].ks *= 0.5;
@@ -360,15 +378,12 @@ follow_softer (const Search *search, QnCapacity *capacity)
   if (end != QN_CAPACITY_FOUND)
     return end;
   g_autofree char *fault = dup_fault (model, &result);
-  if (fault == NULL
-      && qn_capacity_init (&softer, model, &result, capacity->block, NULL) == QN_OK) {
-    /* freed by the core */
-    capacity->softer = malloc (sizeof softer);
-    if (capacity->softer != NULL)
-      *capacity->softer = softer;
-    else
-      qn_capacity_clear (&softer);
-  }
+  /* freed by the core */
+  capacity->softer = fault == NULL ? malloc (sizeof *capacity->softer) : NULL;
+  if (capacity->softer != NULL
+      && qn_capacity_init (capacity->softer, model, &result, capacity->block, NULL)
+           != QN_OK)
+    g_clear_pointer (&capacity->softer, free);
   qn_result_clear (&result);
   return QN_CAPACITY_FOUND;
 }
@@ -448,7 +463,7 @@ qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
                          const QnContacts *contacts, QnProgressFunc report,
                          void *report_data, char **reason, QnDiag *diag)
 {
-  const Search search = { model, contacts, report, report_data, reason, diag };
+  const Search search = { model, contacts, report, report_data, reason, diag, 0, false };
   *reason = NULL;
   answer->capacity = (QnCapacity){ 0 };
   if (model->stage_count > 0) {
