@@ -251,7 +251,7 @@ qn_ip_step_find (QnIpStep *ip, double *part)
   *part = fmax (tuning->least_aim,
                 ip->power > 0 ? pow (left / ip->power, tuning->exponent) : 0);
   double share = ip->together ? 1 - *part : 1;
-  double target = fmax (*part * ip->power, ip->least_power) / bounds;
+  double target = *part * ip->power / bounds;
   for (int32_t i = 0; i < bounds; i++)
     ip->products[i] = target - at->s[i] * at->z[i] - step->s[i] * step->z[i];
   solve_for_share (ip, share, step);

@@ -97,9 +97,8 @@ typedef struct QnIpStep QnIpStep;
 struct QnIpStep {
   const QnIpProblem *problem; /* borrowed */
   const QnIpTuning *tuning;
-  bool together;      /* residuals are lowered at the rate of the products */
-  double proximal;    /* term of flows in their strengths: G y + s - term dz = h */
-  double least_power; /* that a step aims at */
+  bool together;   /* residuals are lowered at the rate of the products */
+  double proximal; /* term of flows in their strengths: G y + s - term dz = h */
   QnIpVector at, step, trial;
   double *ry, *rz;  /* residuals, minus the left-hand sides */
   double *products; /* right-hand side of s dz + z ds */

@@ -22,7 +22,9 @@ static const struct {
   double restored; /* out-of-balance of projected forces, in units of force, */
   int32_t
     rounds; /* by so many solves at most: each removes the rounding of the one before */
-  double flow; /* proximal term of a flow of its own, in units of force over rate */
+  double centred; /* strength at which programs in turn are started, in units of force, */
+  double closer;  /* and the part of the gap to which a turn of each has to bring it */
+  double flow;    /* proximal term of a flow of its own, in units of force over rate */
   /* Proximal term of the linear systems (interior-point-kkt.h): least, most, and the factor by which it
    * grows where the error of a solution is above the worst that is a direction. */
   double least_proximal, most_proximal, more_proximal, worst_solution;
@@ -44,6 +46,8 @@ static const struct {
   .idle = 15,
   .restored = 1e-13,
   .rounds = 3,
+  .centred = 0.1,
+  .closer = 0.8,
   .flow = 1e-8,
   .least_proximal = 1e-10,
   .most_proximal = 1e-5,
@@ -74,6 +78,9 @@ qn_collapse_init (QnCollapse *c, const QnIpProblem *p, QnDiag *diag)
   *c = (QnCollapse){ .ip = { .together = true, .solve = solve_system } };
   qn_ip_step_init (&c->ip, p, &tuning.steps, pool);
   c->w = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof (double));
+  c->given = qn_pool_alloc (pool, 2 * (size_t) p->cell_count, sizeof (double));
+  c->bounds = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof *c->bounds);
+  qn_ip_vector_init (&c->kept, p, pool);
   c->rv = qn_pool_alloc (pool, rows, sizeof (double));
   c->right_v = qn_pool_alloc (pool, rows, sizeof (double));
   if (qn_ip_kkt_init (&c->kkt, p) && !pool->failed)
@@ -111,7 +118,6 @@ qn_collapse_start (QnCollapse *c, const double *y, double lambda, double strengt
   size_t size = 2 * (size_t) p->cell_count * sizeof (double);
 
   c->least_coupling = coupling;
-  c->excess = 0;
   c->least_multiplier = QN_COLLAPSE_LEAST;
   memset (c->ip.at.v, 0, (size_t) p->row_count * sizeof (double));
   if (y != NULL)
@@ -148,7 +154,7 @@ find_residuals (QnCollapse *c)
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
     c->ip.ry[i] = p->cells[i / 2].no_shear && i % 2 == 1
                     ? 0
-                    : -p->cells[i / 2].quadratic[i % 2] * c->ip.at.y[i];
+                    : c->given[i] - p->cells[i / 2].quadratic[i % 2] * c->ip.at.y[i];
   qn_ip_add_rates (p, c->ip.at.v, -1, c->ip.ry);
   qn_ip_add_flows (p, c->ip.at.z, -1, c->ip.ry);
   qn_ip_balance (p, c->ip.at.y, c->ip.at.lambda, c->rv);
@@ -216,18 +222,6 @@ find_misfit (const QnCollapse *c, double tolerance)
   return qn_worse (misfit, qn_ip_largest (c->ip.rz, p->bound_count) / forces);
 }
 
-/* What s'z is lowered to at least: products that vanish ahead of what is left out of the strengths hold
- * every later step back. */
-static double
-least_power (const QnCollapse *c)
-{
-  double excess = 0;
-
-  for (int32_t i = 0; c->own_flow && i < c->ip.problem->bound_count; i++)
-    excess += fabs (c->ip.rz[i]) * c->ip.at.z[i];
-  return fmin (c->ip.power, c->excess * excess);
-}
-
 /* Factorises for the iterate; false where the system has no solution. */
 static bool
 factorize_collapse (QnCollapse *c)
@@ -279,10 +273,7 @@ judge_iterate (const QnCollapse *c, double misfit)
 static double
 step_on (QnCollapse *c, bool *ok)
 {
-  double part;
-
-  c->ip.least_power = least_power (c);
-  double length = qn_ip_step_find (&c->ip, &part);
+  double part, length = qn_ip_step_find (&c->ip, &part);
 
   if (c->kkt.error < tuning.worst_solution) {
     double reach = c->own_flow ? 0 : 1 - part;
@@ -320,7 +311,7 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
     double misfit = find_misfit (c, tolerance), length = 0;
     QnOutcome state =
       iteration > 0 ? judge_iterate (c, misfit) : QN_OUTCOME_NOT_CONVERGED;
-    if (state == QN_OUTCOME_COLLAPSE)
+    if (state == QN_OUTCOME_COLLAPSE && c->own_flow)
       find_growth (c);
     idle = misfit < best ? 0 : idle + 1;
     best = fmin (best, misfit);
@@ -339,6 +330,79 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
     else if (length > tuning.long_step)
       *coupling = fmin (1, *coupling + tuning.more);
   }
+  return QN_OUTCOME_NOT_CONVERGED;
+}
+
+/* One of two programs: `fixed_flow`, or fixed normal forces. */
+static QnOutcome
+take_turn (QnCollapse *c, const QnIpProblem *whole, bool fixed_flow, double tolerance,
+           int32_t end, bool (*go_on) (void *), void *data)
+{
+  for (int32_t i = 0; i < whole->cell_count; i++)
+    for (int32_t k = 0, j = whole->cells[i].first_bound; k < whole->cells[i].bound_count;
+         k++, j++) {
+      QnIpBound *bound = &c->bounds[j];
+      *bound = whole->bounds[j];
+      double dilates = bound->normal - bound->opening;
+      if (fixed_flow) {
+        c->given[2 * i] += dilates * c->kept.z[j];
+        bound->opening = bound->normal;
+      } else if (dilates != 0) {
+        bound->limit = fmax (0, bound->limit - dilates * c->ip.at.y[2 * i]);
+        bound->normal = bound->opening;
+      }
+    }
+  qn_collapse_centre (c, tuning.centred);
+  QnOutcome state =
+    qn_collapse_follow (c, tolerance, end - c->kkt.factorizations, go_on, data);
+  memset (c->given, 0, 2 * (size_t) whole->cell_count * sizeof (double));
+  return state;
+}
+
+/* z'(h - Gy) + 1/2 |Qy - q|^2 of the forces y of the iterate, and of flow z and elastic rates q that are kept. */
+static double
+find_gap (const QnCollapse *c, const QnIpProblem *whole)
+{
+  double gap = 0;
+
+  for (int32_t i = 0; i < 2 * whole->cell_count; i++) {
+    double off = c->ip.at.y[i] - c->kept.y[i];
+    gap += 0.5 * whole->cells[i / 2].quadratic[i % 2] * off * off;
+  }
+  qn_ip_apply_bounds (whole, c->ip.at.y, c->ip.rz);
+  for (int32_t i = 0; i < whole->bound_count; i++)
+    gap += (whole->bounds[i].limit - c->ip.rz[i]) * c->kept.z[i];
+  return gap;
+}
+
+QnOutcome
+qn_collapse_alternate (QnCollapse *c, double tolerance, int32_t budget,
+                       bool (*go_on) (void *), void *data)
+{
+  const QnIpProblem *whole = c->ip.problem;
+  QnIpProblem program = *whole;
+  int32_t end = c->kkt.factorizations + budget;
+  double gap = INFINITY, before;
+  QnOutcome state;
+
+  program.bounds = c->bounds;
+  c->ip.problem = c->kkt.problem = &program;
+  do {
+    state = take_turn (c, whole, false, 0.1 * tolerance, end, go_on, data);
+    qn_ip_vector_copy (&c->kept, &c->ip.at, whole);
+    if (state == QN_OUTCOME_COLLAPSE)
+      state = take_turn (c, whole, true, 0.1 * tolerance, end, go_on, data);
+    before = gap;
+    gap = find_gap (c, whole)
+          / (whole->load_gain * fmax (fabs (c->ip.at.lambda), c->least_multiplier));
+  } while (state == QN_OUTCOME_COLLAPSE && !(gap <= tolerance)
+           && gap < tuning.closer * before);
+  c->ip.problem = c->kkt.problem = whole;
+  memcpy (c->ip.at.v, c->kept.v, (size_t) whole->row_count * sizeof (double));
+  memcpy (c->ip.at.z, c->kept.z, (size_t) whole->bound_count * sizeof (double));
+  c->growth = 0.5 * qn_ip_quadratic_term (whole, c->ip.at.y) / whole->load_gain;
+  if (state == QN_OUTCOME_CANCELLED || (state == QN_OUTCOME_COLLAPSE && gap <= tolerance))
+    return state;
   return QN_OUTCOME_NOT_CONVERGED;
 }
 

@@ -42,14 +42,15 @@ typedef struct QnCollapse {
   double least_coupling;
   double least_multiplier; /* relative tolerances refer to at least this multiplier */
   bool own_flow;           /* some strength row is not associative */
-  bool holds_flows; /* set by who starts: whether such flows have a proximal term, */
-  double
-    excess; /* and how much of the power of flows on what exceeds the strength s'z keeps */
+  bool holds_flows; /* set by who starts: whether such flows have a proximal term */
 
-  double *w;       /* z / s, less where a flow is large */
-  double *rv;      /* residual of balance, minus the left-hand side */
-  double r_lambda; /* that of the work */
-  double *right_v; /* right-hand side of balance */
+  double *w;     /* z / s, less where a flow is large */
+  double *given; /* rates of the cells besides those of the unknowns, cell_count x 2 */
+  QnIpBound *bounds; /* of one of two programs, */
+  QnIpVector kept;   /* and what the other one found */
+  double *rv;        /* residual of balance, minus the left-hand side */
+  double r_lambda;   /* that of the work */
+  double *right_v;   /* right-hand side of balance */
 } QnCollapse;
 
 /* least_multiplier after a start. */
@@ -84,6 +85,17 @@ void qn_collapse_start_elastic (QnCollapse *collapse);
  * the budget is spent, or rounding ended the progress. go_on (data) is called once per iteration; false cancels. */
 QnOutcome qn_collapse_follow (QnCollapse *collapse, double tolerance, int32_t budget,
                               bool (*go_on) (void *), void *data);
+
+/* From an iterate that was lost, by two convex programs in turn:
+ *
+ *     motion and flow of least dissipation where the normal forces give the strength of shear,
+ *     forces and multiplier of least excess dissipation under this motion and flow.
+ *
+ * Both lower the same gap, z'(h - Gy) + 1/2 |Qy - q|^2 in the metric of Q, q the rates that motion and flow leave to
+ * the compliance: 0 at a collapse. Forces end in equilibrium and within their strength, motion and flow obey the
+ * rates, and COLLAPSE is told where the gap is at most `tolerance` of the work of the live load. */
+QnOutcome qn_collapse_alternate (QnCollapse *collapse, double tolerance, int32_t budget,
+                                 bool (*go_on) (void *), void *data);
 
 /* Whether v and z of the iterate prove that no forces keep equilibrium under any multiplier: the dead
  * load does more power along v than the joints can dissipate, and the live load none. `problem`: that of

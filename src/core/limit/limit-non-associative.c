@@ -15,10 +15,7 @@ typedef enum { REST, FORCES, GO_ON } Start;
  * (docs/experiments/limit-analysis.md). */
 static const struct {
   double strength[GO_ON + 1]; /* that joints have left at a start, in loads of a block */
-  double large;               /* free blocks; towards as many, growing as they do, */
-  double
-    coupled[2];  /* the least coupling (collapse.h) is that of few and of many blocks, */
-  double excess; /* and the share of the power on excess strength comes to this */
+  double coupled[2]; /* the least coupling (collapse.h), and that of elastic joints */
   double
     compliance; /* times the number of free blocks: what a tall wall gives grows with it */
   double softest; /* compliance of a few blocks */
@@ -27,14 +24,14 @@ static const struct {
   double rigid;   /* what joints of a mechanism may give, over the largest velocity */
   double reach;   /* of a collapse with stiffer joints, in `growth` */
   double tolerance; /* of one collapse, in tolerances of the multiplier */
+  double gap;       /* of forces and motion that are found in turn, relative, at least */
   int stiffenings;  /* most, where joints give too much at once */
-  int32_t budget;   /* factorisations of each start until there is a collapse, */
+  int32_t budget;   /* factorisations of each start until it counts as lost, */
+  int32_t turns;    /* of two programs in turn, or of a start without them, */
   int32_t more; /* of all, and half as many before another is begun beside a collapse */
 } search_tuning = {
   .strength = { [REST] = 5, [FORCES] = 10, [GO_ON] = 0.1 },
-  .large = 2000,
-  .coupled = { 0.3, 0.7 },
-  .excess = 0.5,
+  .coupled = { 0.3, 0.5 },
   .compliance = 0.03,
   .softest = 1e-3,
   .softer = 10,
@@ -43,7 +40,9 @@ static const struct {
   .reach = 5,
   .tolerance = 0.03,
   .stiffenings = 4,
-  .budget = 150,
+  .gap = 1e-3,
+  .budget = 40,
+  .turns = 150,
   .more = 110,
 };
 
@@ -79,6 +78,7 @@ typedef struct Search {
     gives; /* of the last collapse: what joints give at most, over the largest velocity */
   double
     known; /* what is not below it is of no interest, and one start tells enough; or INFINITY */
+  bool lost; /* the last start */
   bool cancelled;
   QnProgressFunc progress;
   void *user_data;
@@ -201,29 +201,33 @@ free_blocks (const Search *search)
   return search->limit.ip.row_count / (double) QN_DOF_COUNT;
 }
 
-/* One start. A collapse in which joints give too much is none. */
+/* One start; where its iteration is lost, two programs in turn. A collapse in which joints give too much is
+ * none. */
 static QnStatus
 seek (Search *search, Start start, double compliance, int32_t budget, bool *found,
       QnDiag *diag)
 {
   QnCollapse *c = &search->collapse;
-  double tolerance =
-    search_tuning.tolerance * search->model->analysis.multiplier_tolerance;
+  double tolerance = search->model->analysis.multiplier_tolerance;
+  bool exact = search->elastic || search->known < INFINITY;
+  QnOutcome state = QN_OUTCOME_NOT_CONVERGED;
 
   set_compliance (search, compliance);
-  /* Elastic joints hold little back, whatever the size. */
-  double size =
-    search->elastic ? 0.5 : fmin (1, pow (free_blocks (search) / search_tuning.large, 2));
   if (start == GO_ON)
     qn_collapse_centre (c, search_tuning.strength[start]);
   else
     qn_collapse_start (c, start == FORCES ? search->forces : NULL,
                        start == FORCES ? search->multiplier : 0,
                        search_tuning.strength[start],
-                       search_tuning.coupled[0]
-                         + size * (search_tuning.coupled[1] - search_tuning.coupled[0]));
-  c->excess = search->elastic ? 0 : size * search_tuning.excess;
-  QnOutcome state = qn_collapse_follow (c, tolerance, budget, go_on_search, search);
+                       search_tuning.coupled[search->elastic]);
+  if (start != GO_ON || !search->lost)
+    state =
+      qn_collapse_follow (c, search_tuning.tolerance * tolerance,
+                          exact ? budget : search_tuning.budget, go_on_search, search);
+  search->lost = state == QN_OUTCOME_NOT_CONVERGED && !exact;
+  if (search->lost)
+    state = qn_collapse_alternate (c, fmax (tolerance, search_tuning.gap), budget,
+                                   go_on_search, search);
   qn_limit_take_effort (c, &search->interval->solution.effort);
   search->cancelled = state == QN_OUTCOME_CANCELLED;
   search->gives = 0;
@@ -237,10 +241,9 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
   return keep (search, compliance, diag);
 }
 
-/* From rest until there is a collapse: from where a start ended with stiffer joints where they give too much, once
- * more where it was lost, then from rest with softer ones. After that with stiffer ones from the collapse before, as
- * long as the least multiplier does not stand still; where it does at once, softer joints may lead from rest to
- * another collapse. */
+/* From rest until there is a collapse: from where a start ended with stiffer joints where they give too much, then
+ * from rest with softer ones. After that with stiffer ones from the collapse before, as long as the least multiplier
+ * does not stand still; where it does at once, softer joints may lead from rest to another collapse. */
 static QnStatus
 seek_all (Search *search, QnDiag *diag)
 {
@@ -254,10 +257,11 @@ seek_all (Search *search, QnDiag *diag)
   int left = once ? 1 : 2, stiffenings = search_tuning.stiffenings;
 
   while (left > 0 && !found && !status && !search->cancelled) {
-    status = seek (search, start, compliance, search_tuning.budget, &found, diag);
-    if (!found && !status && !search->cancelled && search->gives == 0 && !search->elastic
-        && !once)
-      status = seek (search, GO_ON, compliance, search_tuning.budget, &found, diag);
+    status = seek (search, start, compliance, search_tuning.turns, &found, diag);
+    if (search->lost && search->gives == 0 && !status && !search->cancelled) {
+      search->lost = false;
+      status = seek (search, GO_ON, compliance, search_tuning.turns, &found, diag);
+    }
     start = next;
     if (search->gives > search_tuning.rigid && stiffenings-- > 0) {
       compliance *= 0.5 * search_tuning.rigid / search->gives;
@@ -272,13 +276,15 @@ seek_all (Search *search, QnDiag *diag)
   while (search->count > 0 && !status && !search->cancelled
          && is_of_interest (search, find_least (search))) {
     int32_t spent = effort->factorizations - before;
-    bool still = stands_still (search, find_least (search));
-    if (spent >= search_tuning.more / 2
+    bool still = stands_still (search, find_least (search)), lost = search->lost;
+    if ((spent >= search_tuning.more / 2 && (still || !at_once || !lost))
         || (still && (!at_once || search->elastic || once)))
       break;
-    compliance *= still ? search_tuning.softer : search_tuning.stiffer;
-    status = seek (search, still ? REST : next, compliance, search_tuning.more - spent,
-                   &found, diag);
+    compliance *= still  ? search_tuning.softer
+                  : lost ? search_tuning.stiffer * search_tuning.stiffer
+                         : search_tuning.stiffer;
+    status =
+      seek (search, still ? REST : next, compliance, search_tuning.more, &found, diag);
     if (still)
       break;
     at_once = false;
