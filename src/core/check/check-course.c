@@ -52,17 +52,13 @@ check_numbers (QnCheck *check)
 
 /* The dead load first, stages one after the other, times growing; in time no multiplier. Where the load is
  * prescribed it goes one way all the time; only the last step may lie below, where the structure moves on.
- * Where bonds break a jack may have advanced instead (analysis.c). Limit analysis has two steps: before and
- * at collapse. */
+ * Limit analysis has two steps: before and at collapse. */
 static void
 check_order (QnCheck *check)
 {
   const QnResult *r = check->result;
   bool in_time = r->history.width > 0;
   int32_t stages = (int32_t) check->model->stage_count;
-  bool by_jack = stages == 0 && qn_assembly_may_soften (&check->assembly)
-                 && (r->solution_count > 0 ? r->solutions[0].found_by != QN_PROCEDURE_LOAD
-                                           : r->outcome == QN_OUTCOME_NOT_CONVERGED);
 
   if (r->limit.given && r->step_count != 2)
     tell (check, QN_CLAIM_STEPS);
@@ -77,8 +73,7 @@ check_order (QnCheck *check)
       in_order = in_order && step->time > r->steps[i - 1].time;
     bool ends = i + 1 == r->step_count && r->outcome == QN_OUTCOME_COLLAPSE;
     QnCheckStage stage = qn_check_stage (check, step->stage);
-    if (i > stage.base && !ends && !in_time && !by_jack
-        && stage.procedure == QN_PROCEDURE_LOAD) {
+    if (i > stage.base && !ends && !in_time && stage.procedure == QN_PROCEDURE_LOAD) {
       bool begins = i == stage.base + 1;
       double more = step->multiplier - (begins ? stage.origin : step[-1].multiplier);
       in_order = in_order && (stage.sense * more > 0 || (begins && more == 0));

@@ -310,17 +310,15 @@ settle_mechanism (const QnModel *model, const QnContacts *contacts, QnBudget *bu
 
 /* --- The whole ---------------------------------------------------------------------------- */
 
-/* *softens: whether joints may lose strength. */
 static QnStatus
 follow_load (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
-             QnResult *result, bool *softens, QnDiag *diag)
+             QnResult *result, QnDiag *diag)
 {
   QnPath path;
   bool stands;
   QnStatus status =
     qn_path_setup (&path, model, contacts, qn_budget_go_on, budget, result, diag);
 
-  *softens = status == QN_OK && qn_assembly_may_soften (&path.equilibrium.assembly);
   if (status == QN_OK && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
     status = run_in_time (&path, diag);
   else if (status == QN_OK)
@@ -328,44 +326,10 @@ follow_load (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
   return qn_path_finish (&path, status, budget->start);
 }
 
-/* Where bonds break, a load that is held may drive the structure farther than steps can follow. A jack that
- * advances slowly loses load then: what it finds is told, where that is a collapse, and not below an
- * equilibrium under the load that was held. */
-static QnStatus
-follow_jack (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
-             QnResult *result, QnDiag *diag)
-{
-  QnModel jacked = *model;
-  QnResult found;
-  bool softens;
-
-  jacked.analysis.procedure = QN_PROCEDURE_WORK;
-  double reached = result->step_count > 0
-                     ? result->steps[result->step_count - 1].multiplier
-                         * (1 - model->analysis.multiplier_tolerance)
-                     : 0;
-  QnStatus status = follow_load (&jacked, contacts, budget, &found, &softens, diag);
-  if (status != QN_OK)
-    return status;
-  qn_statistics_add (&found.statistics, &result->statistics);
-  result->statistics = found.statistics;
-  if (found.outcome == QN_OUTCOME_CANCELLED)
-    result->outcome = QN_OUTCOME_CANCELLED;
-  if (found.outcome == QN_OUTCOME_COLLAPSE && found.collapse_multiplier >= reached) {
-    QnResult before = *result;
-    *result = found;
-    found = before;
-  }
-  qn_result_clear (&found);
-  return QN_OK;
-}
-
 static QnStatus
 run (const QnModel *model, const QnContacts *contacts, QnBudget *budget, QnResult *result,
      QnDiag *diag)
 {
-  bool softens;
-
   if (model->analysis.procedure == QN_PROCEDURE_LIMIT) {
     QnStatus status =
       qn_limit_run (model, contacts, INFINITY, qn_budget_go_on, budget, result, diag);
@@ -373,10 +337,7 @@ run (const QnModel *model, const QnContacts *contacts, QnBudget *budget, QnResul
              ? add_broken_bound (model, contacts, budget, result, diag)
              : status;
   }
-  QnStatus status = follow_load (model, contacts, budget, result, &softens, diag);
-  if (status == QN_OK && softens && model->analysis.procedure == QN_PROCEDURE_LOAD
-      && model->stage_count == 0 && result->outcome == QN_OUTCOME_NOT_CONVERGED)
-    status = follow_jack (model, contacts, budget, result, diag);
+  QnStatus status = follow_load (model, contacts, budget, result, diag);
   if (status == QN_OK && is_unbounded (model, result))
     result->outcome = QN_OUTCOME_UNBOUNDED;
   if (status == QN_OK && result->has_collapse_multiplier)

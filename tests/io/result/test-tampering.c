@@ -174,7 +174,6 @@ static const struct {
   /* Where nothing slides between two steps their order is free. */
   { "steps[] exchanged", "arch by arc length" },
   { "steps[] exchanged", "wall that is followed" },
-  { "steps[] exchanged", "cohesion" }, /* a jack, as its solution says */
   /* Joints slide on a way that no step tells, where a motion comes to rest and in time. */
   { "steps[].displacements[][] *", "stages" },
   { "steps[].displacements[][] *", "stop at a jump" },
