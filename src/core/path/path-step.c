@@ -386,16 +386,6 @@ qn_path_step_solve_load (QnPathTrace *trace, double target, bool *easy)
 
   trace->means = QN_FOUND_BY_NEWTON;
   trace->jumped = false;
-  if (status == QN_SOLVE_CONVERGED && trace->may_soften
-      && qn_equilibrium_live_work (eq, eq->committed.u) < 0) {
-    /* The load has gone back while joints soften on, and does work against its change: no structure stays there.
-     * The joints close instead, from the motion turned round. */
-    for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-      eq->u[i] = 2 * eq->committed.u[i] - eq->u[i];
-    status = qn_assembly_evaluate (&eq->assembly, eq->u)
-               ? qn_equilibrium_newton (eq, &goal, 0, QN_NEWTON_BUDGET)
-               : QN_SOLVE_FAILED;
-  }
   if (status == QN_SOLVE_CONVERGED)
     status = qn_path_judge_stability (trace->path, NULL, false);
   *easy = status == QN_SOLVE_CONVERGED && !is_jump (trace, increment)

@@ -181,9 +181,14 @@ advance_by_load (QnPathTrace *trace)
 
   if (status == QN_SOLVE_NO_MEMORY || status == QN_SOLVE_CANCELLED)
     return qn_path_end_give_up (trace, status);
-  if (!easy) {
+  /* A load that a stage takes back, and that works against its change: joints soften on, where no structure
+   * stays. Where its work is prescribed they close. */
+  bool softens = status == QN_SOLVE_CONVERGED && trace->may_soften
+                 && qn_equilibrium_live_work (eq, eq->committed.u) < 0;
+  if (!easy || softens) {
     qn_equilibrium_restore (eq);
-    if (from > 0 || trace->step <= QN_PATH_SMALLEST_STEP * trace->measure.first)
+    if (softens || from > 0
+        || trace->step <= QN_PATH_SMALLEST_STEP * trace->measure.first)
       return take_work (trace);
     trace->step *= QN_PATH_CUT;
     return true;

@@ -438,6 +438,55 @@ test_softened_bond_unloads (void)
   }
 }
 
+/* The same of two courses in bond, of whose joints some soften and others are whole: where the load alone goes
+ * back, more than one motion balances it. */
+static void
+test_softened_wall_unloads (void)
+{
+  static const QnProcedure ways[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_ARC_LENGTH };
+  double left[G_N_ELEMENTS (ways)]; /* motion that is left, m */
+  for (gsize i = 0; i < G_N_ELEMENTS (ways); i++) {
+    g_auto (TestRun) run;
+    QnModel model;
+    test_model_init (&model);
+    model.laws[0] = (QnLaw){ .name = model.laws[0].name,
+                             .kind = QN_LAW_COULOMB,
+                             .basis = QN_BASIS_SURFACE,
+                             .kn = 2e10,
+                             .ks = 8e9,
+                             .friction = 0.6,
+                             .residual_friction = 0.6,
+                             .cohesion = 6e4,
+                             .tension = 3e4,
+                             .fracture_energy_tension = 5,
+                             .fracture_energy_shear = 30 };
+    model.contact.pairs = (QnPairRule){ .placement = QN_PLACEMENT_LOBATTO, .count = 5 };
+    test_model_add_base (&model, -0.5, -0.3, 3, 0.3);
+    for (int b = 0; b < 8; b++) {
+      g_autofree char *name = g_strdup_printf ("%d", b);
+      double x = b < 4 ? 0.4 * b : fmax (0, 0.4 * (b - 4) - 0.2);
+      QnBlock *brick = test_model_add_rectangle (&model, name, x, b < 4 ? 0 : 0.2,
+                                                 b == 4 ? 0.2 : 0.4, 0.2);
+      brick->thickness = 0.3;
+      brick->unit_weight = 20000;
+    }
+    test_model_add_weight_loads (&model, 1);
+    add_controlled_stage (&model, QN_PROCEDURE_DISPLACEMENT, 1, 6e-4);
+    model.stages[0].control.block = 8;
+    model.stages[0].control.dof = QN_DOF_UX;
+    model.stages[0].increments = 20;
+    add_stage (&model, 1, 0);
+    model.stages[1].procedure = ways[i];
+    solve (&run, &model);
+    g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+    const double *u = qn_result_step_displacements (&run.result, end_of (&run, 2));
+    left[i] = u[8 * QN_DOF_COUNT + QN_DOF_UX];
+    g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+  }
+  g_assert_cmpfloat (left[0], <, 0.3 * 6e-4);
+  g_assert_cmpfloat_with_epsilon (left[0], left[1], 1e-8);
+}
+
 /* A block on joints with dilatancy is as high after every cycle as after the first, and no higher
  * than dilation goes: not lifted by one push after the other. */
 static void
@@ -624,6 +673,7 @@ QN_TESTS
   g_test_add_func ("/core/path-stages/stack-to-and-fro", test_stack_to_and_fro);
   g_test_add_func ("/core/path-stages/fibre-to-and-fro", test_fibre_to_and_fro);
   g_test_add_func ("/core/path-stages/softened-bond-unloads", test_softened_bond_unloads);
+  g_test_add_func ("/core/path-stages/softened-wall-unloads", test_softened_wall_unloads);
   g_test_add_func ("/core/path-stages/block-comes-down", test_block_comes_down);
   g_test_add_func ("/core/path-stages/work-of-a-cycle", test_work_of_a_cycle);
   g_test_add_func ("/core/path-stages/other-block-falls", test_other_block_falls);
