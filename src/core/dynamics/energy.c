@@ -2,14 +2,6 @@
 
 #include "core/base/numbers.h"
 
-static QnPairInstant
-pair_at (const QnInstant *instant, size_t p)
-{
-  return (
-    QnPairInstant){ .q = { instant->elongations[2 * p], instant->elongations[2 * p + 1] },
-                    .response = &instant->at.responses[p] };
-}
-
 static double
 elastic (const QnTimeStep *step, const QnInstant *instant)
 {
@@ -17,7 +9,7 @@ elastic (const QnTimeStep *step, const QnInstant *instant)
   double sum = instant->beam_energy;
 
   for (size_t p = 0; p < as->pair_count; p++) {
-    QnPairInstant at = pair_at (instant, p);
+    QnPairInstant at = qn_instant_pair (instant, instant->at.responses, p);
     if (as->inactive[p])
       continue;
     sum += qn_pair_elastic_energy (&step->elasticity[p], &at);
@@ -57,7 +49,8 @@ add_losses (const QnTimeStep *step, QnEnergy *energy)
   double friction = 0;
 
   for (size_t p = 0; p < as->pair_count; p++) {
-    QnPairInstant before = pair_at (start, p), after = pair_at (end, p);
+    QnPairInstant before = qn_instant_pair (start, start->at.responses, p),
+                  after = qn_instant_pair (end, end->at.responses, p);
     if (as->inactive[p])
       continue;
     friction +=

@@ -304,15 +304,6 @@ move (QnTimeStep *step)
   }
 }
 
-static QnPairInstant
-pair_instant (const QnInstant *instant, const QnPairResponse *responses, size_t p)
-{
-  return (
-    QnPairInstant){ .q = { instant->elongations[2 * p], instant->elongations[2 * p + 1] },
-                    .rate = { instant->rates[2 * p], instant->rates[2 * p + 1] },
-                    .response = &responses[p] };
-}
-
 static void
 evaluate_pairs (QnTimeStep *step)
 {
@@ -328,8 +319,8 @@ evaluate_pairs (QnTimeStep *step)
   if (step->settings->joint_damping > 0 || pair_step.of == QN_DAMPING_IMPACT)
     qn_assembly_elongation_rates (as, step->end.v, step->end.rates);
   for (size_t p = 0; p < as->pair_count; p++) {
-    QnPairInstant start = pair_instant (&step->start, step->start.at.responses, p);
-    QnPairInstant end = pair_instant (&step->end, as->responses, p);
+    QnPairInstant start = qn_instant_pair (&step->start, step->start.at.responses, p);
+    QnPairInstant end = qn_instant_pair (&step->end, as->responses, p);
     QnPairForces *forces = &step->forces[p];
     if (as->inactive[p]) {
       *forces = (QnPairForces){ 0 };

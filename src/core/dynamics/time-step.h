@@ -52,6 +52,15 @@ typedef struct QnInstant {
   double beam_energy;  /* elastic energy of beams, J */
 } QnInstant;
 
+static inline QnPairInstant
+qn_instant_pair (const QnInstant *instant, const QnPairResponse *responses, size_t p)
+{
+  return (
+    QnPairInstant){ .q = { instant->elongations[2 * p], instant->elongations[2 * p + 1] },
+                    .rate = { instant->rates[2 * p], instant->rates[2 * p + 1] },
+                    .response = &responses[p] };
+}
+
 typedef struct QnTimeStep {
   QnStepEquation equation; /* with the workspace, borrowed */
   QnPool pool;             /* of all that follows */

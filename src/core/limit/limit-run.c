@@ -41,8 +41,10 @@ keep_solution (QnResult *result, const QnModel *model, const QnContacts *contact
 
   result->outcome = solution->outcome;
   qn_statistics_add (&result->statistics, &solution->effort);
-  switch (solution->outcome) {
-  case QN_OUTCOME_COLLAPSE: {
+  if (solution->outcome != QN_OUTCOME_COLLAPSE
+      && solution->outcome != QN_OUTCOME_DEAD_LOAD_UNSTABLE)
+    return QN_OK;
+  if (solution->outcome == QN_OUTCOME_COLLAPSE) {
     result->has_collapse_multiplier = true;
     result->collapse_multiplier = solution->lower_bound;
     result->limit.given = true;
@@ -78,18 +80,6 @@ keep_solution (QnResult *result, const QnModel *model, const QnContacts *contact
       status = qn_diag_no_memory (diag);
     free (none);
     free (ties);
-    break;
-  }
-  case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
-    break;
-  case QN_OUTCOME_UNBOUNDED:
-  case QN_OUTCOME_TARGET_REACHED:
-  case QN_OUTCOME_SNAP:
-  case QN_OUTCOME_CANCELLED:
-  case QN_OUTCOME_NOT_CONVERGED:
-  case QN_OUTCOME_REST:
-  case QN_OUTCOME_COUNT:
-    return QN_OK;
   }
   if (!status)
     status = qn_result_set_mechanism (result, solution->velocities,

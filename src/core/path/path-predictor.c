@@ -7,28 +7,24 @@ qn_path_predictor_init (QnPathPredictor *predictor, const QnAssembly *as, QnPool
 {
   *predictor = (QnPathPredictor){ 0 };
   for (int k = 0; k < QN_PREDICTOR_STATES; k++)
-    predictor->u[k] = qn_pool_alloc (pool, (size_t) as->unknown_count, sizeof (double));
+    predictor->states[k].u =
+      qn_pool_alloc (pool, (size_t) as->unknown_count, sizeof (double));
 }
 
 void
 qn_path_predictor_note (QnPathPredictor *predictor, const QnEquilibrium *eq,
                         double advance, bool smooth)
 {
-  double *oldest = predictor->u[QN_PREDICTOR_STATES - 1];
+  double *oldest = predictor->states[QN_PREDICTOR_STATES - 1].u;
 
   if (!smooth) {
     predictor->count = 0;
     return;
   }
-  for (int k = QN_PREDICTOR_STATES - 1; k > 0; k--) {
-    predictor->u[k] = predictor->u[k - 1];
-    predictor->multiplier[k] = predictor->multiplier[k - 1];
-    predictor->advance[k] = predictor->advance[k - 1];
-  }
-  predictor->u[0] = oldest;
-  predictor->multiplier[0] = eq->committed.multiplier;
-  predictor->advance[0] = advance;
   memcpy (oldest, eq->committed.u, (size_t) eq->assembly.unknown_count * sizeof *oldest);
+  memmove (predictor->states + 1, predictor->states,
+           (QN_PREDICTOR_STATES - 1) * sizeof *predictor->states);
+  predictor->states[0] = (QnPredictorState){ oldest, eq->committed.multiplier, advance };
   if (predictor->count < QN_PREDICTOR_STATES)
     predictor->count++;
 }
@@ -40,7 +36,7 @@ find_weights (const QnPathPredictor *predictor, double advance, double *weights)
   double at[QN_PREDICTOR_STATES + 1] = { 0 };
 
   for (int k = 1; k <= QN_PREDICTOR_STATES; k++)
-    at[k] = at[k - 1] - predictor->advance[k - 1];
+    at[k] = at[k - 1] - predictor->states[k - 1].advance;
   for (int i = 0; i <= QN_PREDICTOR_STATES; i++) {
     weights[i] = 1;
     for (int k = 0; k <= QN_PREDICTOR_STATES; k++)
@@ -60,9 +56,9 @@ qn_path_predictor_go (const QnPathPredictor *predictor, QnEquilibrium *eq, doubl
   find_weights (predictor, advance, weights);
   for (int k = 0; k < QN_PREDICTOR_STATES; k++) {
     double weight = weights[k + 1];
-    eq->multiplier += weight * (predictor->multiplier[k] - committed);
+    eq->multiplier += weight * (predictor->states[k].multiplier - committed);
     for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
-      eq->u[i] += weight * (predictor->u[k][i] - eq->committed.u[i]);
+      eq->u[i] += weight * (predictor->states[k].u[i] - eq->committed.u[i]);
   }
   return qn_assembly_evaluate (&eq->assembly, eq->u);
 }

@@ -12,10 +12,13 @@
 /* Equilibria before the committed one; with fewer nothing is predicted. */
 #define QN_PREDICTOR_STATES 3
 
+typedef struct QnPredictorState {
+  double *u;
+  double multiplier, advance; /* of the measure to the next equilibrium */
+} QnPredictorState;
+
 typedef struct QnPathPredictor {
-  double *u[QN_PREDICTOR_STATES]; /* the last one first */
-  double multiplier[QN_PREDICTOR_STATES];
-  double advance[QN_PREDICTOR_STATES]; /* of the measure to the next equilibrium */
+  QnPredictorState states[QN_PREDICTOR_STATES]; /* the last one first */
   int count;
 } QnPathPredictor;
 

@@ -268,25 +268,19 @@ qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
     solve = qn_path_stay (path, qn_assembly_largest (&eq->assembly, eq->u, NULL));
   *stands = solve == QN_SOLVE_CONVERGED;
 
-  switch (solve) {
-  case QN_SOLVE_CONVERGED:
+  if (*stands) {
     qn_beam_assembly_tension (&eq->assembly.beams);
     return qn_path_accept (path, 0, QN_EVENT_NONE) ? QN_OK : qn_diag_no_memory (diag);
-  case QN_SOLVE_MECHANISM: {
-    path->result->outcome = QN_OUTCOME_DEAD_LOAD_UNSTABLE;
-    QnStatus status = qn_path_record_mechanism (path, eq->motion, diag);
-    return status == QN_OK ? qn_result_name_unstable (
-             path->result, path->model->characteristic_length, false, diag)
-                           : status;
   }
-  case QN_SOLVE_FAILED:
-    path->result->outcome = QN_OUTCOME_NOT_CONVERGED;
+  if (solve == QN_SOLVE_NO_MEMORY)
+    return qn_diag_no_memory (diag);
+  path->result->outcome = solve == QN_SOLVE_MECHANISM   ? QN_OUTCOME_DEAD_LOAD_UNSTABLE
+                          : solve == QN_SOLVE_CANCELLED ? QN_OUTCOME_CANCELLED
+                                                        : QN_OUTCOME_NOT_CONVERGED;
+  if (solve != QN_SOLVE_MECHANISM)
     return QN_OK;
-  case QN_SOLVE_CANCELLED:
-    path->result->outcome = QN_OUTCOME_CANCELLED;
-    return QN_OK;
-  case QN_SOLVE_NO_MEMORY:
-    break;
-  }
-  return qn_diag_no_memory (diag);
+  QnStatus status = qn_path_record_mechanism (path, eq->motion, diag);
+  return status == QN_OK ? qn_result_name_unstable (
+           path->result, path->model->characteristic_length, false, diag)
+                         : status;
 }
