@@ -523,3 +523,9 @@ qn_threads_get (void)
   static const QnWorkers workers = { .run = run };
   return &workers;
 }
+
+bool
+qn_job_may_go_on (const QnProgress *progress, void *cancellable)
+{
+  return !g_cancellable_is_cancelled (cancellable);
+}

@@ -67,6 +67,9 @@ double qn_job_get_followed (QnJob *job, QnId *block, QnDof *dof);
 /* Estimated remaining seconds of an analysis in time at its mean speed without pauses; < 0: unknown. */
 double qn_job_get_remaining (QnJob *job);
 
+/* For other work in threads, as a QnProgressFunc: until `cancellable` is cancelled. */
+bool qn_job_may_go_on (const QnProgress *progress, void *cancellable);
+
 /* Errors of qn_job_finish() and qn_job_new(): the core's problem as an error. */
 #define QN_JOB_ERROR (qn_job_error_quark ())
 GQuark qn_job_error_quark (void);

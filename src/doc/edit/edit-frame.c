@@ -7,6 +7,7 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static gboolean
 refuse_no_beam (GError **error)
@@ -392,55 +393,32 @@ qn_edit_transform_all (QnProject *draft, QnPartSet set, QnTransform transform,
 
 /* ---- copying ---- */
 
-/* A beam that is to be copied, with what its ends are. */
-typedef struct Original {
-  QnBeam beam;
-  QnVec2 at[2];
-  bool support[2][QN_DOF_COUNT];
-} Original;
-
-static GArray *
-collect_originals (const QnModel *model, QnBeamSet beams)
-{
-  GArray *originals = g_array_new (FALSE, FALSE, sizeof (Original));
-  for (guint i = 0; i < beams.count; i++) {
-    Original original = { .beam = model->beams[beams.ids[i]] };
-    for (int end = 0; end < 2; end++) {
-      const QnNode *node = &model->nodes[original.beam.nodes[end]];
-      original.at[end] = node->at;
-      for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-        original.support[end][dof] = node->support[dof];
-    }
-    g_array_append_val (originals, original);
-  }
-  return originals;
-}
-
 static gboolean
-copy_one (QnModel *model, const Original *original, QnTransform step, GError **error)
+copy_beam (QnModel *model, QnId id, QnTransform step, GError **error)
 {
+  const QnBeam old = model->beams[id];
+  QnNode from[2];
   QnVec2 ends[2];
   gboolean is_new[2];
   for (int end = 0; end < 2; end++) {
     gsize before = model->node_count;
-    ends[end] = qn_transform_apply (step, original->at[end]);
+    from[end] = model->nodes[old.nodes[end]];
+    ends[end] = qn_transform_apply (step, from[end].at);
     if (take_node (model, ends[end]) == QN_NONE)
       return qn_edit_no_memory (error);
     is_new[end] = model->node_count > before;
   }
-  const QnBeam *old = &original->beam;
-  QnBeamStyle style = { .section = model->sections[old->section].name,
-                        .kind = old->kind,
-                        .hinge = { old->hinge[0], old->hinge[1] },
-                        .element_count = old->element_count };
+  QnBeamStyle style = { .section = model->sections[old.section].name,
+                        .kind = old.kind,
+                        .hinge = { old.hinge[0], old.hinge[1] },
+                        .element_count = old.element_count };
   if (!qn_edit_add_beam (model, ends[0], ends[1], style, error))
     return FALSE;
   const QnBeam *beam = &model->beams[model->beam_count - 1];
   for (int end = 0; end < 2; end++) {
     QnNode *node = &model->nodes[beam->nodes[end]];
-    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-      if (is_new[end] && node->block == QN_NONE)
-        node->support[dof] = original->support[end][dof];
+    if (is_new[end] && node->block == QN_NONE)
+      memcpy (node->support, from[end].support, sizeof node->support);
   }
   return TRUE;
 }
@@ -449,15 +427,14 @@ gboolean
 qn_edit_copy_all (QnProject *draft, QnPartSet set, QnTransform transform, int copies,
                   GError **error)
 {
-  g_autoptr (GArray) originals = collect_originals (&draft->model, set.beams);
   if ((set.blocks.count > 0 || set.beams.count == 0)
       && !qn_edit_copy (draft, set.blocks, transform, copies, error))
     return FALSE;
   QnTransform step = qn_transform_translation (0.0, 0.0);
   for (int k = 0; k < copies; k++) {
     step = qn_transform_compose (step, transform);
-    for (guint i = 0; i < originals->len; i++)
-      if (!copy_one (&draft->model, &g_array_index (originals, Original, i), step, error))
+    for (guint i = 0; i < set.beams.count; i++)
+      if (!copy_beam (&draft->model, set.beams.ids[i], step, error))
         return FALSE;
   }
   return TRUE;

@@ -11,8 +11,8 @@ typedef struct Work {
   QnAnimationSettings settings;
   QnMetadata metadata; /* its strings are those below */
   char *path, *model_name, *sha256;
-  GCancellable *cancellable;
-  gint done; /* frames, atomic */
+  GCancellable *cancellable; /* of the task, or NULL */
+  gint done;                 /* frames, atomic */
   QnAnimationTick tick;
   gpointer tick_data;
   guint timeout;
@@ -23,7 +23,6 @@ work_free (gpointer data)
 {
   Work *work = data;
   qn_run_unref (work->run);
-  g_clear_object (&work->cancellable);
   g_free (work->path);
   g_free (work->model_name);
   g_free (work->sha256);
@@ -136,8 +135,7 @@ qn_animation_write_async (QnViewState *state, const QnAnimationSettings *setting
   work->settings = *settings;
   work->options = options_of (state, settings);
   work->path = g_strdup (path);
-  work->cancellable =
-    cancellable != NULL ? g_object_ref (cancellable) : g_cancellable_new ();
+  work->cancellable = cancellable;
   work->tick = tick;
   work->tick_data = tick_data;
   qn_document_get_metadata (document, &work->metadata);
@@ -145,7 +143,8 @@ qn_animation_write_async (QnViewState *state, const QnAnimationSettings *setting
   work->sha256 = g_strdup (work->metadata.model_sha256);
   work->metadata.model = work->model_name;
   work->metadata.model_sha256 = work->sha256;
-  g_autoptr (GTask) task = g_task_new (state, NULL, callback, user_data);
+  g_autoptr (GTask) task = g_task_new (state, cancellable, callback, user_data);
+  g_task_set_check_cancellable (task, FALSE);
   g_task_set_task_data (task, work, work_free);
   g_signal_connect (task, "notify::completed", G_CALLBACK (on_completed), NULL);
   if (tick != NULL)

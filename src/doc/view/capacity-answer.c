@@ -505,7 +505,6 @@ qn_capacity_answer_check (QnCapacityAnswer *answer)
 typedef struct CapacityWork {
   QnModel model;
   QnContacts contacts;
-  GCancellable *cancellable;
   QnCapacityAnswer answer;
   char *reason;
   QnDiag diag;
@@ -519,15 +518,7 @@ capacity_work_free (gpointer data)
   g_free (work->reason);
   qn_contacts_clear (&work->contacts);
   qn_model_clear (&work->model);
-  g_object_unref (work->cancellable);
   g_free (work);
-}
-
-static bool
-may_go_on (const QnProgress *progress, void *data)
-{
-  const CapacityWork *work = data;
-  return !g_cancellable_is_cancelled (work->cancellable);
 }
 
 static void
@@ -537,8 +528,9 @@ find_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cance
   QnCapacityEnd end = QN_CAPACITY_REFUSED;
   if (qn_contacts_detect (&work->model, &work->contacts, &work->diag) == QN_OK
       && qn_contacts_require_sound (&work->model, &work->contacts, &work->diag) == QN_OK)
-    end = qn_capacity_answer_find (&work->answer, &work->model, &work->contacts,
-                                   may_go_on, work, &work->reason, &work->diag);
+    end =
+      qn_capacity_answer_find (&work->answer, &work->model, &work->contacts,
+                               qn_job_may_go_on, cancellable, &work->reason, &work->diag);
   g_autofree char *refused =
     end == QN_CAPACITY_REFUSED ? qn_explain_diag (&work->model, &work->diag) : NULL;
   if (end == QN_CAPACITY_FOUND) {
@@ -560,12 +552,12 @@ qn_capacity_find_async (const QnModel *model, const QnCapacityAnswer *asked,
                         gpointer user_data)
 {
   CapacityWork *work = g_new0 (CapacityWork, 1);
-  g_autoptr (GTask) task = g_task_new (NULL, NULL, callback, user_data);
+  g_autoptr (GTask) task = g_task_new (NULL, cancellable, callback, user_data);
+  g_task_set_check_cancellable (task, FALSE);
   work->answer.control = asked->control;
   work->answer.kinematic = asked->kinematic;
   work->answer.tie_strain = asked->tie_strain;
   work->answer.has_spectrum = TRUE; /* one may be given later */
-  work->cancellable = g_object_ref (cancellable);
   g_task_set_task_data (task, work, capacity_work_free);
   if (qn_model_copy (model, &work->model, &work->diag) != QN_OK) {
     g_autofree char *message = qn_explain_diag (model, &work->diag);

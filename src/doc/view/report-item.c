@@ -1,5 +1,6 @@
 #include "doc/view/report-item.h"
 
+#include "doc/document/job.h"
 #include "doc/document/run-file.h"
 #include "render/backend/output.h"
 
@@ -85,7 +86,6 @@ typedef struct ReportWork {
   GPtrArray *runs;  /* of QnRun, as they were solved */
   GPtrArray *texts; /* of GBytes */
   char *path;
-  GCancellable *cancellable;
 } ReportWork;
 
 static void
@@ -97,20 +97,13 @@ report_work_free (gpointer data)
   g_ptr_array_unref (work->runs);
   g_ptr_array_unref (work->texts);
   g_free (work->path);
-  g_object_unref (work->cancellable);
   g_free (work);
-}
-
-static bool
-may_go_on (const QnProgress *progress, void *data)
-{
-  const ReportWork *work = data;
-  return !g_cancellable_is_cancelled (work->cancellable);
 }
 
 /* The report as a file; the runs are read in `items`. */
 static GBytes *
-encode (ReportWork *work, QnReportItem *items, QnProject *projects, GError **error)
+encode (ReportWork *work, QnReportItem *items, QnProject *projects,
+        GCancellable *cancellable, GError **error)
 {
   QnContacts contacts = { 0 };
   GBytes *bytes = NULL;
@@ -133,7 +126,8 @@ encode (ReportWork *work, QnReportItem *items, QnProject *projects, GError **err
   }
   if (done)
     bytes = qn_report_encode_runs (&work->project, &contacts, &work->plan, runs,
-                                   work->runs->len, work->units, may_go_on, work, error);
+                                   work->runs->len, work->units, qn_job_may_go_on,
+                                   cancellable, error);
   qn_contacts_clear (&contacts);
   return bytes;
 }
@@ -145,7 +139,7 @@ write_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *canc
   GError *error = NULL;
   g_autofree QnReportItem *items = g_new0 (QnReportItem, work->runs->len + 1);
   g_autofree QnProject *projects = g_new0 (QnProject, work->runs->len + 1);
-  g_autoptr (GBytes) bytes = encode (work, items, projects, &error);
+  g_autoptr (GBytes) bytes = encode (work, items, projects, cancellable, &error);
   gsize length = 0;
   const void *content = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
   if (content != NULL)
@@ -188,11 +182,11 @@ qn_report_write_async (QnDocument *document, QnUnits units, const char *path,
                        gpointer user_data)
 {
   ReportWork *work = g_new0 (ReportWork, 1);
-  g_autoptr (GTask) task = g_task_new (NULL, NULL, callback, user_data);
+  g_autoptr (GTask) task = g_task_new (NULL, cancellable, callback, user_data);
+  g_task_set_check_cancellable (task, FALSE);
   GError *error = NULL;
   work->units = units;
   work->path = g_strdup (path);
-  work->cancellable = g_object_ref (cancellable);
   work->runs = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
   work->texts = g_ptr_array_new_with_free_func ((GDestroyNotify) g_bytes_unref);
   g_task_set_task_data (task, work, report_work_free);
