@@ -75,8 +75,10 @@ quoin_model_parse (const char *text, size_t length, const char *name,
   return take (&project, read, name, cause, error);
 }
 
-QuoinModel *
-quoin_library_model_take_made (QnProject *project, const char *name, QuoinError **error)
+/* A model of a project that was made, which it clears: it is written and read, so that a model is always
+ * what its text and overrides say. NULL with an error. */
+static QuoinModel *
+take_made (QnProject *project, const char *name, QuoinError **error)
 {
   gsize length;
   g_autofree char *text = qn_project_to_text (project, &length);
@@ -98,7 +100,7 @@ import (const char *path, const QnImportSettings *settings, char **told,
     *told = g_strjoinv ("\n", (char **) report.lines->pdata);
   }
   if (done)
-    model = quoin_library_model_take_made (&project, path, error);
+    model = take_made (&project, path, error);
   else
     quoin_library_take_error (error, path, cause);
   for (guint i = 0; model != NULL && i < report.warnings->len; i++)
@@ -160,7 +162,7 @@ quoin_model_new (QuoinError **error)
   QnProject project;
   GError *cause = NULL;
   if (qn_project_begin (&project, "dry joint", &cause))
-    return quoin_library_model_take_made (&project, "model", error);
+    return take_made (&project, "model", error);
   quoin_library_take_error (error, NULL, cause);
   return NULL;
 }
@@ -175,7 +177,7 @@ quoin_model_generate (const char *kind, const char *const *keys, double friction
   if (!quoin_library_given (kind, "kind", error))
     return NULL;
   if (qn_project_generate (kind, keys != NULL ? keys : none, friction, &project, &cause))
-    return quoin_library_model_take_made (&project, kind, error);
+    return take_made (&project, kind, error);
   quoin_library_take_error (error, kind, cause);
   return NULL;
 }

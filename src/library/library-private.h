@@ -66,11 +66,6 @@ void quoin_library_take_diag (QuoinError **error, const QnProject *project,
 void quoin_library_set_error (QuoinError **error, QuoinErrorKind kind, const char *format,
                               ...) G_GNUC_PRINTF (3, 4);
 
-/* A model of a project that was made, which it clears: it is written and read, so that a model is always
- * what its text and overrides say. NULL with an error. */
-QuoinModel *quoin_library_model_take_made (QnProject *project, const char *name,
-                                           QuoinError **error);
-
 /* The model of the same text with more overrides, before and after its own; both nullable. */
 QuoinModel *quoin_library_model_with (const QuoinModel *model, const char *const *before,
                                       const char *const *after, QuoinError **error);

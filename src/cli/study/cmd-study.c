@@ -59,10 +59,9 @@ update_display (const QnStudyProgress *progress, gpointer data)
 static char *
 dup_program (void)
 {
-  char *path = g_file_read_link ("/proc/self/exe", NULL);
+  g_autofree char *path = g_file_read_link ("/proc/self/exe", NULL);
   if (path != NULL && g_file_test (path, G_FILE_TEST_IS_EXECUTABLE))
-    return path;
-  g_free (path);
+    return g_steal_pointer (&path);
   return g_strdup ("/proc/self/exe");
 }
 

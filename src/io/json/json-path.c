@@ -62,17 +62,14 @@ parse_step (const char *text, gboolean first, QnJsonStep *step)
 GArray *
 qn_json_path_parse (const char *text)
 {
-  GArray *path = g_array_new (FALSE, FALSE, sizeof (QnJsonStep));
+  g_autoptr (GArray) path = g_array_new (FALSE, FALSE, sizeof (QnJsonStep));
   g_array_set_clear_func (path, clear_step);
   while (text != NULL && *text != '\0') {
     QnJsonStep step = { NULL, 0 };
     text = parse_step (text, path->len == 0, &step);
     g_array_append_val (path, step);
   }
-  if (text != NULL)
-    return path;
-  g_array_unref (path);
-  return NULL;
+  return text != NULL ? g_steal_pointer (&path) : NULL;
 }
 
 void

@@ -135,11 +135,9 @@ qn_json_value_fail (const QnJsonValue *place, const char *message)
 {
   if (place->reader->error != NULL)
     return FALSE;
-  char *path = dup_path (place);
-  char *line = qn_reader_dup_line (place->reader, path, message);
+  g_autofree char *path = dup_path (place);
+  g_autofree char *line = qn_reader_dup_line (place->reader, path, message);
   place->reader->error = g_error_new_literal (QN_IO_ERROR, QN_IO_ERROR_INVALID, line);
-  g_free (line);
-  g_free (path);
   return FALSE;
 }
 
@@ -148,11 +146,9 @@ qn_json_value_failf (const QnJsonValue *place, const char *format, ...)
 {
   va_list arguments;
   va_start (arguments, format);
-  char *message = g_strdup_vprintf (format, arguments);
+  g_autofree char *message = g_strdup_vprintf (format, arguments);
   va_end (arguments);
-  qn_json_value_fail (place, message);
-  g_free (message);
-  return FALSE;
+  return qn_json_value_fail (place, message);
 }
 
 gboolean
@@ -179,9 +175,8 @@ qn_json_value_warn (const QnJsonValue *place, const char *message)
     reader->dropped_warnings++;
     return;
   }
-  char *path = dup_path (place);
+  g_autofree char *path = dup_path (place);
   g_ptr_array_add (reader->warnings, qn_reader_dup_line (reader, path, message));
-  g_free (path);
 }
 
 /* Puts a copy of one member aside. Members of one object follow each other, so that its entry is the last. */
@@ -193,12 +188,11 @@ keep_unknown (const QnJsonValue *object, const cJSON *member)
     return;
   if (reader->unknown == NULL)
     reader->unknown = cJSON_CreateObject ();
-  char *path = dup_path (object);
+  g_autofree char *path = dup_path (object);
   cJSON *first = reader->unknown->child, *owner = first != NULL ? first->prev : NULL;
   if (owner == NULL || strcmp (owner->string, path) != 0)
     owner = cJSON_AddObjectToObject (reader->unknown, path);
   cJSON_AddItemToObject (owner, member->string, cJSON_Duplicate (member, 1));
-  g_free (path);
 }
 
 gboolean
@@ -410,15 +404,13 @@ static gboolean
 fail_choice (const QnJsonValue *member, const char *given, const char *const *names,
              int count)
 {
-  GString *message = g_string_new (NULL);
+  g_autoptr (GString) message = g_string_new (NULL);
   qn_json_append_string (message, given);
   /* Translators: followed by a list of words. */
   g_string_append (message, _ (" is not one of "));
   for (int i = 0; i < count; i++)
     g_string_append_printf (message, "%s%s", i > 0 ? ", " : "", names[i]);
-  qn_json_value_fail (member, message->str);
-  g_string_free (message, TRUE);
-  return FALSE;
+  return qn_json_value_fail (member, message->str);
 }
 
 gboolean
@@ -622,12 +614,10 @@ place (cJSON *container, const QnJsonStep *step, const char *text)
 static gboolean
 fail_override (GError **error, const char *override, const char *message)
 {
-  GString *quoted = g_string_new (NULL);
-  char *valid = g_utf8_make_valid (override, -1);
+  g_autoptr (GString) quoted = g_string_new (NULL);
+  g_autofree char *valid = g_utf8_make_valid (override, -1);
   qn_json_append_string (quoted, valid);
   g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, "%s: %s", quoted->str, message);
-  g_free (valid);
-  g_string_free (quoted, TRUE);
   return FALSE;
 }
 
@@ -664,7 +654,7 @@ gboolean
 qn_json_override (cJSON *root, const char *override, GError **error)
 {
   const char *text;
-  GArray *path =
+  g_autoptr (GArray) path =
     g_utf8_validate (override, -1, NULL) ? parse_path (override, &text) : NULL;
   if (path == NULL)
     return fail_override (
@@ -673,20 +663,13 @@ qn_json_override (cJSON *root, const char *override, GError **error)
         ? _ ("an override has the form path=value")
         : _ ("the path has keys parted by points, and numbers of elements in "
              "brackets, as laws[0].friction"));
-  gboolean done = apply (root, path, override, text, error);
-  g_array_unref (path);
-  return done;
+  return apply (root, path, override, text, error);
 }
 
 char *
 qn_json_override_dup_path (const char *override)
 {
   const char *value;
-  GArray *steps = parse_path (override, &value);
-  if (steps == NULL)
-    return NULL;
-
-  char *path = qn_json_path_dup_text (steps);
-  g_array_unref (steps);
-  return path;
+  g_autoptr (GArray) steps = parse_path (override, &value);
+  return steps != NULL ? qn_json_path_dup_text (steps) : NULL;
 }

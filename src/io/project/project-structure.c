@@ -75,16 +75,13 @@ read_block (const QnJsonValue *place, QnModel *model)
       || !qn_members_check (place, block_members, NULL, NULL))
     return FALSE;
 
-  GArray *vertices = g_array_sized_new (FALSE, FALSE, sizeof (QnVec2), 8);
-  gboolean done = read_vertices (place, vertices);
-  if (done) {
-    QnBlock *block =
-      qn_model_add_block (model, name, (const QnVec2 *) vertices->data, vertices->len);
-    done = block != NULL ? qn_members_take (place, block_members, model, block)
-                         : qn_json_value_no_memory (place);
-  }
-  g_array_unref (vertices);
-  return done;
+  g_autoptr (GArray) vertices = g_array_sized_new (FALSE, FALSE, sizeof (QnVec2), 8);
+  if (!read_vertices (place, vertices))
+    return FALSE;
+  QnBlock *block =
+    qn_model_add_block (model, name, (const QnVec2 *) vertices->data, vertices->len);
+  return block != NULL ? qn_members_take (place, block_members, model, block)
+                       : qn_json_value_no_memory (place);
 }
 
 static gboolean
@@ -92,23 +89,20 @@ read_course (const QnJsonValue *place, QnWall *wall)
 {
   if (!qn_json_value_array (place))
     return FALSE;
-  GArray *lengths = g_array_new (FALSE, FALSE, sizeof (double));
+  g_autoptr (GArray) lengths = g_array_new (FALSE, FALSE, sizeof (double));
   QnJsonValue element = { 0 };
-  gboolean done = TRUE;
-  while (done && qn_json_value_next (place, &element)) {
+  while (qn_json_value_next (place, &element)) {
     double length = 0;
-    done = qn_json_value_number (&element, QN_RANGE_FINITE, &length);
-    if (done && length == 0)
-      done = qn_json_value_fail (&element,
-                                 _ (qn_problem_text (QN_PROBLEM_COURSE_LENGTH_ZERO)));
-    else if (done && fabs (length) > QN_MAX_COURSE_LENGTH)
-      done = qn_json_value_fail (&element, _ (qn_problem_text (QN_PROBLEM_TOO_LARGE)));
+    if (!qn_json_value_number (&element, QN_RANGE_FINITE, &length))
+      return FALSE;
+    if (length == 0 || fabs (length) > QN_MAX_COURSE_LENGTH)
+      return qn_json_value_fail (
+        &element, _ (qn_problem_text (length == 0 ? QN_PROBLEM_COURSE_LENGTH_ZERO
+                                                  : QN_PROBLEM_TOO_LARGE)));
     g_array_append_val (lengths, length);
   }
-  if (done && !qn_wall_add_course (wall, (const double *) lengths->data, lengths->len))
-    done = qn_json_value_no_memory (place);
-  g_array_unref (lengths);
-  return done;
+  return qn_wall_add_course (wall, (const double *) lengths->data, lengths->len)
+         || qn_json_value_no_memory (place);
 }
 
 gboolean

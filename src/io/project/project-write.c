@@ -217,10 +217,8 @@ gboolean
 qn_project_save (const QnProject *project, const char *path, GError **error)
 {
   gsize length;
-  char *text = qn_project_to_text (project, &length);
-  gboolean saved = qn_file_write (path, text, length, error);
-  g_free (text);
-  return saved;
+  g_autofree char *text = qn_project_to_text (project, &length);
+  return qn_file_write (path, text, length, error);
 }
 
 char *

@@ -172,9 +172,8 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
 static char *
 dup_problem_path (const QnProject *project, const QnDiag *diag)
 {
-  char *entity = qn_project_dup_key_path (project, diag->entity, diag->index);
+  g_autofree char *entity = qn_project_dup_key_path (project, diag->entity, diag->index);
   GString *path = g_string_new (entity);
-  g_free (entity);
   if (diag->entity == QN_ENTITY_MASONRY && diag->sub != QN_NONE) {
     g_string_append_printf (path, ".openings[%d]", diag->sub);
     if (g_strcmp0 (diag->field, "openings") == 0)
@@ -234,13 +233,11 @@ qn_project_set_error (const QnProject *project, const QnDiag *diag, GError **err
                  _ ("not enough memory"));
     return;
   }
-  GString *message = g_string_new (_ (qn_problem_text (diag->problem)));
+  g_autoptr (GString) message = g_string_new (_ (qn_problem_text (diag->problem)));
   if (diag->entity == QN_ENTITY_BLOCK)
     append_block_names (message, &project->model, diag->index, diag->other);
-  char *path = dup_problem_path (project, diag);
+  g_autofree char *path = dup_problem_path (project, diag);
   qn_project_set_key_error (project, path, message->str, error);
-  g_free (path);
-  g_string_free (message, TRUE);
 }
 
 void
@@ -248,9 +245,8 @@ qn_project_set_key_error (const QnProject *project, const char *path, const char
                           GError **error)
 {
   QnReader reader = qn_project_reader (project);
-  char *line = qn_reader_dup_line (&reader, path, message);
+  g_autofree char *line = qn_reader_dup_line (&reader, path, message);
   g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, line);
-  g_free (line);
 }
 
 char *

@@ -451,12 +451,8 @@ qn_result_file_read (const char *path, QnResultFile *file, GError **error)
 {
   *file = (QnResultFile){ 0 };
   gsize length;
-  char *text = qn_file_read (path, &length, error);
-  if (text == NULL)
-    return FALSE;
-  gboolean done = parse (text, length, path, file, error);
-  g_free (text);
-  return done;
+  g_autofree char *text = qn_file_read (path, &length, error);
+  return text != NULL && parse (text, length, path, file, error);
 }
 
 gboolean

@@ -190,17 +190,13 @@ qn_collapse_dup_text (const QnModel *model, const QnContacts *contacts,
   if (result->mechanism == NULL
       || qn_mechanism_of_result (&mechanism, model, contacts, result, NULL) != QN_OK)
     return NULL;
-  char *hinges = qn_hinges_dup_text (model, result);
+  g_autofree char *hinges = qn_hinges_dup_text (model, result);
   gboolean blocks_move = mechanism.body_count > 0;
   g_autofree char *text = qn_mechanism_dup_text (model, &mechanism);
   qn_mechanism_clear (&mechanism);
   if (hinges == NULL)
     return g_steal_pointer (&text);
-  if (!blocks_move)
-    return hinges;
-  char *both = qn_text_printf ("%s %s", text, hinges);
-  g_free (hinges);
-  return both;
+  return blocks_move ? qn_text_printf ("%s %s", text, hinges) : g_steal_pointer (&hinges);
 }
 
 static void

@@ -115,7 +115,7 @@ QnDraft *
 qn_draft_load (const char *path, GError **error)
 {
   gsize length;
-  char *text = qn_file_read (path, &length, error);
+  g_autofree char *text = qn_file_read (path, &length, error);
   if (text == NULL)
     return NULL;
   cJSON *tree = qn_json_parse (text, length, path, error);
@@ -123,14 +123,12 @@ qn_draft_load (const char *path, GError **error)
     if (tree != NULL)
       g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s:1:1: {…}?", path);
     cJSON_Delete (tree);
-    g_free (text);
     return NULL;
   }
   QnDraft *draft = draft_of (path, tree);
   record (draft);
   /* Its own layout is no change. */
   draft->saved = g_strdup (g_ptr_array_index (draft->steps, 0));
-  g_free (text);
   return draft;
 }
 
