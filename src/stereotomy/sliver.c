@@ -1,5 +1,6 @@
 /* The minimum piece rule; see masonry.h. */
 #include "core/base/memory.h"
+#include "core/base/polygon.h"
 #include "stereotomy/masonry-parts.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/weld.h"
@@ -9,34 +10,13 @@
 /* Edges nearer than this part of a unit's width lie on one line. */
 #define JOINT_TOLERANCE 1e-9
 
-/* Least extent of the ring across one of its own sides. */
-static double
-least_width (const QnRing *ring)
-{
-  double least = INFINITY;
-  for (size_t i = 0; i < ring->count; i++) {
-    QnVec2 side = qn_vec2_sub (ring->points[(i + 1) % ring->count], ring->points[i]);
-    double length = qn_vec2_length (side), low = INFINITY, high = -INFINITY;
-    if (length == 0)
-      continue;
-    for (size_t k = 0; k < ring->count; k++) {
-      double height =
-        qn_vec2_cross (side, qn_vec2_sub (ring->points[k], ring->points[i])) / length;
-      low = fmin (low, height);
-      high = fmax (high, height);
-    }
-    least = fmin (least, high - low);
-  }
-  return least;
-}
-
 static bool
 is_sliver (const QnPiece *piece, double minimum)
 {
   if (!piece->fabric || !piece->cut || piece->lone)
     return false;
   return qn_ring_area (&piece->ring) < minimum * piece->whole_area * (1 - JOINT_TOLERANCE)
-         || least_width (&piece->ring)
+         || qn_polygon_width (piece->ring.points, piece->ring.count)
               < minimum * piece->whole_width * (1 - JOINT_TOLERANCE);
 }
 

@@ -390,13 +390,6 @@ qn_assembly_commit (QnAssembly *as)
 #define BREAK_TOGETHER 0.5
 
 static void
-hold (const QnSpring *spring, QnSpringMemory *memory)
-{
-  if (qn_spring_has_bond (spring) && memory->extreme >= 0 && memory->extreme < 1)
-    memory->extreme = qn_bond_held (memory->extreme);
-}
-
-static void
 evaluate_again (QnAssembly *as, size_t p)
 {
   qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
@@ -409,8 +402,8 @@ qn_assembly_hold_bonds (QnAssembly *as)
   for (size_t p = 0; as->has_bonds && p < as->pair_count; p++) {
     bool broke = qn_pair_damage (&as->springs[p], &as->responses[p].memory)
                  > qn_pair_damage (&as->springs[p], &as->committed[p]);
-    hold (&as->springs[p].a, &as->committed[p].a);
-    hold (&as->springs[p].b, &as->committed[p].b);
+    qn_bond_hold (&as->springs[p].a, &as->committed[p].a);
+    qn_bond_hold (&as->springs[p].b, &as->committed[p].b);
     as->breaks[p] = NAN;
     if (broke)
       evaluate_again (as, p);

@@ -47,6 +47,25 @@ qn_segment_distance (QnVec2 p, QnVec2 q, QnVec2 point)
 }
 
 double
+qn_polygon_width (const QnVec2 *vertices, size_t count)
+{
+  double width = INFINITY;
+  for (size_t i = 0; i < count; i++) {
+    QnVec2 side = qn_vec2_sub (vertices[(i + 1) % count], vertices[i]);
+    double length = qn_vec2_length (side), low = 0, high = 0;
+    for (size_t k = 0; k < count && length > 0; k++) {
+      double height =
+        qn_vec2_cross (side, qn_vec2_sub (vertices[k], vertices[i])) / length;
+      low = fmin (low, height);
+      high = fmax (high, height);
+    }
+    if (length > 0)
+      width = fmin (width, high - low);
+  }
+  return width;
+}
+
+double
 qn_polygon_depth (const QnVec2 *vertices, size_t count, QnVec2 point)
 {
   bool inside = false;

@@ -26,6 +26,9 @@ void qn_polygon_reverse (QnVec2 *vertices, size_t count);
 /* Distance of a point from the segment pq, m. */
 double qn_segment_distance (QnVec2 p, QnVec2 q, QnVec2 point);
 
+/* Least extent of a polygon across one of its own sides, m. */
+double qn_polygon_width (const QnVec2 *vertices, size_t count);
+
 /* Depth of a point in a simple polygon: its distance from the boundary, positive inside and
  * negative outside, m. */
 double qn_polygon_depth (const QnVec2 *vertices, size_t count, QnVec2 point);

@@ -181,18 +181,6 @@ solve_series (const QnPairSprings *springs, const QnPairMemory *committed,
   return series.size <= QN_TOLERANCE_SERIES;
 }
 
-/* Holds a bond that may break; false where there is none, or it is held as it is. */
-static bool
-hold_bond (const QnSpring *spring, QnSpringMemory *memory)
-{
-  bool may_break =
-    qn_spring_has_bond (spring) && memory->extreme >= 0 && memory->extreme < 1;
-
-  if (may_break)
-    memory->extreme = qn_bond_held (memory->extreme);
-  return may_break;
-}
-
 /* In the frame of the springs. A whole bond and a broken one may both be in balance with the other spring;
  * it breaks where it does not hold, and of two the more strained one first, which may relieve the other. */
 static bool
@@ -205,7 +193,8 @@ evaluate_straight (const QnPairSprings *springs, const QnPairMemory *committed,
   }
 
   QnPairMemory memory = *committed;
-  bool a = hold_bond (&springs->a, &memory.a), b = hold_bond (&springs->b, &memory.b);
+  bool a = qn_bond_hold (&springs->a, &memory.a);
+  bool b = qn_bond_hold (&springs->b, &memory.b);
   for (;;) {
     bool solved = solve_series (springs, &memory, q, r);
     bool breaks_a = a && r->memory.a.extreme == QN_BOND_BREAKS;

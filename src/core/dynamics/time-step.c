@@ -277,8 +277,8 @@ qn_time_step_start (QnTimeStep *step, QnVec2 ground)
       start->a[i] = 0;
     }
   }
-  QnSolveStatus status = qn_linsys_factor_and_solve (step->equation.eq->linsys, as->ax,
-                                                     QN_LINSYS_ONCE, start->a);
+  QnSolveStatus status =
+    qn_linsys_factor_and_solve (step->equation.eq->linsys, as->ax, start->a);
   for (int32_t i = 0; status == QN_SOLVE_CONVERGED && i < as->unknown_count; i++)
     start->a[i] -= step->settings->mass_damping * start->v[i];
   return status;
@@ -446,7 +446,7 @@ solve_for_step (QnStepEquation *equation)
     as->ax[k] +=
       mass * step->mass[k] + step->settings->joint_damping * gain * step->beam_damping[k];
   eq->statistics.assembly_seconds += qn_clock_seconds () - begun;
-  QnSolveStatus status = qn_equilibrium_factor (eq, QN_LINSYS_REPEATED, eq->step);
+  QnSolveStatus status = qn_equilibrium_factor (eq, eq->step);
   memcpy (step->factored, step->branches,
           QN_BRANCH * as->pair_count * sizeof *step->factored);
   step->factored_length = status == QN_SOLVE_CONVERGED ? h : 0;

@@ -121,7 +121,7 @@ factorize_path (QnCentralPath *path)
   eq->statistics.assembly_seconds += qn_clock_seconds () - start;
   eq->factored = false; /* by Newton's method */
   memcpy (eq->live_step, as->live, (size_t) as->unknown_count * sizeof (double));
-  return qn_equilibrium_factor (eq, QN_LINSYS_ONCE, eq->live_step);
+  return qn_equilibrium_factor (eq, eq->live_step);
 }
 
 /* The linear system of a step: displacements from balance, forces from displacements. */

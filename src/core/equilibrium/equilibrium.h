@@ -158,7 +158,7 @@ double qn_equilibrium_complete_step (QnEquilibrium *eq, const QnTarget *target,
 bool qn_equilibrium_set_runaway (QnEquilibrium *eq);
 
 /* Factorises the tangent of the assembly, overwrites b with its solution, and counts both. */
-QnSolveStatus qn_equilibrium_factor (QnEquilibrium *eq, QnLinsysReuse reuse, double *b);
+QnSolveStatus qn_equilibrium_factor (QnEquilibrium *eq, double *b);
 
 /* Overwrites b with the solution by the last factorisation. */
 void qn_equilibrium_solve (QnEquilibrium *eq, double *b);

@@ -108,11 +108,10 @@ is_factored (const QnEquilibrium *eq, double viscosity)
 }
 
 QnSolveStatus
-qn_equilibrium_factor (QnEquilibrium *eq, QnLinsysReuse reuse, double *b)
+qn_equilibrium_factor (QnEquilibrium *eq, double *b)
 {
   double start = qn_clock_seconds ();
-  QnSolveStatus status =
-    qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, reuse, b);
+  QnSolveStatus status = qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, b);
   double work = qn_linsys_work (eq->linsys);
 
   eq->statistics.factor_seconds += qn_clock_seconds () - start;
@@ -147,7 +146,7 @@ apply_inverse (QnEquilibrium *eq, double viscosity, double *b)
   double start = qn_clock_seconds ();
   qn_assembly_tangent (as, eq->multiplier, viscosity);
   eq->statistics.assembly_seconds += qn_clock_seconds () - start;
-  QnSolveStatus status = qn_equilibrium_factor (eq, QN_LINSYS_REPEATED, b);
+  QnSolveStatus status = qn_equilibrium_factor (eq, b);
   eq->factored = status == QN_SOLVE_CONVERGED;
   eq->factored_viscosity = viscosity;
   return status;

@@ -163,6 +163,18 @@ qn_bond_held (double damage)
 /* Response of a held bond above its strength. */
 #define QN_BOND_BREAKS 2.0
 
+/* Holds a bond that may break; false where there is none, or it is held as it is. */
+static inline bool
+qn_bond_hold (const QnSpring *spring, QnSpringMemory *memory)
+{
+  bool may_break =
+    qn_spring_has_bond (spring) && memory->extreme >= 0 && memory->extreme < 1;
+
+  if (may_break)
+    memory->extreme = qn_bond_held (memory->extreme);
+  return may_break;
+}
+
 /* Damage of the tensile stiffness of concrete by a crack with the largest opening `extreme`, m. */
 static inline double
 qn_spring_crack_damage (const QnSpring *spring, double extreme)

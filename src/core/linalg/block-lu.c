@@ -9,18 +9,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A front's matrices, in QnBlockLu.numbers: D, L and U one after the other. S stands in a place of
- * its own where it is kept, or where others have stood before it and will after it, which is
- * nearer to the processor. */
+/* A front's matrices, in QnBlockLu.numbers: D, L, U and S one after the other. */
 typedef struct {
-  size_t diagonal, lower, upper, end;
-  size_t schur, passing_schur;
+  size_t diagonal, lower, upper, schur;
   int32_t first_entry;      /* of A's, in QnBlockLu.sources */
   int32_t first_place;      /* of its pivots, in QnBlockLu.solution */
   int32_t pivots_of_parent; /* how much of its rest are pivots of the parent */
   double work;              /* of its elimination: multiplications, about */
   int32_t inside;           /* how much of its rest is eliminated in its own part */
-  bool odd;                 /* depth in the tree */
   bool changed;             /* by the factorisation in progress */
   QnPivotRange range;
 } Matrices;
@@ -45,8 +41,7 @@ struct QnBlockLu {
   Matrices *matrices; /* front_count + 1 */
   double *numbers;
   double work;
-  bool whole;   /* every front is that of the values that were last seen */
-  bool passing; /* no rest is kept in the factorisation in progress */
+  bool whole; /* every front is that of the values that were last seen */
 
   /* Every front is in a part or above them all. */
   Part *parts;
@@ -81,9 +76,9 @@ matrix_size (int32_t rows, int32_t columns)
   return (size_t) qn_front_height (rows) * (size_t) columns;
 }
 
-/* Lays out D, L and U of all fronts; returns how many numbers they are. */
+/* Lays out the matrices of all fronts; returns how many numbers they are. */
 static size_t
-lay_out_factors (QnBlockLu *lu)
+lay_out_matrices (QnBlockLu *lu)
 {
   size_t sum = 0;
 
@@ -94,8 +89,8 @@ lay_out_factors (QnBlockLu *lu)
     m->diagonal = sum;
     m->lower = m->diagonal + matrix_size (front->pivots, front->pivots);
     m->upper = m->lower + matrix_size (front->rest, front->pivots);
-    m->end = m->upper + matrix_size (front->rest, front->pivots);
-    sum = m->end;
+    m->schur = m->upper + matrix_size (front->rest, front->pivots);
+    sum = m->schur + matrix_size (front->rest, front->rest);
     m->work = pivots * (pivots * (pivots / 3 + rest) + rest * rest);
     lu->work += m->work;
     m->first_place = (int32_t) lu->solution_size;
@@ -140,41 +135,6 @@ lay_out_parts (QnBlockLu *lu, QnPool *room)
     else if (parent == QN_NONE || work[parent] > most)
       lu->parts[lu->part_count++] = (Part){ .first = first[f], .end = f + 1 };
   }
-}
-
-/* Lays out S of all fronts in so many numbers from `begin`, which are returned. Where those of a part
- * are not kept, each waits for its parent on one of two stacks, of even and of odd depths, which grow
- * towards each other: fronts come right after their children's subtrees, so that the children's
- * are on top of theirs. */
-static size_t
-lay_out_rests (QnBlockLu *lu, size_t begin)
-{
-  const QnFrontTree *tree = &lu->tree;
-  size_t sum = begin;
-
-  for (int32_t f = tree->front_count - 1; f >= 0; f--) {
-    const QnFront *front = &tree->fronts[f];
-    lu->matrices[f].odd = front->parent != QN_NONE && !lu->matrices[front->parent].odd;
-  }
-  for (int32_t f = 0; f < tree->front_count; f++) {
-    lu->matrices[f].schur = lu->matrices[f].passing_schur = sum;
-    sum += matrix_size (tree->fronts[f].rest, tree->fronts[f].rest);
-  }
-  lu->matrices[tree->front_count].schur = sum;
-  for (const Part *part = lu->parts; part < lu->parts + lu->part_count; part++) {
-    size_t low = lu->matrices[part->first].schur, high = lu->matrices[part->end].schur;
-    for (int32_t f = part->first; f < part->end; f++) {
-      Matrices *m = &lu->matrices[f];
-      size_t size = matrix_size (tree->fronts[f].rest, tree->fronts[f].rest);
-      m->passing_schur = m->odd ? high - size : low;
-      *(m->odd ? &high : &low) = m->odd ? high - size : low + size;
-      for (int32_t c = tree->fronts[f].child; c != QN_NONE; c = tree->fronts[c].sibling) {
-        size = matrix_size (tree->fronts[c].rest, tree->fronts[c].rest);
-        *(m->odd ? &low : &high) = m->odd ? low - size : high + size;
-      }
-    }
-  }
-  return sum - begin;
 }
 
 /* Where in `front`, counted from D, the entry at these two places goes: pivots first, then the
@@ -347,12 +307,10 @@ set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai, QnPool *
   lu->exchanges = qn_pool_alloc (&lu->pool, (size_t) n, sizeof *lu->exchanges);
   if (lu->pool.failed)
     return false;
-  size_t factors = lay_out_factors (lu);
+  lu->numbers = qn_pool_lines (&lu->pool, lay_out_matrices (lu), sizeof *lu->numbers);
   lay_out_parts (lu, room);
   if (room->failed || lu->pool.failed)
     return false;
-  lu->numbers =
-    qn_pool_lines (&lu->pool, factors + lay_out_rests (lu, factors), sizeof *lu->numbers);
   lay_out_scratch (lu);
   lay_out_solution (lu, room);
   list_all_entries (lu, ap, ai, room);
@@ -401,8 +359,7 @@ dense_front (const QnBlockLu *lu, int32_t f)
                          .diagonal = lu->numbers + m->diagonal,
                          .lower = lu->numbers + m->lower,
                          .upper = lu->numbers + m->upper,
-                         .schur =
-                           lu->numbers + (lu->passing ? m->passing_schur : m->schur),
+                         .schur = lu->numbers + m->schur,
                          .exchanges = lu->exchanges + front->first };
 }
 
@@ -418,17 +375,13 @@ has_new_values (const QnBlockLu *lu, int32_t f)
   return e < end;
 }
 
-/* Puts the values of A that come into a front there, and keeps them for comparison where its rest
- * is kept. */
+/* Puts the values of A that come into a front there, and keeps them for comparison. */
 static void
 take_values (QnBlockLu *lu, int32_t f, double *diagonal)
 {
   const double *ax = lu->ax;
   int32_t e = lu->matrices[f].first_entry, end = lu->matrices[f + 1].first_entry;
 
-  if (lu->passing)
-    for (; e < end; e++)
-      diagonal[lu->places[e]] = ax[lu->sources[e]];
   for (; e < end; e++)
     diagonal[lu->places[e]] = lu->values[e] = ax[lu->sources[e]];
 }
@@ -481,7 +434,7 @@ factor_front (QnBlockLu *lu, int32_t f)
   Matrices *m = &lu->matrices[f];
   QnDenseFront front = dense_front (lu, f);
 
-  memset (front.diagonal, 0, (m->end - m->diagonal) * sizeof (double));
+  memset (front.diagonal, 0, (m->schur - m->diagonal) * sizeof (double));
   take_values (lu, f, front.diagonal);
   for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE; c = lu->tree.fronts[c].sibling)
     add_child_to_pivots (lu, c, &front);
@@ -549,10 +502,7 @@ qn_block_lu_factor (QnBlockLu *lu, const double *ax)
   double work;
 
   lu->whole = false;
-  lu->passing = true;
-  double ratio = qn_block_lu_refactor (lu, ax, &work);
-  lu->whole = lu->passing = false;
-  return ratio;
+  return qn_block_lu_refactor (lu, ax, &work);
 }
 
 /* --- Solution --------------------------------------------------------------------------- */

@@ -185,22 +185,15 @@ is_zero (const double *b, int32_t n)
 }
 
 QnSolveStatus
-qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, QnLinsysReuse reuse,
-                            double *b)
+qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, double *b)
 {
   bool zero = b == NULL || is_zero (b, system->n);
-  double pivots;
+  double pivots = qn_block_lu_refactor (system->blocks, ax, &system->work);
 
-  if (reuse == QN_LINSYS_ONCE) {
-    pivots = qn_block_lu_factor (system->blocks, ax);
-    system->work = 1;
-  } else {
-    pivots = qn_block_lu_refactor (system->blocks, ax, &system->work);
-    if (system->work == 0 && system->n > 0) { /* the same matrix */
-      if (b != NULL && system->status == QN_SOLVE_CONVERGED)
-        qn_linsys_solve (system, b);
-      return system->status;
-    }
+  if (system->work == 0 && system->n > 0) { /* the same matrix */
+    if (b != NULL && system->status == QN_SOLVE_CONVERGED)
+      qn_linsys_solve (system, b);
+    return system->status;
   }
   for (int32_t i = 0; i < system->n; i++)
     system->trial[i] = zero ? 1 : b[i];
@@ -224,7 +217,7 @@ qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, QnLinsysReuse re
 QnSolveStatus
 qn_linsys_factor (QnLinsys *system, const double *ax)
 {
-  return qn_linsys_factor_and_solve (system, ax, QN_LINSYS_REPEATED, NULL);
+  return qn_linsys_factor_and_solve (system, ax, NULL);
 }
 
 void

@@ -29,19 +29,12 @@ QnLinsys *qn_linsys_new (int32_t n, const int32_t *ap, const int32_t *ai,
 
 void qn_linsys_free (QnLinsys *system);
 
-/* Whether the next matrix will be like this one. */
-typedef enum {
-  QN_LINSYS_REPEATED, /* what does not change is kept for it */
-  QN_LINSYS_ONCE      /* all values will be new: nothing is kept, which is faster */
-} QnLinsysReuse;
-
 /* Factorises the matrix with the values ax. */
 QnSolveStatus qn_linsys_factor (QnLinsys *system, const double *ax);
 
 /* The same, and overwrites b (length n) with its solution, whose backward error tests the
  * factorisation. b is undefined unless QN_SOLVE_CONVERGED is returned. */
-QnSolveStatus qn_linsys_factor_and_solve (QnLinsys *system, const double *ax,
-                                          QnLinsysReuse reuse, double *b);
+QnSolveStatus qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, double *b);
 
 /* Work of the last factorisation over that of a complete one. */
 double qn_linsys_work (const QnLinsys *system);

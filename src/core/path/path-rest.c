@@ -94,7 +94,7 @@ count_with_measure (QnEquilibrium *eq, const double *held, double *scratch,
 
   memcpy (scratch, held, (size_t) n * sizeof *scratch);
   QnSolveStatus status =
-    qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, QN_LINSYS_ONCE, scratch);
+    qn_linsys_factor_and_solve (eq->linsys, eq->assembly.ax, scratch);
   if (status != QN_SOLVE_CONVERGED)
     return status;
   *negative -= qn_dot (held, scratch, (size_t) n) < 0;

@@ -1,29 +1,8 @@
 /* Where linear geometry ends. */
+#include "core/base/polygon.h"
 #include "core/result/result.h"
 
 #include <math.h>
-
-/* Least distance between two parallel lines that a block lies between, one of them along a side. */
-static double
-block_width (const QnModel *model, const QnBlock *block)
-{
-  const QnVec2 *v = model->vertices + block->first_vertex;
-  size_t n = (size_t) block->vertex_count;
-  double width = INFINITY;
-
-  for (size_t i = 0; i < n; i++) {
-    QnVec2 side = qn_vec2_sub (v[(i + 1) % n], v[i]);
-    double length = qn_vec2_length (side), low = 0, high = 0;
-    for (size_t j = 0; j < n; j++) {
-      double off = qn_vec2_cross (side, qn_vec2_sub (v[j], v[i])) / length;
-      low = fmin (low, off);
-      high = fmax (high, off);
-    }
-    if (length > 0)
-      width = fmin (width, high - low);
-  }
-  return width;
-}
 
 double
 qn_result_motion (const QnResult *result, size_t from, size_t to)
@@ -80,7 +59,9 @@ qn_result_judge_linearity (const QnModel *model, QnResult *result)
   if (model->analysis.geometry != QN_GEOMETRY_LINEAR || result->limit.given)
     return;
   for (size_t b = 0; b < model->block_count; b++)
-    most = fmin (most, QN_LINEAR_MOTION * block_width (model, &model->blocks[b]));
+    most = fmin (most, QN_LINEAR_MOTION
+                         * qn_polygon_width (qn_model_block_vertices (model, (QnId) b),
+                                             (size_t) model->blocks[b].vertex_count));
   if (result->history.width > 0) {
     for (size_t b = 0; b < result->block_count && result->step_count > 0; b++)
       if (result->history.peaks[b] > most)
