@@ -239,6 +239,28 @@ qn_box_tree_pairs (const QnBoxTree *tree, double margin, size_t most, QnBoxPairs
   return join_nodes (&how, top, all, all, everywhere);
 }
 
+static int
+compare_pairs (const void *a, const void *b)
+{
+  const QnId *p = a, *q = b;
+
+  return p[0] != q[0] ? (p[0] < q[0] ? -1 : 1) : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+void
+qn_box_pairs_sort (QnBoxPairs *pairs)
+{
+  for (size_t i = 0; i < pairs->count; i++) {
+    QnId *pair = pairs->items[i], first = pair[0];
+    if (pair[1] < first) {
+      pair[0] = pair[1];
+      pair[1] = first;
+    }
+  }
+  if (pairs->count > 1)
+    qsort (pairs->items, pairs->count, sizeof *pairs->items, compare_pairs);
+}
+
 void
 qn_box_pairs_clear (QnBoxPairs *pairs)
 {

@@ -54,4 +54,7 @@ typedef struct QnBoxPairs {
 bool qn_box_tree_pairs (const QnBoxTree *tree, double margin, size_t most,
                         QnBoxPairs *pairs);
 
+/* Lower items first in each pair, and pairs ascending by them. */
+void qn_box_pairs_sort (QnBoxPairs *pairs);
+
 void qn_box_pairs_clear (QnBoxPairs *pairs);

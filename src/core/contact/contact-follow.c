@@ -239,14 +239,6 @@ list_corners (QnContactFollow *follow, QnId a, QnId b, const double *displacemen
   }
 }
 
-static int
-compare_pairs (const void *a, const void *b)
-{
-  const QnId *p = a, *q = b;
-
-  return p[0] != q[0] ? (p[0] < q[0] ? -1 : 1) : (p[1] > q[1]) - (p[1] < q[1]);
-}
-
 static void
 list_all (QnContactFollow *follow, const double *displacements, double margin)
 {
@@ -266,14 +258,7 @@ list_all (QnContactFollow *follow, const double *displacements, double margin)
   qn_box_tree_init (&tree, boxes, blocks, &room);
   follow->pool.failed |=
     room.failed || !qn_box_tree_pairs (&tree, margin, MOST_NEAR * blocks, &pairs);
-  for (size_t i = 0; i < pairs.count; i++)
-    if (pairs.items[i][0] > pairs.items[i][1]) {
-      QnId low = pairs.items[i][1];
-      pairs.items[i][1] = pairs.items[i][0];
-      pairs.items[i][0] = low;
-    }
-  if (pairs.count > 0)
-    qsort (pairs.items, pairs.count, sizeof *pairs.items, compare_pairs);
+  qn_box_pairs_sort (&pairs);
   for (size_t i = 0; i < pairs.count; i++) {
     QnId a = pairs.items[i][0], b = pairs.items[i][1];
     if (qn_support_is_full (model->blocks[a].support)
@@ -416,14 +401,11 @@ is_met (const QnContactFollow *follow, size_t index, QnCornerPlace at)
   QnId low = contact->block < contact->other ? contact->block : contact->other,
        high = contact->block < contact->other ? contact->other : contact->block;
   double near = qn_contact_follow_band (follow, low, high);
-  size_t first = index;
 
   if (fmin (at.along, at.length - at.along) > near)
     return false;
-  while (first > 0 && is_between (&follow->found[first - 1], low, high))
-    first--;
-  for (size_t k = first; k < follow->count && is_between (&follow->found[k], low, high);
-       k++) {
+  for (size_t k = first_between (follow, low, high);
+       k < follow->count && is_between (&follow->found[k], low, high); k++) {
     const QnFoundContact *c = &follow->found[k];
     if (!follow->active[k] || c->block != contact->other)
       continue;
