@@ -265,8 +265,14 @@ test_picture (void)
   g_assert_true (underlay->rectified);
   g_assert_cmpfloat (underlay->width, ==, 2.0);
   g_assert_cmpfloat (underlay->height, ==, 1.5);
-  g_assert_cmpfloat_with_epsilon (underlay->origin.x, left, 0.03);
+  /* Its lower left corner comes to the grid. */
+  g_assert_cmpfloat_with_epsilon (underlay->origin.x, left, 0.1);
+  g_assert_cmpfloat_with_epsilon (10.0 * underlay->origin.x,
+                                  round (10.0 * underlay->origin.x), 1e-9);
   driver_screenshot (GTK_WIDGET (window), "picture-rectified");
+  driver_click_on (GTK_WIDGET (window), driver_is_check, "Cropped to the rectangle");
+  g_assert_true (qn_view_state_get_underlay (state)->cropped);
+  g_assert_cmpfloat (qn_view_state_get_underlay (state)->seen.max.x, ==, 1.0);
   driver_press (GTK_WIDGET (window), "Show as Taken");
   g_assert_false (qn_view_state_get_underlay (state)->rectified);
   driver_activate (window, "win.undo");

@@ -645,7 +645,10 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
   else if (self->scene_error != NULL)
     draw_message (self, cr, self->scene_error->message);
   else if (!self->in_gesture)
-    draw_message (self, cr, _ ("Choose the wall tool (W) and drag a rectangle"));
+    draw_message (self, cr,
+                  _ (self->tool->begins
+                       ? self->tool->hint
+                       : N_ ("Choose the wall tool (W) and drag a rectangle")));
 
   void (*draw_tool) (QnCanvas *, cairo_t *) =
     self->in_gesture ? self->tool->draw : self->tool->draw_ready;

@@ -7,41 +7,50 @@
 /* px: how far the magnet pulls. */
 #define MAGNET_REACH_PX 9.0
 
+static QnMagnetHit
+find_hit (QnCanvas *self, QnVec2 point, gboolean wanted)
+{
+  GSettings *settings = qn_settings_get ();
+  QnMagnet magnet = { wanted && qn_canvas_snaps (self),
+                      MAGNET_REACH_PX / self->camera.scale,
+                      g_settings_get_boolean (settings, "grid")
+                        ? qn_canvas_grid_distance (self) / 5.0
+                        : 0.0 };
+  QnMagnetHit hit =
+    qn_magnet_find (&magnet, qn_canvas_get_model (self), point, self->magnet_skip);
+  /* Where nothing attracts, a pixel is worth a round length: nobody means 498.2 mm; so is one along an edge,
+   * from its corner on. */
+  const double round_to = qn_magnet_round_distance (1.0 / self->camera.scale);
+  const QnVec2 edge = qn_vec2_sub (hit.b, hit.a);
+  const double length = qn_vec2_length (edge);
+  if (hit.kind == QN_MAGNET_EDGE && length > 0.0) {
+    double at = qn_vec2_dot (qn_vec2_sub (hit.point, hit.a), edge) / length;
+    at = round (at / round_to) * round_to;
+    hit.point = qn_vec2_add_scaled (hit.a, fmin (at / length, 1.0), edge);
+  } else if (magnet.enabled && hit.kind == QN_MAGNET_NOTHING) {
+    hit.point = qn_vec2 (round (hit.point.x / round_to) * round_to,
+                         round (hit.point.y / round_to) * round_to);
+  }
+  return hit;
+}
+
+QnVec2
+qn_canvas_snap (QnCanvas *self, QnVec2 point)
+{
+  return find_hit (self, point, TRUE).point;
+}
+
 static QnToolEvent
 make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers,
             int press_count)
 {
   self->pointer = qn_vec2 (x, y);
   self->modifiers = modifiers;
-  QnVec2 point = qn_camera_to_model (&self->camera, self->pointer);
-  GSettings *settings = qn_settings_get ();
-  gboolean free_hand = (self->modifiers & GDK_ALT_MASK) != 0;
-  gboolean wanted =
-    self->tool != NULL && (self->tool->magnetic || self->in_gesture) && !free_hand;
-  QnMagnet magnet = { wanted && g_settings_get_boolean (settings, "snap"),
-                      MAGNET_REACH_PX / self->camera.scale,
-                      g_settings_get_boolean (settings, "grid")
-                        ? qn_canvas_grid_distance (self) / 5.0
-                        : 0.0 };
-  const QnModel *model = qn_canvas_get_model (self);
-  self->hit = qn_magnet_find (&magnet, model, point, self->magnet_skip);
-  /* Where nothing attracts, a pixel is worth a round length: nobody means 498.2 mm; so is one along an edge,
-   * from its corner on. */
-  const double round_to = qn_magnet_round_distance (1.0 / self->camera.scale);
-  const QnVec2 edge = qn_vec2_sub (self->hit.b, self->hit.a);
-  const double length = qn_vec2_length (edge);
-  if (self->hit.kind == QN_MAGNET_EDGE && length > 0.0) {
-    double at = qn_vec2_dot (qn_vec2_sub (self->hit.point, self->hit.a), edge) / length;
-    at = round (at / round_to) * round_to;
-    self->hit.point = qn_vec2_add_scaled (self->hit.a, fmin (at / length, 1.0), edge);
-  } else if (magnet.enabled && self->hit.kind == QN_MAGNET_NOTHING) {
-    self->hit.point = qn_vec2 (round (self->hit.point.x / round_to) * round_to,
-                               round (self->hit.point.y / round_to) * round_to);
-  }
-  return (
-    QnToolEvent){ self->pointer,   qn_camera_to_model (&self->camera, self->pointer),
-                  self->hit.point, self->hit,
-                  modifiers,       press_count };
+  const QnVec2 point = qn_camera_to_model (&self->camera, self->pointer);
+  self->hit = find_hit (
+    self, point, self->tool->magnetic || (self->in_gesture && self->pressed));
+  return (QnToolEvent){ self->pointer, point,     self->hit.point,
+                        self->hit,     modifiers, press_count };
 }
 
 /* What the tool does with an event, if anything. */
@@ -69,10 +78,9 @@ press (QnCanvas *self, QnVec2 at, GdkModifierType modifiers, int count)
 static void
 release (QnCanvas *self, QnVec2 at, GdkModifierType modifiers, int count)
 {
-  const gboolean pressed = self->pressed;
-  self->pressed = FALSE;
-  if (pressed)
+  if (self->pressed)
     send (self, self->tool->release, at, modifiers, count);
+  self->pressed = FALSE;
 }
 
 void

@@ -94,6 +94,8 @@ QnId qn_canvas_pick_node (QnCanvas *canvas, QnVec2 screen);
 
 /* Whether the magnet is on at the moment. */
 gboolean qn_canvas_snaps (QnCanvas *canvas);
+/* Where the magnet has a point; the point where it is off. */
+QnVec2 qn_canvas_snap (QnCanvas *canvas, QnVec2 point);
 
 /* Blocks that the magnet leaves alone, one flag per block, taken over; NULL for none. */
 void qn_canvas_set_magnet_skip (QnCanvas *canvas, gboolean *skip);

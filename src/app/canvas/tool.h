@@ -66,6 +66,7 @@ typedef struct QnTool {
   const char *label;         /* translatable, shown as tooltip */
   const char *hint;          /* translatable, shown in the status bar */
   const char *accel;         /* single key */
+  gboolean begins;           /* draws where nothing is yet */
   gboolean magnetic;         /* whether the magnet works before a gesture has begun */
   const char *numbers_label; /* translatable: "width; height", what can be typed */
   QnQuantity quantities[QN_TOOL_NUMBERS]; /* of the typed numbers */

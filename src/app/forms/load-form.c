@@ -457,20 +457,21 @@ show_list (Form *form, int32_t list)
   form->shown = list;
 }
 
-/* The sideways weight that new drawings grow by goes where it is alone: a vehicle is not meant to grow with it. */
-static void
+/* The sideways weight that new drawings grow by goes where it is alone: a vehicle is not meant to grow with it.
+ * Whether it went. */
+static gboolean
 make_room (QnModel *model)
 {
   QnId only = QN_NONE;
   for (QnId i = 0; i < (QnId) model->live_load_count; i++)
     if (model->live_loads[i].set == 0 && only != QN_NONE)
-      return;
+      return FALSE;
     else if (model->live_loads[i].set == 0)
       only = i;
   const QnLoad *load = only != QN_NONE ? &model->live_loads[only] : NULL;
-  if (load != NULL && load->kind == QN_LOAD_WEIGHT && load->vector.x == 1.0
-      && load->vector.y == 0.0)
-    qn_edit_remove_item (model, QN_ITEM_LIVE_LOAD, only, NULL);
+  return load != NULL && load->kind == QN_LOAD_WEIGHT && load->vector.x == 1.0
+         && load->vector.y == 0.0
+         && qn_edit_remove_item (model, QN_ITEM_LIVE_LOAD, only, NULL);
 }
 
 static gboolean
@@ -496,8 +497,10 @@ add (Form *form, QnModel *model, guint field, GError **error)
       || (field == ADD_LINE && !make_line (form, &load, error))
       || (field == ADD_SETTLEMENT && !make_settlement (form, model, &load, error)))
     return FALSE;
-  if (field == ADD_VEHICLE && list == 0)
-    make_room (model);
+  if (field == ADD_VEHICLE && list == 0 && make_room (model))
+    qn_canvas_tell (form->base.canvas,
+                    _ ("The vehicle takes the place of the sideways weight; Undo brings "
+                       "the weight back."));
   if ((added = qn_edit_new_load (model, !dead, error)) == NULL)
     return FALSE;
   *added = load;

@@ -140,6 +140,7 @@ draw (QnCanvas *canvas, cairo_t *cr)
 
 const QnTool qn_tool_arch = {
   .name = "arch",
+  .begins = TRUE,
   .icon = "quoin-arch-symbolic",
   .label = N_ ("Arch"),
   .hint =

@@ -132,6 +132,7 @@ const QnTool qn_tool_mirror = {
 
 const QnTool qn_tool_beam = {
   .name = "beam",
+  .begins = TRUE,
   .icon = "quoin-beam-symbolic",
   .label = N_ ("Beam"),
   .hint = N_ ("Drag from end to end; an end on a block or on another beam is held there; "

@@ -63,6 +63,7 @@ draw (QnCanvas *canvas, cairo_t *cr)
 
 const QnTool qn_tool_wall = {
   .name = "wall",
+  .begins = TRUE,
   .icon = "quoin-wall-symbolic",
   .label = N_ ("Wall"),
   .hint =
@@ -76,6 +77,7 @@ const QnTool qn_tool_wall = {
 
 const QnTool qn_tool_column = {
   .name = "column",
+  .begins = TRUE,
   .icon = "quoin-column-symbolic",
   .label = N_ ("Column"),
   .hint =

@@ -85,12 +85,13 @@ rectify (QnCanvas *canvas, double width, double height)
     qn_canvas_tell (canvas, _ ("These four points cannot be the corners of a rectangle"));
     return FALSE;
   }
+  underlay.origin = qn_canvas_snap (canvas, underlay.origin);
   place (canvas, _ ("Rectify Picture"), &underlay);
   return TRUE;
 }
 
-/* The distance of the two points, of which the first stays where it is; or width and height of the
- * rectangle whose corners the four points are. */
+/* The distance of the two points, or width and height of the rectangle whose corners the four points are. The
+ * first point, or the lower left corner, comes to where the magnet has it. */
 static gboolean
 numbers (QnCanvas *canvas, const double *values, int count)
 {
@@ -105,8 +106,8 @@ numbers (QnCanvas *canvas, const double *values, int count)
   double length = qn_vec2_length (across);
   if (!(length > 0.0))
     return FALSE;
-  QnVec2 wanted[] = { shown[0],
-                      qn_vec2_add_scaled (shown[0], values[0] / length, across) };
+  const QnVec2 start = qn_canvas_snap (canvas, shown[0]);
+  QnVec2 wanted[] = { start, qn_vec2_add_scaled (start, values[0] / length, across) };
   QnUnderlay scaled = *qn_view_state_get_underlay (qn_canvas_get_state (canvas));
   if (!qn_underlay_match (&scaled, shown, wanted))
     return FALSE;

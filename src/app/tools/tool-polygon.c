@@ -51,6 +51,7 @@ draw (QnCanvas *canvas, cairo_t *cr)
 
 const QnTool qn_tool_polygon = {
   .name = "polygon",
+  .begins = TRUE,
   .icon = "quoin-polygon-symbolic",
   .label = N_ ("Polygonal Block"),
   .hint =

@@ -29,6 +29,7 @@ draw (QnCanvas *canvas, cairo_t *cr)
 
 const QnTool qn_tool_rectangle = {
   .name = "rectangle",
+  .begins = TRUE,
   .icon = "quoin-rectangle-symbolic",
   .label = N_ ("Rectangular Block"),
   .hint = N_ ("Drag a rectangle, or click a corner and type width; height"),

@@ -92,7 +92,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return TRUE;
   }
   if (field == AS_TAKEN) {
-    qn_underlay_show_as_taken (&underlay, underlay.width);
+    qn_underlay_show_as_taken (&underlay);
     return qn_document_place_picture (document, _ ("Show Picture as Taken"), NULL,
                                       &underlay, error);
   }

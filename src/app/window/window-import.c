@@ -14,12 +14,8 @@ static void
 insert_picture (QnWindow *self, const char *path)
 {
   g_autoptr (GError) error = NULL;
-  gboolean blank = qn_window_is_blank (self);
   qn_window_show_work (self);
-  QnBox view = qn_camera_visible_box (qn_canvas_get_camera (self->canvas));
-  if (blank || !(view.max.x > view.min.x))
-    view = (QnBox){ { 0.0, 0.0 }, { 5.0, 4.0 } };
-  if (!qn_document_insert_picture (self->document, path, view, &error)) {
+  if (!qn_document_insert_picture (self->document, path, &error)) {
     qn_window_show_error (self, error->message);
     return;
   }

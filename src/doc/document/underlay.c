@@ -164,7 +164,7 @@ qn_underlay_to_json (const char *image, const QnUnderlay *underlay)
     qn_json_begin_member (json, "rectangle");
     g_string_append_c (json, '{');
     qn_json_put_points (json, "corners", underlay->points, 4);
-    qn_members_write (json, rectangle_members, NULL, underlay, NULL);
+    qn_members_write (json, rectangle_members, NULL, underlay, &(QnUnderlay){ 0 });
     g_string_append (json, " }");
   }
   g_string_append (json, " }");
@@ -230,11 +230,10 @@ qn_underlay_rectify (QnUnderlay *underlay, const QnVec2 shown[4], double width,
 }
 
 void
-qn_underlay_show_as_taken (QnUnderlay *underlay, double width)
+qn_underlay_show_as_taken (QnUnderlay *underlay)
 {
   underlay->rectified = false;
   underlay->height = 0;
-  underlay->width = width;
   underlay->angle = 0;
 }
 
@@ -283,8 +282,7 @@ qn_document_allow_picture (QnDocument *document)
 }
 
 gboolean
-qn_document_insert_picture (QnDocument *document, const char *path, QnBox view,
-                            GError **error)
+qn_document_insert_picture (QnDocument *document, const char *path, GError **error)
 {
   cairo_surface_t *image = qn_photo_load (path, error);
   if (image == NULL)
@@ -292,12 +290,14 @@ qn_document_insert_picture (QnDocument *document, const char *path, QnBox view,
   cairo_surface_destroy (image);
   qn_document_allow_file (document, path);
   const QnModel *model = qn_document_get_model (document);
-  QnBox box = model->block_count > 0
-                ? qn_box_of_points (model->vertices, model->vertex_count)
-                : view;
-  QnUnderlay underlay = { .origin = box.min,
-                          .width = MAX (box.max.x - box.min.x, 1e-3),
-                          .opacity = 0.6 };
+  QnUnderlay underlay = { .width = 5, .opacity = 0.6 };
+  QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
+  for (gsize i = 0; i < model->node_count; i++)
+    qn_box_add_point (&box, model->nodes[i].at);
+  if (!qn_box_is_empty (box)) {
+    underlay.origin = box.min;
+    underlay.width = MAX (box.max.x - box.min.x, 1e-3);
+  }
   const char *folder = qn_document_get_folder (document);
   g_autofree char *name = dup_name (path, folder);
   g_autofree char *json = qn_underlay_to_json (name, &underlay);

@@ -16,7 +16,6 @@
 
 #include "doc/document/document.h"
 #include "io/project/project.h"
-#include "render/drawing/camera.h"
 #include "render/scene/view-options.h"
 
 /* Fills the underlay with the project's; the image is owned by the caller
@@ -56,13 +55,13 @@ bool qn_underlay_match (QnUnderlay *underlay, const QnVec2 shown[2],
 bool qn_underlay_rectify (QnUnderlay *underlay, const QnVec2 shown[4], double width,
                           double height);
 
-/* Shows the photo as it was taken again, the whole as wide as `width`. */
-void qn_underlay_show_as_taken (QnUnderlay *underlay, double width);
+/* Shows the photo as it was taken again, the whole as wide as the rectangle was. */
+void qn_underlay_show_as_taken (QnUnderlay *underlay);
 
 /* Lays a picture behind the drawing, in place of the one that is there: over the width of the
- * drawing where there is one and of `view` otherwise, its foot at that of the drawing. Refused
- * where the file is no picture. */
-gboolean qn_document_insert_picture (QnDocument *document, const char *path, QnBox view,
+ * drawing, its foot at that of the drawing; 5 m wide from the origin on where nothing is drawn.
+ * Refused where the file is no picture. */
+gboolean qn_document_insert_picture (QnDocument *document, const char *path,
                                      GError **error);
 
 /* Another place, size or opacity for the same picture; `name` and `key` as of

@@ -117,7 +117,8 @@ qn_edit_box_of (const QnModel *model, QnBlockSet set)
   return box;
 }
 
-/* Stone and soil as they are usual: 10 kN/m, 10 kPa, 18 kN/m3 with an angle of friction of 30 degrees. */
+/* Stone and soil as they are usual: 10 kN/m, 10 kPa, 18 kN/m3 with an angle of friction of 30 degrees; about the
+ * blocks, in whole centimetres. */
 gboolean
 qn_edit_make_edge_load (QnModel *model, QnLoadKind kind, QnBlockSet set, QnLoad *load,
                         GError **error)
@@ -139,6 +140,10 @@ qn_edit_make_edge_load (QnModel *model, QnLoadKind kind, QnBlockSet set, QnLoad 
   QnBox box = qn_edit_box_of (model, set);
   if (qn_box_is_empty (box))
     return qn_edit_refuse (error, _ ("There is no block to be loaded"));
+  box.min = qn_vec2 (floor (100.0 * box.min.x + 1e-6) / 100.0,
+                     floor (100.0 * box.min.y + 1e-6) / 100.0);
+  box.max = qn_vec2 (ceil (100.0 * box.max.x - 1e-6) / 100.0,
+                     ceil (100.0 * box.max.y - 1e-6) / 100.0);
   switch ((int) kind) {
   case QN_LOAD_EDGE:
     load->block = set.ids[0];
