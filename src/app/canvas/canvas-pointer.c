@@ -11,11 +11,10 @@ static QnMagnetHit
 find_hit (QnCanvas *self, QnVec2 point, gboolean wanted)
 {
   GSettings *settings = qn_settings_get ();
-  QnMagnet magnet = { wanted && qn_canvas_snaps (self),
-                      MAGNET_REACH_PX / self->camera.scale,
-                      g_settings_get_boolean (settings, "grid")
-                        ? qn_canvas_grid_distance (self) / 5.0
-                        : 0.0 };
+  QnMagnet magnet = {
+    wanted && qn_canvas_snaps (self), MAGNET_REACH_PX / self->camera.scale,
+    g_settings_get_boolean (settings, "grid") ? qn_canvas_grid_distance (self) / 5.0 : 0.0
+  };
   QnMagnetHit hit =
     qn_magnet_find (&magnet, qn_canvas_get_model (self), point, self->magnet_skip);
   /* Where nothing attracts, a pixel is worth a round length: nobody means 498.2 mm; so is one along an edge,
@@ -47,8 +46,8 @@ make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers,
   self->pointer = qn_vec2 (x, y);
   self->modifiers = modifiers;
   const QnVec2 point = qn_camera_to_model (&self->camera, self->pointer);
-  self->hit = find_hit (
-    self, point, self->tool->magnetic || (self->in_gesture && self->pressed));
+  self->hit =
+    find_hit (self, point, self->tool->magnetic || (self->in_gesture && self->pressed));
   return (QnToolEvent){ self->pointer, point,     self->hit.point,
                         self->hit,     modifiers, press_count };
 }
