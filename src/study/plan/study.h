@@ -42,31 +42,31 @@ typedef enum {
  * number of the group of cases that move alike. COLLAPSED to ENERGY_ERROR are of runs in time. */
 /* clang-format off */
 #define QN_STUDY_OUTPUTS(X) \
-  X (COLLAPSE_MULTIPLIER, "Collapse multiplier λ", "collapse_multiplier") \
-  X (ASSOCIATIVE_MULTIPLIER, "Associative bound of λ", "associative_multiplier") \
-  X (FIRST_LIMIT_MULTIPLIER, "Multiplier λ at the first jump", "first_limit_multiplier") \
-  X (LOWER_BOUND, "Limit analysis of λ: static value", "lower_bound") \
-  X (UPPER_BOUND, "Limit analysis of λ: kinematic value", "upper_bound") \
-  X (MECHANISM_KIND, "Kind of mechanism", "mechanism_kind") \
-  X (MECHANISM_SHAPE, "Shape of mechanism", "mechanism_shape") \
-  X (LAST_MULTIPLIER, "Multiplier λ of the last step", "last_multiplier") \
-  X (LARGEST_DISPLACEMENT, "Largest displacement (m)", "largest_displacement") \
-  X (STEPS, "Number of steps", "steps") \
-  X (ITERATIONS, "Number of iterations", "iterations") \
-  X (WIDEST_CRACK, "Widest crack (m)", "widest_crack") \
-  X (CRACK_MISFIT, "Misfit of measured cracks (m)", "crack_misfit") \
-  X (COLLAPSED, "Collapsed (1: yes, 0: no)", "collapsed") \
-  X (TIME_OF_COLLAPSE, "Time of collapse (s)", "time_of_collapse") \
-  X (PEAK_DISPLACEMENT, "Peak displacement (m)", "peak_displacement") \
-  X (FRICTION_ENERGY, "Energy lost by friction (J)", "friction_energy") \
-  X (LARGEST_SLIP, "Largest slip, over the length of its joint", "largest_slip") \
-  X (ENERGY_ERROR, "Error of the energy balance, over the input", "energy_error") \
-  X (FREQUENCY_1, "1st frequency (Hz)", "frequency_1") \
-  X (FREQUENCY_2, "2nd frequency (Hz)", "frequency_2") \
-  X (FREQUENCY_3, "3rd frequency (Hz)", "frequency_3") \
-  X (FREQUENCY_4, "4th frequency (Hz)", "frequency_4") \
-  X (FREQUENCY_5, "5th frequency (Hz)", "frequency_5") \
-  X (FREQUENCY_6, "6th frequency (Hz)", "frequency_6")
+  X (COLLAPSE_MULTIPLIER, N_ ("Collapse multiplier λ"), "collapse_multiplier") \
+  X (ASSOCIATIVE_MULTIPLIER, N_ ("Associative bound of λ"), "associative_multiplier") \
+  X (FIRST_LIMIT_MULTIPLIER, N_ ("Multiplier λ at the first jump"), "first_limit_multiplier") \
+  X (LOWER_BOUND, N_ ("Limit analysis of λ: static value"), "lower_bound") \
+  X (UPPER_BOUND, N_ ("Limit analysis of λ: kinematic value"), "upper_bound") \
+  X (MECHANISM_KIND, N_ ("Kind of mechanism"), "mechanism_kind") \
+  X (MECHANISM_SHAPE, N_ ("Shape of mechanism"), "mechanism_shape") \
+  X (LAST_MULTIPLIER, N_ ("Multiplier λ of the last step"), "last_multiplier") \
+  X (LARGEST_DISPLACEMENT, N_ ("Largest displacement (m)"), "largest_displacement") \
+  X (STEPS, N_ ("Number of steps"), "steps") \
+  X (ITERATIONS, N_ ("Number of iterations"), "iterations") \
+  X (WIDEST_CRACK, N_ ("Widest crack (m)"), "widest_crack") \
+  X (CRACK_MISFIT, N_ ("Misfit of measured cracks (m)"), "crack_misfit") \
+  X (COLLAPSED, N_ ("Collapsed (1: yes, 0: no)"), "collapsed") \
+  X (TIME_OF_COLLAPSE, N_ ("Time of collapse (s)"), "time_of_collapse") \
+  X (PEAK_DISPLACEMENT, N_ ("Peak displacement (m)"), "peak_displacement") \
+  X (FRICTION_ENERGY, N_ ("Energy lost by friction (J)"), "friction_energy") \
+  X (LARGEST_SLIP, N_ ("Largest slip, over the length of its joint"), "largest_slip") \
+  X (ENERGY_ERROR, N_ ("Error of the energy balance, over the input"), "energy_error") \
+  X (FREQUENCY_1, N_ ("1st frequency (Hz)"), "frequency_1") \
+  X (FREQUENCY_2, N_ ("2nd frequency (Hz)"), "frequency_2") \
+  X (FREQUENCY_3, N_ ("3rd frequency (Hz)"), "frequency_3") \
+  X (FREQUENCY_4, N_ ("4th frequency (Hz)"), "frequency_4") \
+  X (FREQUENCY_5, N_ ("5th frequency (Hz)"), "frequency_5") \
+  X (FREQUENCY_6, N_ ("6th frequency (Hz)"), "frequency_6")
 /* clang-format on */
 
 typedef enum {
