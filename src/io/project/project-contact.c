@@ -177,7 +177,7 @@ static void
 append_face (GString *json, const QnModel *model, size_t index)
 {
   const QnFaceOverride *face = &model->overrides[index];
-  qn_members_write (json, face_members, model, face, face);
+  qn_members_write (json, face_members, model, face, NULL);
   if (face->has_pairs)
     put_pair_rule (json, &face->pairs);
 }

@@ -318,11 +318,12 @@ name_of (const QnModel *model, QnNamed named, QnId id)
   g_return_val_if_reached ("");
 }
 
-/* No string and no entity is the usual one. `from` and `other` have the member. */
+/* No string and no entity is the usual one; of the rest what `other` has, or none where that is NULL. */
 static gboolean
 is_usual (const QnMember *m, const char *from, const char *other)
 {
-  gconstpointer value = from + m->offset, usual = other + m->offset;
+  gconstpointer value = from + m->offset,
+                usual = other != NULL ? other + m->offset : NULL;
   const double *number = value, *usual_number = usual;
   bool same = true;
   switch (m->kind) {
@@ -335,18 +336,20 @@ is_usual (const QnMember *m, const char *from, const char *other)
   case QN_MEMBER_NAMES:
     return FALSE;
   case QN_MEMBER_NUMBER:
-    return number[0] == usual_number[0] || (isnan (number[0]) && isnan (usual_number[0]));
+    return usual != NULL
+           && (number[0] == usual_number[0]
+               || (isnan (number[0]) && isnan (usual_number[0])));
   case QN_MEMBER_TWO:
-    return number[0] == usual_number[0] && number[1] == usual_number[1];
+    return usual != NULL && number[0] == usual_number[0] && number[1] == usual_number[1];
   case QN_MEMBER_COUNT:
   case QN_MEMBER_CHOICE:
   case QN_MEMBER_WHOLE:
   case QN_MEMBER_STAGE:
   case QN_MEMBER_SEED:
-    return *(const int *) value == *(const int *) usual;
+    return usual != NULL && *(const int *) value == *(const int *) usual;
   case QN_MEMBER_BOOL:
   case QN_MEMBER_SWITCH:
-    return *(const bool *) value == *(const bool *) usual;
+    return usual != NULL && *(const bool *) value == *(const bool *) usual;
   case QN_MEMBER_STRING:
     return *(char *const *) value == NULL;
   case QN_MEMBER_ENTITY:
@@ -364,7 +367,7 @@ is_usual (const QnMember *m, const char *from, const char *other)
     return same;
   case QN_MEMBER_NUMBERS:
     for (int i = 0; i < m->detail; i++)
-      same = same && number[i] == usual_number[i];
+      same = same && usual != NULL && number[i] == usual_number[i];
     return same;
   case QN_MEMBER_WEIGHT:
     return number[0] == 0 && number[1] < 0;
@@ -433,7 +436,8 @@ write_member (GString *json, const QnMember *m, const QnModel *model, const char
                         (gsize) * (const int32_t *) (const void *) (from + m->count));
     break;
   case QN_MEMBER_OBJECT:
-    qn_members_put (json, m->key, m->members, model, value, other + m->offset);
+    qn_members_put (json, m->key, m->members, model, value,
+                    other != NULL ? other + m->offset : NULL);
     break;
   case QN_MEMBER_NUMBERS:
     qn_json_put_numbers (json, m->key, number, (gsize) m->detail);
@@ -466,15 +470,15 @@ void
 qn_members_write (GString *json, const QnMember *members, const QnModel *model,
                   gconstpointer source, gconstpointer usual)
 {
-  const char *from = source, *other = usual != NULL ? usual : source;
+  const char *from = source;
   for (const QnMember *m = members; m->key != NULL; m++) {
     if (m->kind == QN_MEMBER_KNOWN || m->kind == QN_MEMBER_PLACE || m->use == QN_USE_READ)
       continue;
     if (m->kind == QN_MEMBER_MAYBE && m->given > 0 && !*(const bool *) (from + m->given))
       qn_json_put_number (json, m->key, NAN);
     else if (m->given > 0 ? *(const bool *) (from + m->given)
-                          : m->use != QN_USE_OPTIONAL || !is_usual (m, from, other))
-      write_member (json, m, model, from, other);
+                          : m->use != QN_USE_OPTIONAL || !is_usual (m, from, usual))
+      write_member (json, m, model, from, usual);
   }
 }
 

@@ -134,8 +134,8 @@ gboolean qn_members_check (const QnJsonValue *object, const QnMember *first,
 gboolean qn_members_take (const QnJsonValue *object, const QnMember *members,
                           const QnModel *model, gpointer target);
 
-/* Appends the members to an object, without those that equal
- * `usual` (NULL where all are required). */
+/* Appends the members to an object, without optional ones that are as in `usual`; NULL: without those that
+ * name nothing. */
 void qn_members_write (GString *json, const QnMember *members, const QnModel *model,
                        gconstpointer source, gconstpointer usual);
 

@@ -76,7 +76,7 @@ append_tie (GString *json, const QnModel *model, size_t index)
   qn_json_begin_member (json, "ends");
   for (int end = 0; end < 2; end++) {
     g_string_append (json, end == 0 ? "[{" : " }, {");
-    qn_members_write (json, end_members, model, &tie->ends[end], &tie->ends[end]);
+    qn_members_write (json, end_members, model, &tie->ends[end], NULL);
   }
   g_string_append (json, " }]");
   qn_members_write (json, tie_members, model, tie, &usual);
