@@ -76,10 +76,9 @@ find_selected (QnCanvas *canvas, Put *put)
 static void
 select_last (QnCanvas *canvas, gboolean live)
 {
-  gsize count;
-  qn_model_loads (qn_canvas_get_model (canvas), live, &count);
-  qn_selection_set_item (qn_canvas_get_selection (canvas), QN_ITEM_LOAD (live),
-                         (QnId) count - 1);
+  const QnItemKind kind = QN_ITEM_LOAD (live);
+  const gsize count = qn_model_count_items (qn_canvas_get_model (canvas), kind);
+  qn_selection_set_item (qn_canvas_get_selection (canvas), kind, (QnId) count - 1);
 }
 
 static void

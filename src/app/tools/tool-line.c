@@ -33,19 +33,17 @@ add_tie (QnCanvas *canvas, QnDraft *draft, QnVec2 from, QnVec2 to)
   return qn_edit_draw_tie (draft->model, from, to, &draft->error);
 }
 
-/* One undo step with the drawn line; NULL where there is none, else the model, of which it is the last. */
-static const QnModel *
+/* One undo step with the drawn line, which is the last of its kind; FALSE where there is none. */
+static gboolean
 add (QnCanvas *canvas, const char *name, AddFunc func)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   const QnVec2 from = gesture->from, to = gesture->to;
   QnDraft draft;
   qn_canvas_set_in_gesture (canvas, FALSE);
-  if ((from.x == to.x && from.y == to.y) || !qn_canvas_begin_edit (canvas, &draft)
-      || !qn_canvas_end_edit (canvas, &draft, name, NULL,
-                              func (canvas, &draft, from, to)))
-    return NULL;
-  return qn_canvas_get_model (canvas);
+  return !(from.x == to.x && from.y == to.y) && qn_canvas_begin_edit (canvas, &draft)
+         && qn_canvas_end_edit (canvas, &draft, name, NULL,
+                                func (canvas, &draft, from, to));
 }
 
 /* What is new is selected, so that its handles and numbers are there. */
@@ -53,28 +51,31 @@ add (QnCanvas *canvas, const char *name, AddFunc func)
 static void
 complete_beam (QnCanvas *canvas)
 {
-  const QnModel *model = add (canvas, _ ("Add Beam"), add_beam);
-  const QnId last = model != NULL ? (QnId) model->beam_count - 1 : QN_NONE;
-  if (model != NULL)
-    qn_selection_set (qn_canvas_get_selection (canvas), QN_PART_BEAM, &last, 1);
+  if (!add (canvas, _ ("Add Beam"), add_beam))
+    return;
+  const QnId last = (QnId) qn_canvas_get_model (canvas)->beam_count - 1;
+  qn_selection_set (qn_canvas_get_selection (canvas), QN_PART_BEAM, &last, 1);
+}
+
+static void
+complete_item (QnCanvas *canvas, QnItemKind kind, const char *name, AddFunc func)
+{
+  if (add (canvas, name, func))
+    qn_selection_set_item (
+      qn_canvas_get_selection (canvas), kind,
+      (QnId) qn_model_count_items (qn_canvas_get_model (canvas), kind) - 1);
 }
 
 static void
 complete_bar (QnCanvas *canvas)
 {
-  const QnModel *model = add (canvas, _ ("Add Bar"), add_bar);
-  if (model != NULL)
-    qn_selection_set_item (qn_canvas_get_selection (canvas), QN_ITEM_BAR,
-                           (QnId) model->bar_count - 1);
+  complete_item (canvas, QN_ITEM_BAR, _ ("Add Bar"), add_bar);
 }
 
 static void
 complete_tie (QnCanvas *canvas)
 {
-  const QnModel *model = add (canvas, _ ("Add Tie"), add_tie);
-  if (model != NULL)
-    qn_selection_set_item (qn_canvas_get_selection (canvas), QN_ITEM_TIE,
-                           (QnId) model->tie_count - 1);
+  complete_item (canvas, QN_ITEM_TIE, _ ("Add Tie"), add_tie);
 }
 
 static void
