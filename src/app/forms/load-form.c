@@ -195,8 +195,11 @@ add_loads (const Form *form, QnValue *value, const QnModel *model)
   gsize count;
   const QnLoad *loads = qn_model_loads (model, form->shown != DEAD_LOADS, &count);
   const int rows = row_of (form, (QnId) count);
-  for (int i = 0; i < MIN (rows, MOST_SHOWN); i++) {
-    const QnLoad *load = &loads[load_of (form, i)];
+  int row = 0;
+  for (const QnLoad *load = loads; row < MIN (rows, MOST_SHOWN); load++) {
+    if (!shows (form, load))
+      continue;
+    row++;
     g_autofree char *what = qn_load_dup_text (model, load, qn_settings_get_units ());
     if (load->load_case > 0)
       qn_value_take_row (
@@ -497,12 +500,13 @@ add (Form *form, QnModel *model, guint field, GError **error)
       || (field == ADD_LINE && !make_line (form, &load, error))
       || (field == ADD_SETTLEMENT && !make_settlement (form, model, &load, error)))
     return FALSE;
-  if (field == ADD_VEHICLE && list == 0 && make_room (model))
+  const gboolean replaced = field == ADD_VEHICLE && list == 0 && make_room (model);
+  if ((added = qn_edit_new_load (model, !dead, error)) == NULL)
+    return FALSE;
+  if (replaced)
     qn_canvas_tell (form->base.canvas,
                     _ ("The vehicle takes the place of the sideways weight; Undo brings "
                        "the weight back."));
-  if ((added = qn_edit_new_load (model, !dead, error)) == NULL)
-    return FALSE;
   *added = load;
   added->set = MAX (list, 0);
   if (list != form->shown)
