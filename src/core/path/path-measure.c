@@ -33,8 +33,8 @@ take_motion (QnPathMeasure *measure, double increment)
 
   if (take_tangent (measure, &rate_length) == QN_SOLVE_NO_MEMORY)
     return false;
-  if (rate_length
-      == 0) { /* blocks that nothing holds yet: as if equally stiff everywhere */
+  /* Blocks that nothing holds before there is a live load: as if equally stiff everywhere. */
+  if (rate_length == 0) {
     const double *live = eq->assembly.live;
     double length = sqrt (qn_dot (live, live, (size_t) n));
     rate_length = length / eq->assembly.stiffness;

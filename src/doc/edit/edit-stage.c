@@ -199,11 +199,10 @@ gboolean
 qn_edit_move_load (QnModel *model, gboolean live, QnId load, int by, GError **error)
 {
   const QnItemKind kind = QN_ITEM_LOAD (live);
-  const QnId other = qn_edit_has_item (model, kind, load, error)
-                       ? qn_model_load_beside (model, live, load, by)
-                       : load;
-  if (!qn_edit_has_item (model, kind, load, NULL)
-      || !qn_edit_has_item (model, kind, other, error))
+  if (!qn_edit_has_item (model, kind, load, error))
+    return FALSE;
+  const QnId other = qn_model_load_beside (model, live, load, by);
+  if (!qn_edit_has_item (model, kind, other, error))
     return FALSE;
   QnLoad *loads = qn_model_loads (model, live, NULL), moved = loads[load];
   loads[load] = loads[other];
