@@ -648,10 +648,59 @@ test_other_bricks (void)
   driver_discard (window);
 }
 
+/* The words in the middle of the drawing, as pixels. */
+static GBytes *
+words_of (QnWindow *window, const char *tool)
+{
+  driver_activate_target (window, "win.tool", g_variant_new_string (tool));
+  driver_settle ();
+  const QnCamera *camera = qn_canvas_get_camera (canvas_of (window));
+  const int height = 100, width = (int) (0.7 * camera->width);
+  cairo_surface_t *image =
+    cairo_image_surface_create (CAIRO_FORMAT_ARGB32, width, height);
+  cairo_t *cr = cairo_create (image);
+  cairo_translate (cr, -0.15 * camera->width, -0.5 * (camera->height - height));
+  qn_canvas_draw_above (canvas_of (window), FALSE, cr);
+  cairo_destroy (cr);
+  cairo_surface_flush (image);
+  GBytes *pixels =
+    g_bytes_new (cairo_image_surface_get_data (image),
+                 (gsize) height * (gsize) cairo_image_surface_get_stride (image));
+  cairo_surface_destroy (image);
+  return pixels;
+}
+
+/* Where nothing is drawn yet, tools that can begin say how; the others name the tool of walls. Words go with
+ * the first block. */
+static void
+test_empty_hint (void)
+{
+  QnWindow *window = open_blank ();
+  g_autoptr (GBytes) arch = words_of (window, "arch");
+  g_autoptr (GBytes) polygon = words_of (window, "polygon");
+  g_autoptr (GBytes) select = words_of (window, "select");
+  g_autoptr (GBytes) force = words_of (window, "force");
+  g_assert_false (g_bytes_equal (arch, polygon));
+  g_assert_false (g_bytes_equal (arch, select));
+  g_assert_true (g_bytes_equal (select, force));
+  driver_screenshot (GTK_WIDGET (window), "empty-hint");
+  driver_activate (window, "win.tool::rectangle");
+  driver_drag (window, 4.0, 3.0, 4.4, 3.4);
+  g_assert_cmpuint (model_of (window)->block_count, ==, 1);
+  qn_selection_clear (selection_of (window));
+  g_autoptr (GBytes) none = words_of (window, "arch");
+  gsize size;
+  const guint8 *bytes = g_bytes_get_data (none, &size);
+  for (gsize i = 0; i < size; i++)
+    g_assert_cmpint (bytes[i], ==, 0);
+  driver_discard (window);
+}
+
 QN_TESTS
 {
   gtk_init ();
   g_test_add_func ("/app/draw/opening", test_opening);
+  g_test_add_func ("/app/draw/empty-hint", test_empty_hint);
   g_test_add_func ("/app/draw/opening-tool-handles", test_opening_tool_handles);
   g_test_add_func ("/app/draw/whole-wall", test_whole_wall);
   g_test_add_func ("/app/draw/laws", test_laws);

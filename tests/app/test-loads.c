@@ -281,6 +281,58 @@ test_draw_tie (void)
   driver_discard (window);
 }
 
+/* A vehicle comes in place of the sideways weight that a new drawing grows by, and says so; Undo brings the
+ * weight back. Beside another growing load nothing goes, and nothing is said. */
+static void
+test_vehicle_in_place (void)
+{
+  static const char words[] = "The vehicle takes the place of the sideways weight";
+  QnWindow *window = open_panel ("05-stack.quoin");
+  GtkWidget *root = GTK_WIDGET (window);
+  driver_open_analysis (window);
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, 1);
+  g_assert_cmpint (model_of (window)->live_loads[0].kind, ==, QN_LOAD_WEIGHT);
+  driver_press (root, "Vehicle");
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, 1);
+  g_assert_cmpint (model_of (window)->live_loads[0].kind, ==, QN_LOAD_VEHICLE);
+  driver_screenshot (root, "vehicle-in-place");
+  g_assert_nonnull (driver_find_widget (root, driver_says, words));
+  driver_activate (window, "win.undo");
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, 1);
+  g_assert_cmpint (model_of (window)->live_loads[0].kind, ==, QN_LOAD_WEIGHT);
+  driver_discard (window);
+
+  window = open_panel ("27-retaining-wall.quoin");
+  root = GTK_WIDGET (window);
+  driver_open_analysis (window);
+  const gsize live = model_of (window)->live_load_count;
+  g_assert_cmpuint (live, >, 1);
+  driver_press (root, "Vehicle");
+  g_assert_cmpuint (model_of (window)->live_load_count, ==, live + 1);
+  g_assert_null (driver_find_widget (root, driver_says, words));
+  driver_discard (window);
+}
+
+/* A bar crosses a joint, and ends in blocks: one within a block is refused with the reason, and so is to drag the
+ * block away that it ends in. */
+static void
+test_bar_apart (void)
+{
+  QnWindow *window = open_panel ("05-stack.quoin");
+  GtkWidget *root = GTK_WIDGET (window);
+  driver_activate (window, "win.tool::bar");
+  driver_drag (window, 0.1, 0.45, 0.3, 0.55);
+  g_assert_cmpuint (model_of (window)->bar_count, ==, 0);
+  g_assert_nonnull (driver_find_widget (root, driver_says, "crosses no contact face"));
+  driver_drag (window, 0.32, 0.7, 0.32, 0.9);
+  g_assert_cmpuint (model_of (window)->bar_count, ==, 1);
+  driver_activate (window, "win.tool::select");
+  driver_drag (window, 0.06, 0.94, 1.06, 0.94);
+  g_assert_cmpfloat (qn_model_block_box (model_of (window), 5).min.x, ==, 0.0);
+  g_assert_nonnull (driver_find_widget (root, driver_says, "bar ends in no block"));
+  driver_discard (window);
+}
+
 QN_TESTS
 {
   gtk_init ();
@@ -290,4 +342,6 @@ QN_TESTS
   g_test_add_func ("/app/loads/typed-force", test_typed_force);
   g_test_add_func ("/app/loads/draw-edge-load", test_draw_edge_load);
   g_test_add_func ("/app/loads/draw-bar", test_draw_bar);
+  g_test_add_func ("/app/loads/bar-apart", test_bar_apart);
+  g_test_add_func ("/app/loads/vehicle-in-place", test_vehicle_in_place);
 }

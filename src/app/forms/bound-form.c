@@ -544,12 +544,16 @@ on_entered (GtkWidget *widget)
   } else {
     done = take (&entered, NULL, &error);
   }
-  if (root != NULL && done)
+  if (root != NULL && done) {
     qn_bound_form_show (form);
-  else if (root != NULL) {
+    if (form->told != NULL)
+      qn_canvas_tell (form->canvas, form->told);
+  } else if (root != NULL) {
     form->wanted = -1;
     refuse (form, widget, error);
   }
+  if (root != NULL)
+    form->told = NULL;
   g_clear_weak_pointer (&root);
   qn_value_clear (&entered.value);
 }

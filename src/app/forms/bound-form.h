@@ -110,6 +110,7 @@ struct QnBoundForm {
   void (*clear) (gpointer form); /* NULL, or frees what the struct holds */
   int selected;                  /* item of the list; -1: none */
   int wanted;                    /* to be selected once an edit has added it; -1: none */
+  const char *told;              /* once the step is made; NULL: nothing */
   const QnTool *tool;            /* that was shown last */
   const QnValue *taken;          /* the value that a step takes, of the field … */
   guint taken_field;

@@ -140,12 +140,6 @@ load_of (const Form *form, int row)
   return QN_NONE;
 }
 
-static gboolean
-shows_any (const Form *form)
-{
-  return load_of (form, 0) != QN_NONE;
-}
-
 /* A load that is selected in the drawing is shown in its list. */
 static gboolean
 look (gpointer data)
@@ -348,7 +342,7 @@ show (gpointer data, guint field, QnValue *value)
     value->disabled = form->shown <= 0;
     return !form->settles;
   case LOADS:
-    if (shows_any (form))
+    if (load_of (form, 0) != QN_NONE)
       add_loads (form, value, model);
     value->number = form->base.selected >= 0 ? row_of (form, form->base.selected) : -1;
     return TRUE;
@@ -357,7 +351,7 @@ show (gpointer data, guint field, QnValue *value)
       form->settles ? _ ("No support settles in this list. Select one and add it below.")
                     : _ ("No loads in this list. Add one below, or draw a force or an "
                          "edge load."));
-    return !shows_any (form);
+    return load_of (form, 0) == QN_NONE;
   case ADD:
     return !form->settles;
   case CHOOSE_EDGE:
@@ -466,12 +460,11 @@ static gboolean
 make_room (QnModel *model)
 {
   QnId only = QN_NONE;
+  int count = 0;
   for (QnId i = 0; i < (QnId) model->live_load_count; i++)
-    if (model->live_loads[i].set == 0 && only != QN_NONE)
-      return FALSE;
-    else if (model->live_loads[i].set == 0)
+    if (model->live_loads[i].set == 0 && count++ == 0)
       only = i;
-  const QnLoad *load = only != QN_NONE ? &model->live_loads[only] : NULL;
+  const QnLoad *load = count == 1 ? &model->live_loads[only] : NULL;
   return load != NULL && load->kind == QN_LOAD_WEIGHT && load->vector.x == 1.0
          && load->vector.y == 0.0
          && qn_edit_remove_item (model, QN_ITEM_LIVE_LOAD, only, NULL);
@@ -500,13 +493,11 @@ add (Form *form, QnModel *model, guint field, GError **error)
       || (field == ADD_LINE && !make_line (form, &load, error))
       || (field == ADD_SETTLEMENT && !make_settlement (form, model, &load, error)))
     return FALSE;
-  const gboolean replaced = field == ADD_VEHICLE && list == 0 && make_room (model);
+  if (field == ADD_VEHICLE && list == 0 && make_room (model))
+    form->base.told = _ ("The vehicle takes the place of the sideways weight; Undo "
+                         "brings the weight back.");
   if ((added = qn_edit_new_load (model, !dead, error)) == NULL)
     return FALSE;
-  if (replaced)
-    qn_canvas_tell (form->base.canvas,
-                    _ ("The vehicle takes the place of the sideways weight; Undo brings "
-                       "the weight back."));
   *added = load;
   added->set = MAX (list, 0);
   if (list != form->shown)

@@ -129,24 +129,19 @@ add_bars (QnSceneBuilder *b, const GArray *crossings, double width, QnColor colo
   }
 }
 
-/* Bars that cross no joint, which no analysis takes: they are seen and selected too. */
+/* From end to end, where contacts are not known. */
 static void
-add_apart (QnSceneBuilder *b, const GArray *crossings)
+add_straight (QnSceneBuilder *b)
 {
   const QnColor ink = qn_builder_ink (b, QN_INK_BAR);
   QnVec2 line[2];
-  for (size_t bar = 0, first, next = 0; bar < b->model->bar_count; bar++) {
-    for (first = next; next < crossings->len; next++)
-      if (g_array_index (crossings, Crossing, next).at.bar != (QnId) bar)
-        break;
-    for (size_t i = 0; next == first && i < qn_bar_line_count (&b->model->bars[bar]);
-         i++) {
+  for (size_t bar = 0; bar < b->model->bar_count; bar++)
+    for (size_t i = 0; i < qn_bar_line_count (&b->model->bars[bar]); i++) {
       qn_bar_line (&b->model->bars[bar], i, line);
       qn_command_set_pick (
         qn_scene_stroke (b->scene, QN_LAYER_JOINTS, line, 2, false, WIDTH_BAR, ink),
         QN_PICK_BAR, (QnId) bar);
     }
-  }
 }
 
 /* A dot where a bar has yielded, at the end of the step; one line in the legend. */
@@ -193,9 +188,10 @@ qn_build_bars (QnSceneBuilder *b)
                        .diverging = true,
                        .factor = 1e-6 };
   QnColor ink = qn_builder_ink (b, QN_INK_BAR);
-  add_apart (b, crossings);
-  if (crossings->len == 0)
+  if (crossings->len == 0) {
+    add_straight (b);
     return;
+  }
   /* Pale colours need a dark rim, the dark ink a pale one. */
   add_bars (b, crossings, WIDTH_RIM,
             range.shown ? ink : qn_builder_ink (b, QN_INK_GROUND));

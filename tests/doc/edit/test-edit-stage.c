@@ -3,6 +3,7 @@
 #include "doc/view/load-text.h"
 
 #include "doc/fixture.h"
+#include "support/auto-clear.h"
 #include "support/room.h"
 
 #include <string.h>
@@ -387,6 +388,46 @@ test_cycles (void)
   g_assert_cmpint (model->stages[0].leg, ==, 0);
 }
 
+/* Loads on edges begin and end at whole centimetres about the blocks, wherever these stand; a block that is on
+ * them already stays in between. */
+static void
+test_whole_centimetres (void)
+{
+  static const QnVec2 corners[] = {
+    { 0.1234, 0.0561 }, { 1.4567, 0.0561 }, { 1.4567, 2.0002 }, { 0.1234, 2.0002 }
+  };
+  static const QnVec2 round_ones[] = {
+    { 0.1, 0.3 }, { 0.7, 0.3 }, { 0.7, 1.1 }, { 0.1, 1.1 }
+  };
+  static const struct {
+    const QnVec2 *corners;
+    QnBox box;
+  } cases[] = { { corners, { { 0.12, 0.05 }, { 1.46, 2.01 } } },
+                { round_ones, { { 0.1, 0.3 }, { 0.7, 1.1 } } } };
+  for (guint i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_auto (QnModel) model = { 0 };
+    qn_model_init (&model);
+    g_assert_nonnull (qn_model_add_block (&model, "stone", cases[i].corners, 4));
+    const QnBox box = cases[i].box;
+    QnLoad load;
+    g_assert_true (
+      qn_edit_make_edge_load (&model, QN_LOAD_SURCHARGE, (QnBlockSet){ 0 }, &load, NULL));
+    g_assert_cmpfloat_with_epsilon (load.span[0], box.min.x, 1e-12);
+    g_assert_cmpfloat_with_epsilon (load.span[1], box.max.x, 1e-12);
+    g_assert_true (
+      qn_edit_make_edge_load (&model, QN_LOAD_FILL, (QnBlockSet){ 0 }, &load, NULL));
+    g_assert_cmpfloat_with_epsilon (load.span[0], box.min.y, 1e-12);
+    g_assert_cmpfloat_with_epsilon (load.span[1], box.max.y, 1e-12);
+    g_assert_cmpfloat_with_epsilon (load.surface[0].x, box.min.x, 1e-12);
+    g_assert_cmpfloat_with_epsilon (load.surface[1].x, box.max.x, 1e-12);
+    g_assert_cmpfloat_with_epsilon (load.surface[0].y, box.max.y + 0.3, 1e-12);
+    g_assert_true (
+      qn_edit_make_edge_load (&model, QN_LOAD_BACKFILL, (QnBlockSet){ 0 }, &load, NULL));
+    g_assert_cmpfloat_with_epsilon (load.span[0], box.min.y, 1e-12);
+    g_assert_cmpfloat_with_epsilon (load.span[1], box.max.y, 1e-12);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/doc/edit-stage/loads", test_loads);
@@ -395,4 +436,5 @@ QN_TESTS
   g_test_add_func ("/doc/edit-stage/stages", test_stages);
   g_test_add_func ("/doc/edit-stage/order", test_order);
   g_test_add_func ("/doc/edit-stage/cycles", test_cycles);
+  g_test_add_func ("/doc/edit-stage/whole-centimetres", test_whole_centimetres);
 }

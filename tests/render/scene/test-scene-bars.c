@@ -244,6 +244,28 @@ test_principal (void)
   g_assert_false (has_legend (scene, "principal compression"));
 }
 
+/* Pictures without contacts have bars from end to end by their corners, each picked as itself. */
+static void
+test_without_contacts (void)
+{
+  g_auto (TestRun) row = { 0 };
+  row_init (&row);
+  QnViewOptions options;
+  qn_view_options_init (&options, QN_VIEW_MODEL);
+  g_autoptr (QnScene) scene = qn_scene_build (&row.model, NULL, NULL, &options, NULL);
+  const QnCommand *line = find_line (scene, qn_ink (QN_INK_BAR, false), 0);
+  g_assert_nonnull (line);
+  g_assert_null (find_line (scene, qn_ink (QN_INK_BAR, false), 1));
+  g_assert_cmpint (line->pick, ==, QN_PICK_BAR);
+  g_assert_cmpint (line->id, ==, 0);
+  g_assert_cmpuint (line->count, ==, 2);
+  const QnVec2 *p = qn_scene_points (scene, line);
+  g_assert_cmpfloat (p[0].x, ==, 2.9);
+  g_assert_cmpfloat (p[1].x, ==, 0.1);
+  g_assert_cmpfloat (p[0].y, ==, 0.5);
+  g_assert_cmpfloat (p[1].y, ==, 0.5);
+}
+
 QN_TESTS
 {
   g_test_add_func ("/render/scene-bars/cracks", test_cracks);
@@ -252,4 +274,5 @@ QN_TESTS
   g_test_add_func ("/render/scene-bars/diameters", test_diameters);
   g_test_add_func ("/render/scene-bars/between-columns", test_between_columns);
   g_test_add_func ("/render/scene-bars/stress", test_stress);
+  g_test_add_func ("/render/scene-bars/without-contacts", test_without_contacts);
 }
