@@ -3,24 +3,10 @@
 #include "io/exchange/dxf-scan.h"
 #include "io/text/file-writer.h"
 
-/* Handles of the fixed objects; entities count on from FIRST_ENTITY. */
-enum {
-  HANDLE_LAYERS = 0x10,
-  HANDLE_LTYPES,
-  HANDLE_RECORDS,
-  HANDLE_APPIDS,
-  HANDLE_VPORTS,
-  HANDLE_STYLES,
-  HANDLE_VIEWS,
-  HANDLE_UCSS,
-  HANDLE_DIMSTYLES,
-  HANDLE_MODEL,
-  HANDLE_PAPER,
-  HANDLE_ROOT,
-  HANDLE_GROUPS,
-  HANDLE_FREE,
-  FIRST_ENTITY = 0x100
-};
+#include <string.h>
+
+/* Handles of fixed objects are 10 to 1D, as the texts below have them; all others count on from here. */
+#define FIRST_HANDLE 0x100
 
 typedef struct Export {
   QnFileWriter *writer;
@@ -29,10 +15,14 @@ typedef struct Export {
   gboolean beams, ties; /* whether there are any */
 } Export;
 
-/* Group codes and values as they stand in the file. */
+/* Group codes and values as they stand in the file; @ is the next free handle. */
 static void
 put_text (Export *export, const char *lines)
 {
+  for (const char *at; (at = strchr (lines, '@')) != NULL; lines = at + 1) {
+    qn_file_writer_write (export->writer, lines, (gsize) (at - lines));
+    qn_file_writer_printf (export->writer, "%X", export->handle++);
+  }
   qn_file_writer_puts (export->writer, lines);
 }
 
@@ -46,12 +36,6 @@ static void
 put_int (Export *export, int code, int number)
 {
   qn_file_writer_printf (export->writer, "%3d\n%d\n", code, number);
-}
-
-static void
-put_handle (Export *export, int code, guint handle)
-{
-  qn_file_writer_printf (export->writer, "%3d\n%X\n", code, handle);
 }
 
 /* Fifteen digits where they say the same as seventeen: scaling leaves the file's own digits. */
@@ -69,31 +53,9 @@ put_length (Export *export, int code, double metres)
   put (export, code, text);
 }
 
+/* What AutoCAD asks of a file of release 2000 beside its entities. */
 static void
-begin_table (Export *export, const char *name, guint handle, int entries)
-{
-  put (export, 0, "TABLE");
-  put (export, 2, name);
-  put_handle (export, 5, handle);
-  put_int (export, 330, 0);
-  put (export, 100, "AcDbSymbolTable");
-  put_int (export, 70, entries);
-}
-
-static void
-begin_record (Export *export, const char *type, guint handle, guint table,
-              const char *subclass, const char *name)
-{
-  put (export, 0, type);
-  put_handle (export, 5, handle);
-  put_handle (export, 330, table);
-  put (export, 100, "AcDbSymbolTableRecord");
-  put (export, 100, subclass);
-  put (export, 2, name);
-}
-
-static void
-put_layers (Export *export)
+put_tables (Export *export)
 {
   const struct {
     const char *name;
@@ -103,102 +65,69 @@ put_layers (Export *export)
                  { "SUPPORTS", 5, TRUE },    { "CONTACTS", 1, TRUE },
                  { "DEFORMED", 3, TRUE },    { "BEAM_AXES", 6, export->beams },
                  { "TIES", 2, export->ties } };
-  begin_table (export, "LAYER", HANDLE_LAYERS, 5 + export->beams + export->ties);
+  put_text (export,
+            "  0\nSECTION\n  2\nTABLES\n  0\nTABLE\n  2\nVPORT\n  5\n14\n330\n0\n"
+            "100\nAcDbSymbolTable\n 70\n0\n  0\nENDTAB\n"
+            "  0\nTABLE\n  2\nLTYPE\n  5\n11\n330\n0\n100\nAcDbSymbolTable\n 70\n3\n"
+            "  0\nLTYPE\n  5\n@\n330\n11\n100\nAcDbSymbolTableRecord\n"
+            "100\nAcDbLinetypeTableRecord\n  2\nByBlock\n 70\n0\n  3\n\n 72\n65\n"
+            " 73\n0\n 40\n0.0\n"
+            "  0\nLTYPE\n  5\n@\n330\n11\n100\nAcDbSymbolTableRecord\n"
+            "100\nAcDbLinetypeTableRecord\n  2\nByLayer\n 70\n0\n  3\n\n 72\n65\n"
+            " 73\n0\n 40\n0.0\n"
+            "  0\nLTYPE\n  5\n@\n330\n11\n100\nAcDbSymbolTableRecord\n"
+            "100\nAcDbLinetypeTableRecord\n  2\nCONTINUOUS\n 70\n0\n  3\n\n 72\n65\n"
+            " 73\n0\n 40\n0.0\n"
+            "  0\nENDTAB\n  0\nTABLE\n  2\nLAYER\n  5\n10\n330\n0\n"
+            "100\nAcDbSymbolTable\n");
+  put_int (export, 70, 5 + export->beams + export->ties);
   for (gsize i = 0; i < G_N_ELEMENTS (layers); i++) {
     if (!layers[i].used)
       continue;
-    begin_record (export, "LAYER", export->handle++, HANDLE_LAYERS,
-                  "AcDbLayerTableRecord", layers[i].name);
+    put_text (export, "  0\nLAYER\n  5\n@\n330\n10\n100\nAcDbSymbolTableRecord\n"
+                      "100\nAcDbLayerTableRecord\n");
+    put (export, 2, layers[i].name);
     put_int (export, 70, 0);
     put_int (export, 62, layers[i].color);
     put (export, 6, "CONTINUOUS");
   }
-  put_text (export, "  0\nENDTAB\n");
-}
-
-static void
-put_line_types (Export *export)
-{
-  static const char *const names[] = { "ByBlock", "ByLayer", "CONTINUOUS" };
-  begin_table (export, "LTYPE", HANDLE_LTYPES, G_N_ELEMENTS (names));
-  for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
-    begin_record (export, "LTYPE", export->handle++, HANDLE_LTYPES,
-                  "AcDbLinetypeTableRecord", names[i]);
-    put_text (export, " 70\n0\n  3\n\n 72\n65\n 73\n0\n 40\n0.0\n");
-  }
-  put_text (export, "  0\nENDTAB\n");
-}
-
-static void
-put_empty_table (Export *export, const char *name, guint handle)
-{
-  begin_table (export, name, handle, 0);
-  put_text (export, "  0\nENDTAB\n");
-}
-
-static void
-put_tables (Export *export)
-{
-  put_text (export, "  0\nSECTION\n  2\nTABLES\n");
-  put_empty_table (export, "VPORT", HANDLE_VPORTS);
-  put_line_types (export);
-  put_layers (export);
-  begin_table (export, "STYLE", HANDLE_STYLES, 1);
-  begin_record (export, "STYLE", export->handle++, HANDLE_STYLES,
-                "AcDbTextStyleTableRecord", "Standard");
-  put_text (export, " 70\n0\n  3\ntxt\n  0\nENDTAB\n");
-  put_empty_table (export, "VIEW", HANDLE_VIEWS);
-  put_empty_table (export, "UCS", HANDLE_UCSS);
-  begin_table (export, "APPID", HANDLE_APPIDS, 1);
-  begin_record (export, "APPID", export->handle++, HANDLE_APPIDS, "AcDbRegAppTableRecord",
-                "ACAD");
-  put_text (export, " 70\n0\n  0\nENDTAB\n");
-  begin_table (export, "DIMSTYLE", HANDLE_DIMSTYLES, 0);
-  put_text (export, "100\nAcDbDimStyleTable\n  0\nENDTAB\n");
-  begin_table (export, "BLOCK_RECORD", HANDLE_RECORDS, 2);
-  begin_record (export, "BLOCK_RECORD", HANDLE_MODEL, HANDLE_RECORDS,
-                "AcDbBlockTableRecord", "*Model_Space");
-  begin_record (export, "BLOCK_RECORD", HANDLE_PAPER, HANDLE_RECORDS,
-                "AcDbBlockTableRecord", "*Paper_Space");
-  put_text (export, "  0\nENDTAB\n  0\nENDSEC\n");
-}
-
-static void
-put_space (Export *export, const char *name, guint record)
-{
-  put (export, 0, "BLOCK");
-  put_handle (export, 5, export->handle++);
-  put_handle (export, 330, record);
-  put_text (export, "100\nAcDbEntity\n  8\n0\n100\nAcDbBlockBegin\n");
-  put (export, 2, name);
-  put_text (export, " 70\n0\n 10\n0.0\n 20\n0.0\n 30\n0.0\n");
-  put (export, 3, name);
-  put_text (export, "  1\n\n  0\nENDBLK\n");
-  put_handle (export, 5, export->handle++);
-  put_handle (export, 330, record);
-  put_text (export, "100\nAcDbEntity\n  8\n0\n100\nAcDbBlockEnd\n");
-}
-
-static void
-put_objects (Export *export)
-{
-  put_text (export, "  0\nSECTION\n  2\nOBJECTS\n  0\nDICTIONARY\n");
-  put_handle (export, 5, HANDLE_ROOT);
-  put_text (export, "330\n0\n100\nAcDbDictionary\n  3\nACAD_GROUP\n");
-  put_handle (export, 350, HANDLE_GROUPS);
-  put_text (export, "  0\nDICTIONARY\n");
-  put_handle (export, 5, HANDLE_GROUPS);
-  put_handle (export, 330, HANDLE_ROOT);
-  put_text (export, "100\nAcDbDictionary\n  0\nENDSEC\n");
+  put_text (export,
+            "  0\nENDTAB\n  0\nTABLE\n  2\nSTYLE\n  5\n15\n330\n0\n"
+            "100\nAcDbSymbolTable\n 70\n1\n"
+            "  0\nSTYLE\n  5\n@\n330\n15\n100\nAcDbSymbolTableRecord\n"
+            "100\nAcDbTextStyleTableRecord\n  2\nStandard\n 70\n0\n  3\ntxt\n"
+            "  0\nENDTAB\n"
+            "  0\nTABLE\n  2\nVIEW\n  5\n16\n330\n0\n100\nAcDbSymbolTable\n 70\n0\n"
+            "  0\nENDTAB\n"
+            "  0\nTABLE\n  2\nUCS\n  5\n17\n330\n0\n100\nAcDbSymbolTable\n 70\n0\n"
+            "  0\nENDTAB\n"
+            "  0\nTABLE\n  2\nAPPID\n  5\n13\n330\n0\n100\nAcDbSymbolTable\n 70\n1\n"
+            "  0\nAPPID\n  5\n@\n330\n13\n100\nAcDbSymbolTableRecord\n"
+            "100\nAcDbRegAppTableRecord\n  2\nACAD\n 70\n0\n  0\nENDTAB\n"
+            "  0\nTABLE\n  2\nDIMSTYLE\n  5\n18\n330\n0\n100\nAcDbSymbolTable\n"
+            " 70\n0\n100\nAcDbDimStyleTable\n  0\nENDTAB\n"
+            "  0\nTABLE\n  2\nBLOCK_RECORD\n  5\n12\n330\n0\n100\nAcDbSymbolTable\n"
+            " 70\n2\n"
+            "  0\nBLOCK_RECORD\n  5\n19\n330\n12\n100\nAcDbSymbolTableRecord\n"
+            "100\nAcDbBlockTableRecord\n  2\n*Model_Space\n"
+            "  0\nBLOCK_RECORD\n  5\n1A\n330\n12\n100\nAcDbSymbolTableRecord\n"
+            "100\nAcDbBlockTableRecord\n  2\n*Paper_Space\n  0\nENDTAB\n  0\nENDSEC\n"
+            "  0\nSECTION\n  2\nBLOCKS\n  0\nBLOCK\n  5\n@\n330\n19\n"
+            "100\nAcDbEntity\n  8\n0\n100\nAcDbBlockBegin\n  2\n*Model_Space\n"
+            " 70\n0\n 10\n0.0\n 20\n0.0\n 30\n0.0\n  3\n*Model_Space\n  1\n\n"
+            "  0\nENDBLK\n  5\n@\n330\n19\n100\nAcDbEntity\n  8\n0\n"
+            "100\nAcDbBlockEnd\n"
+            "  0\nBLOCK\n  5\n@\n330\n1A\n100\nAcDbEntity\n  8\n0\n"
+            "100\nAcDbBlockBegin\n  2\n*Paper_Space\n 70\n0\n 10\n0.0\n 20\n0.0\n"
+            " 30\n0.0\n  3\n*Paper_Space\n  1\n\n  0\nENDBLK\n  5\n@\n330\n1A\n"
+            "100\nAcDbEntity\n  8\n0\n100\nAcDbBlockEnd\n  0\nENDSEC\n");
 }
 
 static void
 write_entity (Export *export, const char *type, const char *layer, const char *subclass)
 {
   put (export, 0, type);
-  put_handle (export, 5, export->handle++);
-  put_handle (export, 330, HANDLE_MODEL);
-  put (export, 100, "AcDbEntity");
+  put_text (export, "  5\n@\n330\n19\n100\nAcDbEntity\n");
   put (export, 8, layer);
   put (export, 100, subclass);
 }
@@ -294,7 +223,7 @@ gboolean
 qn_dxf_export (const QnModel *model, const QnContacts *contacts, const QnResult *result,
                double scale, double unit, const char *path, GError **error)
 {
-  Export export = { qn_file_writer_open (path, error), unit, FIRST_ENTITY,
+  Export export = { qn_file_writer_open (path, error), unit, FIRST_HANDLE,
                     model->beam_count > 0, model->tie_count > 0 };
   if (export.writer == NULL)
     return FALSE;
@@ -306,12 +235,11 @@ qn_dxf_export (const QnModel *model, const QnContacts *contacts, const QnResult 
   put_text (&export, "  9\n$MEASUREMENT\n 70\n1\n"
                      "  0\nENDSEC\n");
   put_tables (&export);
-  put_text (&export, "  0\nSECTION\n  2\nBLOCKS\n");
-  put_space (&export, "*Model_Space", HANDLE_MODEL);
-  put_space (&export, "*Paper_Space", HANDLE_PAPER);
-  put_text (&export, "  0\nENDSEC\n");
   put_entities (&export, model, contacts, result, scale);
-  put_objects (&export);
-  put_text (&export, "  0\nEOF\n");
+  put_text (&export,
+            "  0\nSECTION\n  2\nOBJECTS\n  0\nDICTIONARY\n  5\n1B\n330\n0\n"
+            "100\nAcDbDictionary\n  3\nACAD_GROUP\n350\n1C\n"
+            "  0\nDICTIONARY\n  5\n1C\n330\n1B\n100\nAcDbDictionary\n  0\nENDSEC\n"
+            "  0\nEOF\n");
   return qn_file_writer_commit (export.writer, error);
 }
