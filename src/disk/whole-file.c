@@ -242,7 +242,8 @@ qn_whole_file_commit (QnWholeFile *file)
 void
 qn_whole_file_discard (QnWholeFile *file)
 {
-  close_descriptor (file);
+  if (file->fd >= 0)
+    close_descriptor (file);
   if (file->temporary != NULL)
     unlink (file->temporary);
   clear (file);

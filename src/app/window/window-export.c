@@ -111,11 +111,13 @@ write_file (gpointer data, const char *path, GError **error)
   case STEPS:
     return qn_vtu_export (&run->model, &run->contacts, &run->result, path, error);
   case CURVE:
-    return qn_curve_csv_write (path, &project, &run->result, error);
   case BEAMS:
-    return qn_beams_csv_write (path, &project, &run->result, error);
   case CONTACTS:
-    return qn_contacts_csv_write (path, &project, &run->contacts, &run->result, error);
+    return qn_result_table_write (path,
+                                  self->exported == CURVE   ? QN_TABLE_CURVE
+                                  : self->exported == BEAMS ? QN_TABLE_BEAMS
+                                                            : QN_TABLE_CONTACTS,
+                                  &project, &run->contacts, &run->result, error);
   default:
     return qn_cracks_csv_write (path, &project, &run->contacts, &run->result, error);
   }

@@ -20,8 +20,7 @@ typedef struct ModalOptions {
 static void
 write_modes (const ModalOptions *options, const QnModel *model, const QnModes *modes)
 {
-  QnFileWriter *writer = qn_file_writer_open (options->csv, QN_TROUBLE);
-  qn_cli_must (writer != NULL);
+  QnFileWriter *writer = qn_file_writer_open (options->csv);
   qn_file_writer_puts (writer,
                        "mode,omega [rad/s],frequency [Hz],block number,x [m],y [m],"
                        "ux [m],uy [m],rz [rad]\n");

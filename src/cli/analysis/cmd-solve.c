@@ -6,8 +6,9 @@
 #include "cli/base/subcommand.h"
 #include "core/base/word.h"
 #include "core/path/analysis.h"
+#include "disk/whole-file.h"
 #include "io/exchange/table-csv.h"
-#include "io/text/file-writer.h"
+#include "io/text/io-error.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
 #include "io/text/tie-text.h"
@@ -129,9 +130,12 @@ probe_output (const char *path)
       || (g_file_test (path, G_FILE_TEST_EXISTS)
           && !g_file_test (path, G_FILE_TEST_IS_REGULAR | G_FILE_TEST_IS_DIR)))
     return;
-  QnFileWriter *writer = qn_file_writer_open (path, QN_TROUBLE);
-  qn_cli_must (writer != NULL);
-  qn_file_writer_discard (writer);
+  QnWholeFile file;
+  int trouble = qn_whole_file_open (&file, path);
+  qn_whole_file_discard (&file);
+  if (trouble != 0)
+    qn_io_error_set_errno (QN_TROUBLE, path, _ ("cannot be written"), trouble);
+  qn_cli_must (trouble == 0);
 }
 
 static void
@@ -142,7 +146,8 @@ report (const SolveOptions *options, const QnInput *input, const QnResult *resul
                || qn_result_file_write (options->output, project, &input->contacts,
                                         result, options->level, QN_TROUBLE));
   qn_cli_must (options->csv == NULL
-               || qn_curve_csv_write (options->csv, project, result, QN_TROUBLE));
+               || qn_result_table_write (options->csv, QN_TABLE_CURVE, project,
+                                         &input->contacts, result, QN_TROUBLE));
   if (!options->quiet && !is_stdout (options->output) && !is_stdout (options->csv)) {
     print_summary (project, result);
     g_autofree char *text =

@@ -13,7 +13,8 @@
 #include <string.h>
 
 typedef struct ExportOptions {
-  char *output, *result, *unit, *table;
+  char *output, *result, *unit, *given_table;
+  QnResultTable table; /* QN_TABLE_COUNT: of cracks */
   QnInputOptions input;
   double scale;
 } ExportOptions;
@@ -37,22 +38,11 @@ write_table (const ExportOptions *options, const QnInput *input, GError **error)
 {
   const QnProject *project = &input->project;
   const QnResult *result = &input->file.result;
-  if (g_strcmp0 (options->table, "displacements") == 0 && result->step_count > 0)
-    return qn_displacements_csv_write (options->output, project, result,
-                                       result->step_count - 1, error);
-  if (g_strcmp0 (options->table, "contacts") == 0)
-    return qn_contacts_csv_write (options->output, project, &input->contacts, result,
-                                  error);
-  if (g_strcmp0 (options->table, "beams") == 0)
-    return qn_beams_csv_write (options->output, project, result, error);
-  if (g_strcmp0 (options->table, "bars") == 0)
-    return qn_bars_csv_write (options->output, project, &input->contacts, result, error);
-  if (g_strcmp0 (options->table, "cracks") == 0)
-    return qn_cracks_csv_write (options->output, project, &input->contacts, result,
-                                error);
-  if (g_strcmp0 (options->table, "ties") == 0)
-    return qn_ties_csv_write (options->output, project, result, error);
-  return qn_curve_csv_write (options->output, project, result, error);
+  return options->table == QN_TABLE_COUNT
+           ? qn_cracks_csv_write (options->output, project, &input->contacts, result,
+                                  error)
+           : qn_result_table_write (options->output, options->table, project,
+                                    &input->contacts, result, error);
 }
 
 /* Walls and masonry become the polygons that they expand to, of the same names. */
@@ -95,15 +85,19 @@ write_as (Format format, const ExportOptions *options, QnInput *input, GError **
 }
 
 static Format
-check_options (const ExportOptions *options)
+check_options (ExportOptions *options)
 {
-  static const char *const tables[] = { "curve", "displacements", "contacts", "beams",
-                                        "bars",  "ties",          "cracks" };
+  static const char *const tables[] = {
+    [QN_TABLE_CURVE] = "curve",       [QN_TABLE_DISPLACEMENTS] = "displacements",
+    [QN_TABLE_CONTACTS] = "contacts", [QN_TABLE_BEAMS] = "beams",
+    [QN_TABLE_BARS] = "bars",         [QN_TABLE_TIES] = "ties",
+    [QN_TABLE_COUNT] = "cracks",
+  };
   Format format = FORMAT_COUNT;
-  int table;
-  if (options->table != NULL
-      && !qn_find_word (options->table, tables, G_N_ELEMENTS (tables), &table))
-    qn_cli_refuse_name (options->table, tables, G_N_ELEMENTS (tables));
+  if (options->given_table != NULL
+      && !qn_find_word (options->given_table, tables, G_N_ELEMENTS (tables),
+                        &options->table))
+    qn_cli_refuse_name (options->given_table, tables, G_N_ELEMENTS (tables));
   if (options->output == NULL)
     qn_cli_usage_error (_ ("-o is missing"));
   else
@@ -131,7 +125,7 @@ run_export (const QnSubcommand *self, int argc, char **argv)
       "mm|cm|dm|m|in|ft" },
     { "scale", 0, 0, G_OPTION_ARG_DOUBLE, &options.scale,
       N_ ("Displacements of the layer DEFORMED times this"), N_ ("FACTOR") },
-    { "table", 0, 0, G_OPTION_ARG_STRING, &options.table,
+    { "table", 0, 0, G_OPTION_ARG_STRING, &options.given_table,
       N_ ("Table of the CSV file (curve)"),
       "curve|displacements|contacts|beams|bars|ties|cracks" },
     QN_INPUT_ENTRIES (options.input),

@@ -134,8 +134,7 @@ write_history (const History *history, const char *path)
     [QN_BASIS_MATERIAL] = { "-", "Pa", "Pa" },
   };
   const char *const *unit = units[history->what.law.basis];
-  QnFileWriter *writer = qn_file_writer_open (path, QN_TROUBLE);
-  qn_cli_must (writer != NULL);
+  QnFileWriter *writer = qn_file_writer_open (path);
   qn_file_writer_printf (writer,
                          "normal elongation [%s],tangential elongation [%s],normal force "
                          "[%s],shear force [%s],normal tangent [%s],shear tangent [%s]\n",

@@ -234,8 +234,7 @@ print_runs (const Ida *ida)
 static void
 write_runs (const Ida *ida)
 {
-  QnFileWriter *out = qn_file_writer_open (ida->options->csv, QN_TROUBLE);
-  qn_cli_must (out != NULL);
+  QnFileWriter *out = qn_file_writer_open (ida->options->csv);
   qn_file_writer_puts (out, "record,scale,peak acceleration [m/s2],peak displacement "
                             "[m],overturned,time [s]\n");
   for (gsize c = 0; c < ida->count; c++) {

@@ -674,9 +674,7 @@ qn_capacity_answer_write_csv (const QnCapacityAnswer *answer, const char *path,
                               GError **error)
 {
   const QnCapacity *c = &answer->capacity;
-  QnFileWriter *out = qn_file_writer_open (path, error);
-  if (out == NULL)
-    return FALSE;
+  QnFileWriter *out = qn_file_writer_open (path);
   qn_file_writer_puts (out, "load multiplier,control displacement [m],spectral "
                             "displacement [m],spectral acceleration [m/s2]\n");
   for (size_t i = 0; i < c->count; i++) {

@@ -48,9 +48,7 @@ qn_is_table (const char *path)
 static gboolean
 write_curve_table (const char *path, const QnCurve *curves, gsize count, GError **error)
 {
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
+  QnFileWriter *writer = qn_file_writer_open (path);
   qn_file_writer_puts (writer,
                        count > 0 && curves[0].in_time
                          ? "run,step,time [s],displacement [m or rad],mark\n"
@@ -88,9 +86,7 @@ dup_mechanism (const QnSheetRun *run)
 static gboolean
 write_comparison (const char *path, const QnSheetRun *runs, gsize count, GError **error)
 {
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
+  QnFileWriter *writer = qn_file_writer_open (path);
   qn_file_writer_puts (writer, "project,title,outcome,multiplier [-],mechanism,steps\n");
   for (gsize i = 0; i < count; i++) {
     const QnResult *result = runs[i].result;
@@ -233,9 +229,7 @@ qn_cracks_csv_write (const char *path, const QnProject *project,
                      const QnContacts *contacts, const QnResult *result, GError **error)
 {
   const QnModel *model = &project->model;
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
+  QnFileWriter *writer = qn_file_writer_open (path);
   qn_file_writer_puts (writer,
                        "face,block a,block b,width [m],mean [m],x [m],y [m],line\n");
   g_autoptr (GArray) cracks =

@@ -223,10 +223,8 @@ gboolean
 qn_dxf_export (const QnModel *model, const QnContacts *contacts, const QnResult *result,
                double scale, double unit, const char *path, GError **error)
 {
-  Export export = { qn_file_writer_open (path, error), unit, FIRST_HANDLE,
-                    model->beam_count > 0, model->tie_count > 0 };
-  if (export.writer == NULL)
-    return FALSE;
+  Export export = { qn_file_writer_open (path), unit, FIRST_HANDLE, model->beam_count > 0,
+                    model->tie_count > 0 };
   put_text (&export, "  0\nSECTION\n  2\nHEADER\n"
                      "  9\n$ACADVER\n  1\nAC1015\n"
                      "  9\n$HANDSEED\n  5\nFFFFFF\n"

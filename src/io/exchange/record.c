@@ -79,9 +79,7 @@ qn_record_dup_doubt (const QnRecord *record)
 gboolean
 qn_record_write (const char *path, const QnRecord *record, GError **error)
 {
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
+  QnFileWriter *writer = qn_file_writer_open (path);
   qn_file_writer_puts (writer, "time [s],acceleration [m/s2]\n");
   for (gsize i = 0; i < record->count; i++)
     qn_file_writer_csv (writer, "%g,%g\n", record->points[i].x, record->points[i].y);

@@ -5,11 +5,9 @@
 #include "core/result/curve-motion.h"
 #include "core/result/result-contact.h"
 #include "io/text/file-writer.h"
-#include "io/text/io-error.h"
 #include "io/text/outcome-text.h"
 
 #include <errno.h>
-#include <glib/gi18n-lib.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -76,13 +74,9 @@ write_settlements (QnFileWriter *writer, const QnModel *model, const QnResult *r
     }
 }
 
-static gboolean
-write_history (const char *path, const QnModel *model, const QnHistory *history,
-               GError **error)
+static void
+write_history (QnFileWriter *writer, const QnModel *model, const QnHistory *history)
 {
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
   qn_file_writer_puts (writer, "time [s],ground x [m/s2],ground y [m/s2]");
   for (int kind = 0; kind < QN_ENERGY_KIND_COUNT; kind++)
     qn_file_writer_printf (writer, ",%s [J]", qn_energy_names[kind]);
@@ -95,7 +89,6 @@ write_history (const char *path, const QnModel *model, const QnHistory *history,
     write_numbers (writer, row + 1, history->width - 1);
   }
   qn_file_writer_puts (writer, "\n");
-  return qn_file_writer_commit (writer, error);
 }
 
 /* The stage of a step and the number of the cycle that it belongs to, empty where there is none, and the
@@ -112,22 +105,20 @@ write_stage (QnFileWriter *writer, const QnModel *model, int32_t stage, double w
   write_numbers (writer, &work, 1);
 }
 
-gboolean
-qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *result,
-                    GError **error)
+static void
+write_curve (QnFileWriter *writer, const QnProject *project, const QnContacts *contacts,
+             const QnResult *result)
 {
+  (void) contacts;
   static const char *const events[QN_EVENT_COUNT] = { "", "snap", "collapse" };
-  if (result->history.width > 0)
-    return write_history (path, &project->model, &result->history, error);
+  if (result->history.width > 0) {
+    write_history (writer, &project->model, &result->history);
+    return;
+  }
   gboolean staged = project->model.stage_count > 0;
   g_autofree double *works = staged ? g_new0 (double, result->step_count) : NULL;
-  if (staged && !qn_result_sum_work (&project->model, result, works)) {
-    qn_io_error_set_errno (error, path, _ ("cannot be written"), ENOMEM);
-    return FALSE;
-  }
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
+  if (staged && !qn_result_sum_work (&project->model, result, works))
+    qn_file_writer_fail (writer, ENOMEM);
   QnId block = qn_result_curve_motion (&project->model, result).body;
   const QnPathEvent *buckling = qn_result_find_buckling (result);
   ptrdiff_t buckles = buckling != NULL ? qn_result_buckling_step (result, buckling) : -1;
@@ -156,37 +147,31 @@ qn_curve_csv_write (const char *path, const QnProject *project, const QnResult *
       write_settlements (writer, &project->model, result, result, i);
     qn_file_writer_puts (writer, "\n");
   }
-  return qn_file_writer_commit (writer, error);
 }
 
-gboolean
-qn_displacements_csv_write (const char *path, const QnProject *project,
-                            const QnResult *result, size_t step, GError **error)
+static void
+write_displacements (QnFileWriter *writer, const QnProject *project,
+                     const QnContacts *contacts, const QnResult *result)
 {
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
-  const double *displacements = qn_result_step_displacements (result, step);
+  (void) contacts;
+  const size_t steps = result->step_count, last = steps > 0 ? steps - 1 : 0;
   qn_file_writer_puts (writer, "block,x [m],y [m],ux [m],uy [m],rz [rad]\n");
-  for (size_t i = 0; i < result->block_count + result->node_count; i++) {
+  for (size_t i = 0; steps > 0 && i < qn_result_body_count (result); i++) {
     QnVec2 at = i < result->block_count
                   ? project->model.blocks[i].centroid
                   : project->model.nodes[i - result->block_count].at;
     qn_file_writer_csv (writer, "%s,%g,%g",
                         qn_result_body_name (&project->model, (QnId) i), at.x, at.y);
-    write_numbers (writer, displacements + i * QN_DOF_COUNT, QN_DOF_COUNT);
+    write_numbers (writer, qn_result_step_displacements (result, last) + i * QN_DOF_COUNT,
+                   QN_DOF_COUNT);
     qn_file_writer_puts (writer, "\n");
   }
-  return qn_file_writer_commit (writer, error);
 }
 
-gboolean
-qn_contacts_csv_write (const char *path, const QnProject *project,
-                       const QnContacts *contacts, const QnResult *result, GError **error)
+static void
+write_contacts (QnFileWriter *writer, const QnProject *project,
+                const QnContacts *contacts, const QnResult *result)
 {
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
   const QnBlock *blocks = project->model.blocks;
   qn_file_writer_puts (writer,
                        "pair,face,block a,block b,x [m],y [m],normal x [-],normal y [-],"
@@ -204,7 +189,6 @@ qn_contacts_csv_write (const char *path, const QnProject *project,
                         normal.x, normal.y, forces->normal_force, forces->shear_force,
                         qn_pair_state_names[forces->state], forces->damage);
   }
-  return qn_file_writer_commit (writer, error);
 }
 
 /* A row for one end of an element. */
@@ -223,14 +207,12 @@ write_beam_end (QnFileWriter *writer, const QnModel *model, size_t element, int 
                       forces->shear[end], forces->moment[end]);
 }
 
-gboolean
-qn_beams_csv_write (const char *path, const QnProject *project, const QnResult *result,
-                    GError **error)
+static void
+write_beams (QnFileWriter *writer, const QnProject *project, const QnContacts *contacts,
+             const QnResult *result)
 {
+  (void) contacts;
   const QnModel *model = &project->model;
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
   qn_file_writer_puts (writer, "beam,element,node,x [m],y [m],s [m],normal force N [N],"
                                "shear force V [N],moment M [N m]\n");
   gboolean known = result->step_count > 0 && result->beam_forces != NULL
@@ -240,17 +222,14 @@ qn_beams_csv_write (const char *path, const QnProject *project, const QnResult *
   for (size_t i = 0; known && i < model->element_count; i++)
     for (int end = 0; end < 2; end++)
       write_beam_end (writer, model, i, end, &forces[i]);
-  return qn_file_writer_commit (writer, error);
 }
 
-gboolean
-qn_ties_csv_write (const char *path, const QnProject *project, const QnResult *result,
-                   GError **error)
+static void
+write_ties (QnFileWriter *writer, const QnProject *project, const QnContacts *contacts,
+            const QnResult *result)
 {
+  (void) contacts;
   const QnModel *model = &project->model;
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
   qn_file_writer_puts (writer,
                        "step,multiplier,time [s],tie,force [N],elongation [m],state\n");
   for (size_t s = 0;
@@ -262,7 +241,6 @@ qn_ties_csv_write (const char *path, const QnProject *project, const QnResult *r
                           qn_model_tie (model, i)->name, ties[i].force,
                           ties[i].elongation, qn_tie_state_names[ties[i].state]);
   }
-  return qn_file_writer_commit (writer, error);
 }
 
 /* How far the start of a line is from the start of its bar, m; lines of a mesh are bars of their own. */
@@ -278,26 +256,18 @@ line_start (const QnBar *bar, int32_t line)
   return along;
 }
 
-gboolean
-qn_bars_csv_write (const char *path, const QnProject *project, const QnContacts *contacts,
-                   const QnResult *result, GError **error)
+static void
+write_bars (QnFileWriter *writer, const QnProject *project, const QnContacts *contacts,
+            const QnResult *result)
 {
   const QnModel *model = &project->model;
-  size_t count;
+  size_t count = 0;
   QnBarCrossing *crossings = qn_bar_crossings (model, contacts, &count);
-  if (crossings == NULL) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", path,
-                 _ ("not enough memory"));
-    return FALSE;
-  }
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL) {
-    free (crossings);
-    return FALSE;
-  }
+  if (crossings == NULL)
+    qn_file_writer_fail (writer, ENOMEM);
   qn_file_writer_puts (
     writer, "bar,line,s [m],x [m],y [m],area [m2],force [N],stress [Pa],state\n");
-  for (size_t i = 0; i < count && result->step_count > 0; i++) {
+  for (size_t i = 0; crossings != NULL && i < count && result->step_count > 0; i++) {
     const QnBarCrossing *c = &crossings[i];
     const QnContactPair *pair = &contacts->pairs[c->pair];
     const QnPairResult *forces = &result->pairs[c->pair];
@@ -309,5 +279,19 @@ qn_bars_csv_write (const char *path, const QnProject *project, const QnContacts 
                         qn_pair_state_names[forces->state]);
   }
   free (crossings);
+}
+
+gboolean
+qn_result_table_write (const char *path, QnResultTable table, const QnProject *project,
+                       const QnContacts *contacts, const QnResult *result, GError **error)
+{
+  static void (*const write[]) (QnFileWriter * writer, const QnProject *project,
+                                const QnContacts *contacts, const QnResult *result) = {
+    [QN_TABLE_CURVE] = write_curve,       [QN_TABLE_DISPLACEMENTS] = write_displacements,
+    [QN_TABLE_CONTACTS] = write_contacts, [QN_TABLE_BEAMS] = write_beams,
+    [QN_TABLE_BARS] = write_bars,         [QN_TABLE_TIES] = write_ties,
+  };
+  QnFileWriter *writer = qn_file_writer_open (path);
+  write[table](writer, project, contacts, result);
   return qn_file_writer_commit (writer, error);
 }

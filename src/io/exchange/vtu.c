@@ -90,14 +90,12 @@ put_cells (QnFileWriter *writer, size_t points, const double *at, size_t cells,
   qn_file_writer_puts (writer, "</Cells>\n");
 }
 
-/* --- The files: each closes its writer, NULL where that could not be opened --------------- */
+/* --- The files: each closes its writer ---------------------------------------------------- */
 
 /* The blocks, moved by u (nullable: block_count x 3). */
 static gboolean
 write_blocks (QnFileWriter *writer, const QnModel *model, const double *u, GError **error)
 {
-  if (writer == NULL)
-    return FALSE;
   const size_t cells = model->block_count;
   size_t points = 0, n = 0;
   for (size_t i = 0; i < cells; i++)
@@ -145,8 +143,6 @@ static gboolean
 write_beams (QnFileWriter *writer, const QnModel *model, const QnResult *result,
              size_t step, GError **error)
 {
-  if (writer == NULL)
-    return FALSE;
   /* Rows of the nodes. */
   const double *u = result != NULL ? qn_result_step_displacements (result, step)
                                        + result->block_count * QN_DOF_COUNT
@@ -202,8 +198,6 @@ static gboolean
 write_forces (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
               const QnResult *result, GError **error)
 {
-  if (writer == NULL)
-    return FALSE;
   const size_t cells = contacts->pair_count;
   QnBox bounds = QN_BOX_EMPTY;
   double largest = 0;
@@ -250,16 +244,12 @@ typedef struct Export {
 
 /* Opens a file of the group; messages call it by the place it is meant for. */
 static QnFileWriter *
-open_member (Export *export, const char *name, GError **error)
+open_member (Export *export, const char *name)
 {
   g_autofree char *place = g_build_filename (export->folder, name, NULL);
-  char *path;
+  char *path = NULL;
   int trouble = qn_file_group_add (&export->group, name, &path);
-  if (trouble != 0) {
-    qn_io_error_set_errno (error, place, _ ("cannot be written"), trouble);
-    return NULL;
-  }
-  QnFileWriter *writer = qn_file_writer_open_as (path, place, error);
+  QnFileWriter *writer = qn_file_writer_open_as (path, place, trouble);
   free (path);
   return writer;
 }
@@ -282,7 +272,7 @@ write_steps (Export *export, const QnModel *model, const QnContacts *contacts,
   for (size_t i = 0; i < steps; i++) {
     gboolean has = result != NULL && i < result->step_count;
     g_autofree char *name = g_strdup_printf ("%s_%04zu.vtu", export->stem, i);
-    if (!write_blocks (open_member (export, name, error), model,
+    if (!write_blocks (open_member (export, name), model,
                        has ? qn_result_step_displacements (result, i) : NULL, error))
       return FALSE;
     double time = has ? result->steps[i].multiplier : 0;
@@ -290,8 +280,7 @@ write_steps (Export *export, const QnModel *model, const QnContacts *contacts,
     if (model->element_count == 0)
       continue;
     g_autofree char *beams = g_strdup_printf ("%s_beams_%04zu.vtu", export->stem, i);
-    if (!write_beams (open_member (export, beams, error), model, has ? result : NULL, i,
-                      error))
+    if (!write_beams (open_member (export, beams), model, has ? result : NULL, i, error))
       return FALSE;
     put_entry (export, time, 2, beams);
   }
@@ -299,7 +288,7 @@ write_steps (Export *export, const QnModel *model, const QnContacts *contacts,
       || result->pair_count != contacts->pair_count)
     return TRUE;
   g_autofree char *name = g_strdup_printf ("%s_forces.vtu", export->stem);
-  if (!write_forces (open_member (export, name, error), model, contacts, result, error))
+  if (!write_forces (open_member (export, name), model, contacts, result, error))
     return FALSE;
   put_entry (export, result->steps[result->step_count - 1].multiplier, 1, name);
   return TRUE;
@@ -308,9 +297,7 @@ write_steps (Export *export, const QnModel *model, const QnContacts *contacts,
 static gboolean
 write_list (Export *export, const char *name, GError **error)
 {
-  QnFileWriter *writer = open_member (export, name, error);
-  if (writer == NULL)
-    return FALSE;
+  QnFileWriter *writer = open_member (export, name);
   qn_file_writer_printf (
     writer,
     "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "

@@ -438,9 +438,7 @@ qn_result_file_write (const char *path, const QnProject *project,
                       const QnContacts *contacts, const QnResult *result,
                       QnResultDetail detail, GError **error)
 {
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
+  QnFileWriter *writer = qn_file_writer_open (path);
   write_all (writer, project, contacts, result, detail);
   return qn_file_writer_commit (writer, error);
 }

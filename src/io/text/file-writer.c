@@ -31,24 +31,20 @@ writer_free (QnFileWriter *writer)
 }
 
 QnFileWriter *
-qn_file_writer_open (const char *path, GError **error)
+qn_file_writer_open (const char *path)
 {
-  return qn_file_writer_open_as (path, path, error);
+  return qn_file_writer_open_as (path, path, 0);
 }
 
 QnFileWriter *
-qn_file_writer_open_as (const char *path, const char *name, GError **error)
+qn_file_writer_open_as (const char *path, const char *name, int trouble)
 {
   QnFileWriter *writer = g_new0 (QnFileWriter, 1);
   writer->name = g_strdup (name);
   writer->buffer = g_string_sized_new (BUFFER_SIZE + 1024);
-  int trouble = qn_whole_file_open (&writer->file, path);
-  if (trouble == 0)
-    return writer;
-
-  qn_io_error_set_errno (error, name, _ ("cannot be written"), trouble);
-  writer_free (writer);
-  return NULL;
+  writer->file.fd = -1;
+  writer->trouble = trouble != 0 ? trouble : qn_whole_file_open (&writer->file, path);
+  return writer;
 }
 
 QnFileWriter *
@@ -113,8 +109,8 @@ void
 qn_file_writer_number (QnFileWriter *writer, double number)
 {
   char text[QN_NUMBER_TEXT_SIZE];
-  if (!isfinite (number) && writer->trouble == 0)
-    writer->trouble = EDOM;
+  if (!isfinite (number))
+    qn_file_writer_fail (writer, EDOM);
   qn_file_writer_puts (writer, qn_number_text (number, text));
 }
 
@@ -232,6 +228,13 @@ qn_file_writer_buffer (QnFileWriter *writer)
   return writer->buffer;
 }
 
+void
+qn_file_writer_fail (QnFileWriter *writer, int error_number)
+{
+  if (writer->trouble == 0)
+    writer->trouble = error_number;
+}
+
 gboolean
 qn_file_writer_failed (const QnFileWriter *writer)
 {
@@ -254,21 +257,10 @@ qn_file_writer_commit (QnFileWriter *writer, GError **error)
   return done;
 }
 
-void
-qn_file_writer_discard (QnFileWriter *writer)
-{
-  if (writer == NULL)
-    return;
-  qn_whole_file_discard (&writer->file);
-  writer_free (writer);
-}
-
 gboolean
 qn_file_write (const char *path, const char *bytes, gsize length, GError **error)
 {
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
+  QnFileWriter *writer = qn_file_writer_open (path);
   qn_file_writer_write (writer, bytes, length);
   return qn_file_writer_commit (writer, error);
 }

@@ -1,9 +1,7 @@
 /* Writing a file whole or not at all, whatever fails; "-",
  * devices and pipes: see disk/whole-file.h.
  *
- *   QnFileWriter *writer = qn_file_writer_open (path, &error);
- *   if (writer == NULL)
- *     return FALSE;
+ *   QnFileWriter *writer = qn_file_writer_open (path);
  *   qn_file_writer_puts (writer, "…");
  *   return qn_file_writer_commit (writer, &error);
  *
@@ -17,11 +15,11 @@
 
 typedef struct QnFileWriter QnFileWriter;
 
-/* NULL with an error (QN_IO_ERROR, code FILE) where the target cannot be written. */
-QnFileWriter *qn_file_writer_open (const char *path, GError **error);
+/* Where the target cannot be written, the commit says so. */
+QnFileWriter *qn_file_writer_open (const char *path);
 
-/* The same for a file that messages call by another name. */
-QnFileWriter *qn_file_writer_open_as (const char *path, const char *name, GError **error);
+/* The same for a file that messages call by another name; with an errno, one that cannot be written. */
+QnFileWriter *qn_file_writer_open_as (const char *path, const char *name, int trouble);
 
 /* Writes into memory instead: ended by qn_file_writer_steal(), which frees the writer and returns the
  * text, NUL-terminated; free with g_free(). */
@@ -59,14 +57,14 @@ void qn_file_writer_csv (QnFileWriter *writer, const char *format, ...)
 /* The buffer of text not yet written to the file, to append to. */
 GString *qn_file_writer_buffer (QnFileWriter *writer);
 
+/* Keeps an error, as an errno. */
+void qn_file_writer_fail (QnFileWriter *writer, int error_number);
+
 /* Whether an error has occurred: a long writing loop may stop early. */
 gboolean qn_file_writer_failed (const QnFileWriter *writer);
 
 /* Completes the file and frees the writer. On failure the target is as it was before. */
 gboolean qn_file_writer_commit (QnFileWriter *writer, GError **error);
-
-/* Abandons the file: leaves the target as it was and frees the writer. NULL is allowed. */
-void qn_file_writer_discard (QnFileWriter *writer);
 
 /* All of it at once. */
 gboolean qn_file_write (const char *path, const char *bytes, gsize length,

@@ -387,9 +387,7 @@ qn_envelope_write_table (const QnEnvelope *e, const char *path, GError **error)
 {
   static const char *const way_names[] = { "to the right", "to the left" };
   const bool one = e->lines[0].vehicle == e->lines[e->line_count - 1].vehicle;
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
+  QnFileWriter *writer = qn_file_writer_open (path);
   qn_file_writer_puts (writer, "position [m]");
   for (gsize k = 0; k < e->line_count; k++) {
     g_autofree char *name =

@@ -176,9 +176,7 @@ write_text (QnFileWriter *writer, const char *text)
 gboolean
 qn_table_write (const QnTable *table, const char *path, GError **error)
 {
-  QnFileWriter *writer = qn_file_writer_open (path, error);
-  if (writer == NULL)
-    return FALSE;
+  QnFileWriter *writer = qn_file_writer_open (path);
   qn_file_writer_puts (writer, "case");
   for (gsize i = 0; i < table->width; i++) {
     qn_file_writer_puts (writer, ",");

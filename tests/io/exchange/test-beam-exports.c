@@ -68,7 +68,8 @@ test_csv (Fixture *f, gconstpointer data)
 {
   (void) data;
   g_autofree char *path = g_build_filename (f->folder, "beams.csv", NULL);
-  g_assert_true (qn_beams_csv_write (path, &f->project, &f->result, NULL));
+  g_assert_true (qn_result_table_write (path, QN_TABLE_BEAMS, &f->project, &f->contacts,
+                                        &f->result, NULL));
   g_autofree char *text = read_file (f, "beams.csv");
   g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
   g_assert_cmpuint (g_strv_length (lines), ==, 6); /* header, 2 x 2, and the end */

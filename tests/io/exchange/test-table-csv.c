@@ -13,20 +13,22 @@ typedef gboolean (*WriteFunc) (const char *path, const ResultFixture *fixture,
 static gboolean
 write_curve (const char *path, const ResultFixture *fixture, GError **error)
 {
-  return qn_curve_csv_write (path, &fixture->project, &fixture->result, error);
+  return qn_result_table_write (path, QN_TABLE_CURVE, &fixture->project,
+                                &fixture->contacts, &fixture->result, error);
 }
 
 static gboolean
 write_displacements (const char *path, const ResultFixture *fixture, GError **error)
 {
-  return qn_displacements_csv_write (path, &fixture->project, &fixture->result, 1, error);
+  return qn_result_table_write (path, QN_TABLE_DISPLACEMENTS, &fixture->project,
+                                &fixture->contacts, &fixture->result, error);
 }
 
 static gboolean
 write_contacts (const char *path, const ResultFixture *fixture, GError **error)
 {
-  return qn_contacts_csv_write (path, &fixture->project, &fixture->contacts,
-                                &fixture->result, error);
+  return qn_result_table_write (path, QN_TABLE_CONTACTS, &fixture->project,
+                                &fixture->contacts, &fixture->result, error);
 }
 
 static void

@@ -196,7 +196,8 @@ check_result (const char *override, const char *procedure)
   g_autofree char *table = g_build_filename (folder, "ties.csv", NULL);
   g_autofree char *drawing = g_build_filename (folder, "ties.dxf", NULL);
   g_autofree char *rows = NULL, *dxf = NULL;
-  g_assert_true (qn_ties_csv_write (table, &project, &result, &error));
+  g_assert_true (
+    qn_result_table_write (table, QN_TABLE_TIES, &project, &contacts, &result, &error));
   g_assert_true (g_file_get_contents (table, &rows, NULL, NULL));
   g_auto (GStrv) lines = g_strsplit (rows, "\n", -1);
   size_t told = result.limit.given ? 1 : result.step_count;

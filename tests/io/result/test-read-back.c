@@ -259,13 +259,15 @@ check_tables (const char *folder, const QnProject *project, const QnContacts *co
   g_autofree char *path = g_build_filename (folder, "table.csv", NULL);
   const QnModel *model = &project->model;
   GError *error = NULL;
-  gboolean written = qn_curve_csv_write (path, project, result, &error);
+  gboolean written =
+    qn_result_table_write (path, QN_TABLE_CURVE, project, contacts, result, &error);
   g_autoptr (GPtrArray) curve = read_table (
     path, written, error,
     (guint) (result->history.width > 0 ? result->history.row_count : result->step_count));
   check_curve (curve, result);
 
-  written = qn_contacts_csv_write (path, project, contacts, result, &error);
+  written =
+    qn_result_table_write (path, QN_TABLE_CONTACTS, project, contacts, result, &error);
   g_autoptr (GPtrArray) pairs = read_table (
     path, written, error, result->step_count > 0 ? (guint) contacts->pair_count : 0);
   for (guint i = 1; result->step_count > 0 && i < pairs->len; i++) {
@@ -277,7 +279,8 @@ check_tables (const char *folder, const QnProject *project, const QnContacts *co
 
   bool has_beams = result->step_count > 0
                    && qn_result_step_beam_forces (result, result->step_count - 1) != NULL;
-  written = qn_beams_csv_write (path, project, result, &error);
+  written =
+    qn_result_table_write (path, QN_TABLE_BEAMS, project, contacts, result, &error);
   g_autoptr (GPtrArray) beams =
     read_table (path, written, error, has_beams ? 2 * (guint) model->element_count : 0);
   g_assert_cmpuint (beams->len, >, 0);
@@ -286,7 +289,8 @@ check_tables (const char *folder, const QnProject *project, const QnContacts *co
     return;
   size_t last = result->step_count - 1;
   const double *moved = qn_result_step_displacements (result, last);
-  written = qn_displacements_csv_write (path, project, result, last, &error);
+  written = qn_result_table_write (path, QN_TABLE_DISPLACEMENTS, project, contacts,
+                                   result, &error);
   g_autoptr (GPtrArray) blocks =
     read_table (path, written, error, (guint) (model->block_count + model->node_count));
   for (guint i = 1; i < blocks->len; i++)

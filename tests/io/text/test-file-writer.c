@@ -4,6 +4,7 @@
 #include "support/room.h"
 #include "support/scratch.h"
 
+#include <errno.h>
 #include <glib/gstdio.h>
 #include <math.h>
 #include <string.h>
@@ -15,8 +16,7 @@ test_pieces (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   GError *error = NULL;
-  QnFileWriter *writer = qn_file_writer_open (fixture->path, &error);
-  g_assert_no_error (error);
+  QnFileWriter *writer = qn_file_writer_open (fixture->path);
   qn_file_writer_puts (writer, "a");
   qn_file_writer_printf (writer, "%d ", 37);
   qn_file_writer_number (writer, 0.175);
@@ -37,7 +37,7 @@ test_not_finite (TestScratchFile *fixture, gconstpointer data)
   (void) data;
   for (int rounded = 0; rounded < 2; rounded++) {
     g_autoptr (GError) error = NULL;
-    QnFileWriter *writer = qn_file_writer_open (fixture->path, NULL);
+    QnFileWriter *writer = qn_file_writer_open (fixture->path);
     if (rounded)
       qn_file_writer_rounded (writer, NAN, "%.7e");
     else
@@ -53,7 +53,7 @@ test_larger_than_buffer (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   GError *error = NULL;
-  QnFileWriter *writer = qn_file_writer_open (fixture->path, &error);
+  QnFileWriter *writer = qn_file_writer_open (fixture->path);
   for (int i = 0; i < 100000; i++)
     qn_file_writer_printf (writer, "%05d\n", i);
   g_assert_true (qn_file_writer_commit (writer, &error));
@@ -67,17 +67,28 @@ test_larger_than_buffer (TestScratchFile *fixture, gconstpointer data)
 }
 
 static void
-test_discard_keeps_the_old (TestScratchFile *fixture, gconstpointer data)
+test_failure_keeps_the_old (TestScratchFile *fixture, gconstpointer data)
 {
   (void) data;
   GError *error = NULL;
   g_assert_true (qn_file_write (fixture->path, "old", 3, &error));
-  QnFileWriter *writer = qn_file_writer_open (fixture->path, &error);
+  QnFileWriter *writer = qn_file_writer_open (fixture->path);
   qn_file_writer_puts (writer, "new");
-  qn_file_writer_discard (writer);
+  qn_file_writer_fail (writer, ENOMEM);
+  qn_file_writer_fail (writer, EIO); /* the first one is told */
+  g_assert_false (qn_file_writer_commit (writer, &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY);
+  g_clear_error (&error);
   test_scratch_expect (fixture->path, "old");
   g_assert_cmpuint (test_scratch_count (fixture->folder), ==, 1);
-  qn_file_writer_discard (NULL);
+
+  /* What cannot be opened takes all that is written, and says so at its end. */
+  writer = qn_file_writer_open (fixture->folder);
+  qn_file_writer_puts (writer, "new");
+  g_assert_true (qn_file_writer_failed (writer));
+  g_assert_false (qn_file_writer_commit (writer, &error));
+  g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE);
+  g_clear_error (&error);
 }
 
 /* A file that is replaced keeps its permissions; a link keeps leading to it. */
@@ -148,7 +159,7 @@ QN_TESTS
   ADD ("/file-writer/pieces", test_pieces);
   ADD ("/file-writer/not-finite", test_not_finite);
   ADD ("/file-writer/larger-than-buffer", test_larger_than_buffer);
-  ADD ("/file-writer/discard-keeps-the-old", test_discard_keeps_the_old);
+  ADD ("/file-writer/failure-keeps-the-old", test_failure_keeps_the_old);
   ADD ("/file-writer/mode-and-link", test_mode_and_link);
   ADD ("/file-writer/refused", test_refused);
   ADD ("/file-writer/device", test_device);
