@@ -179,19 +179,23 @@ qn_json_value_warn (const QnJsonValue *place, const char *message)
   g_ptr_array_add (reader->warnings, qn_reader_dup_line (reader, path, message));
 }
 
-/* Puts a copy of one member aside. Members of one object follow each other, so that its entry is the last. */
+/* Puts a copy of one member aside. */
 static void
 keep_unknown (const QnJsonValue *object, const cJSON *member)
 {
   QnReader *reader = object->reader;
   if (!reader->keeps_unknown)
     return;
-  if (reader->unknown == NULL)
+  if (reader->unknown == NULL) {
     reader->unknown = cJSON_CreateObject ();
-  g_autofree char *path = dup_path (object);
-  cJSON *first = reader->unknown->child, *owner = first != NULL ? first->prev : NULL;
-  if (owner == NULL || strcmp (owner->string, path) != 0)
+    reader->owners = g_hash_table_new (NULL, NULL);
+  }
+  cJSON *owner = g_hash_table_lookup (reader->owners, object->json);
+  if (owner == NULL) {
+    g_autofree char *path = dup_path (object);
     owner = cJSON_AddObjectToObject (reader->unknown, path);
+    g_hash_table_insert (reader->owners, (gpointer) object->json, owner);
+  }
   cJSON_AddItemToObject (owner, member->string, cJSON_Duplicate (member, 1));
 }
 

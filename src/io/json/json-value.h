@@ -24,8 +24,10 @@ typedef struct QnReader {
   GError *error;                /* the first one; domain QN_IO_ERROR */
   gboolean refuses_unknown;     /* unknown members are errors; or */
   gboolean keeps_unknown;       /* they are put aside: */
-  cJSON *
-    unknown; /* copies of them, an object by the path of their owner; the caller's to free */
+  cJSON *unknown; /* copies of them, an object by the path of each owner, and */
+  GHashTable *
+    owners; /* those objects by the owner's value in the tree; both the caller's to free */
+  int32_t notes; /* that callers have given to owners */
 } QnReader;
 
 #define QN_READER_MAX_WARNINGS 100

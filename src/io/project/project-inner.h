@@ -10,8 +10,12 @@
 /* Where the project's extras keep them; no member of a document may be called that. */
 #define QN_INNER_MEMBER "\x01inner"
 
-/* Takes over the unknown members of the reader: an object of objects by their paths, or NULL. */
-void qn_project_keep_inner (QnProject *project, cJSON *unknown);
+/* The note of an entity that has just been read; 0: it has no unknown members. */
+int32_t qn_read_note (const QnJsonValue *place);
+
+/* Takes over the unknown members of the reader, of entities that were given a note and of objects that there
+ * is one of. */
+void qn_project_keep_inner (QnProject *project, QnReader *reader);
 
 /* Of a project, by owner; NULL where there are none. Free with g_hash_table_unref(). */
 GHashTable *qn_project_index_inner (const QnProject *project);

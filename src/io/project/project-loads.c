@@ -272,6 +272,7 @@ read_load_list (const QnJsonValue *loads, const char *key, int32_t set, QnModel 
     load->set = set;
     if (!read_load (&place, model, load))
       return FALSE;
+    load->note = qn_read_note (&place);
     /* In every combination of the code as it is, which the own weight by EN 1990 is not. */
     if (*model->combinations.code != '\0' && load->kind != QN_LOAD_SETTLEMENT
         && (load->load_case == 0

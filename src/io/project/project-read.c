@@ -200,7 +200,7 @@ read_project (QnProject *project, GError **error)
   if (document != NULL) {
     QnJsonValue root = qn_json_value_root (&reader, document);
     read_document (&root, document, project);
-    qn_project_keep_inner (project, reader.unknown);
+    qn_project_keep_inner (project, &reader);
     cJSON_Delete (document);
     if (reader.dropped_warnings > 0)
       g_ptr_array_add (

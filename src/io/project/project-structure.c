@@ -1,3 +1,4 @@
+#include "io/project/project-inner.h"
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 #include "io/text/json-text.h"
@@ -21,9 +22,12 @@ qn_read_list (const QnJsonValue *owner, const QnList *list, QnNeed need, QnModel
   QnJsonValue array, element = { 0 };
   if (!qn_member_array (owner, dot != NULL ? dot + 1 : list->path, need, &array))
     return FALSE;
-  while (qn_json_value_next (&array, &element))
+  while (qn_json_value_next (&array, &element)) {
+    const size_t index = G_STRUCT_MEMBER (size_t, model, list->count);
     if (!list->read (&element, model))
       return FALSE;
+    *qn_list_note (model, list, index) = qn_read_note (&element);
+  }
   return TRUE;
 }
 
