@@ -24,10 +24,8 @@ struct QnStore {
   gboolean open; /* a transaction is */
 };
 
-/* The columns before those of parameters and outputs, and behind. */
-static const char *const head_columns[] = { "case", "status" };
-static const char *const tail_columns[] = { "outcome", "reason", "seconds", "version",
-                                            "model_sha256" };
+/* Columns beside those of parameters and outputs. */
+#define OWN_COLUMNS 7
 
 static gboolean
 fail (const QnStore *store, GError **error)
@@ -48,33 +46,20 @@ run (QnStore *store, const char *sql, GError **error)
          || fail (store, error);
 }
 
+/* The columns of the table, in the order in which rows are written. */
 static void
-append_column (GString *sql, const char *name, const char *type)
+append_columns (GString *sql, const QnStudy *study)
 {
-  g_string_append_printf (sql, "%s\"%s\" %s", sql->str[sql->len - 1] == '(' ? "" : ", ",
-                          name, type);
-}
-
-/* Appends what each column of the table is called, with `type` or without. */
-static void
-append_columns (GString *sql, const QnStudy *study, gboolean types)
-{
-  append_column (sql, head_columns[0], types ? "INTEGER PRIMARY KEY" : "");
-  append_column (sql, head_columns[1], types ? "TEXT NOT NULL" : "");
+  g_string_append (sql, "\"case\" INTEGER PRIMARY KEY, status TEXT NOT NULL");
   for (guint i = 0; i < study->parameters->len; i++)
-    append_column (sql, qn_study_parameter (study, i)->name, types ? "REAL" : "");
+    g_string_append_printf (sql, ", \"%s\" REAL", qn_study_parameter (study, i)->name);
   for (guint i = 0; i < study->outputs->len; i++) {
     QnStudyOutput output = qn_study_output (study, i);
-    append_column (sql, qn_study_output_names[output],
-                   !types                               ? ""
-                   : qn_study_output_is_number (output) ? "REAL"
-                                                        : "TEXT");
+    g_string_append_printf (sql, ", %s %s", qn_study_output_names[output],
+                            qn_study_output_is_number (output) ? "REAL" : "TEXT");
   }
-  for (gsize i = 0; i < G_N_ELEMENTS (tail_columns); i++)
-    append_column (sql, tail_columns[i],
-                   !types                                     ? ""
-                   : strcmp (tail_columns[i], "seconds") == 0 ? "REAL"
-                                                              : "TEXT");
+  g_string_append (sql, ", outcome TEXT, reason TEXT, seconds REAL, version TEXT, "
+                        "model_sha256 TEXT");
 }
 
 /* One number or text of the database; FALSE on an error. */
@@ -132,7 +117,7 @@ check_study (QnStore *store, gboolean create, GError **error)
                      "CREATE TABLE study (key TEXT PRIMARY KEY, value TEXT); %s "
                      "CREATE TABLE cases (",
                      APPLICATION_ID, values);
-    append_columns (sql, store->study, TRUE);
+    append_columns (sql, store->study);
     g_string_append (sql, "); COMMIT;");
     sqlite3_free (values);
     return run (store, sql->str, error);
@@ -207,11 +192,9 @@ prepare_add (QnStore *store, GError **error)
 {
   if (store->add != NULL)
     return TRUE;
-  g_autoptr (GString) sql = g_string_new ("INSERT OR REPLACE INTO cases (");
-  append_columns (sql, store->study, FALSE);
-  guint columns = G_N_ELEMENTS (head_columns) + G_N_ELEMENTS (tail_columns)
-                  + store->study->parameters->len + store->study->outputs->len;
-  g_string_append (sql, ") VALUES (?");
+  g_autoptr (GString) sql = g_string_new ("INSERT OR REPLACE INTO cases VALUES (?");
+  guint columns =
+    OWN_COLUMNS + store->study->parameters->len + store->study->outputs->len;
   for (guint i = 1; i < columns; i++)
     g_string_append (sql, ", ?");
   g_string_append (sql, ")");
@@ -219,18 +202,11 @@ prepare_add (QnStore *store, GError **error)
          || fail (store, error);
 }
 
+/* NULL binds NULL, and so does not-a-number. */
 static void
 bind_text (sqlite3_stmt *statement, int *column, const char *text)
 {
-  /* NULL binds NULL. */
   sqlite3_bind_text (statement, (*column)++, text, -1, SQLITE_TRANSIENT);
-}
-
-static void
-bind_number (sqlite3_stmt *statement, int *column, double number)
-{
-  /* Not-a-number binds NULL. */
-  sqlite3_bind_double (statement, (*column)++, number);
 }
 
 gboolean
@@ -245,7 +221,7 @@ qn_store_add (QnStore *store, gsize index, const double *values,
   sqlite3_bind_int64 (store->add, column++, (gint64) index + 1);
   bind_text (store->add, &column, result->failed ? "failed" : "done");
   for (guint i = 0; i < study->parameters->len; i++)
-    bind_number (store->add, &column, values[i]);
+    sqlite3_bind_double (store->add, column++, values[i]);
   for (guint i = 0; i < study->outputs->len; i++) {
     QnStudyOutput output = qn_study_output (study, i);
     if (output == QN_STUDY_MECHANISM_KIND)
@@ -253,11 +229,11 @@ qn_store_add (QnStore *store, gsize index, const double *values,
     else if (output == QN_STUDY_MECHANISM_SHAPE)
       bind_text (store->add, &column, result->shape);
     else
-      bind_number (store->add, &column, result->numbers[output]);
+      sqlite3_bind_double (store->add, column++, result->numbers[output]);
   }
   bind_text (store->add, &column, result->outcome);
   bind_text (store->add, &column, result->reason);
-  bind_number (store->add, &column, result->seconds);
+  sqlite3_bind_double (store->add, column++, result->seconds);
   bind_text (store->add, &column, "quoin " QN_VERSION);
   bind_text (store->add, &column, study->project.sha256);
   gboolean ok = sqlite3_step (store->add) == SQLITE_DONE || fail (store, error);

@@ -161,16 +161,10 @@ qn_table_find (const QnTable *table, const char *name)
   return -1;
 }
 
-/* In quotes where the text needs them. */
-static void
-write_text (QnFileWriter *writer, const char *text)
+static const char *
+text_of (const char *text)
 {
-  if (text == NULL)
-    return;
-  if (strpbrk (text, ",\"\r\n") == NULL)
-    qn_file_writer_puts (writer, text);
-  else
-    qn_file_writer_quoted (writer, text);
+  return text != NULL ? text : "";
 }
 
 gboolean
@@ -178,32 +172,29 @@ qn_table_write (const QnTable *table, const char *path, GError **error)
 {
   QnFileWriter *writer = qn_file_writer_open (path);
   qn_file_writer_puts (writer, "case");
-  for (gsize i = 0; i < table->width; i++) {
-    qn_file_writer_puts (writer, ",");
-    write_text (writer, qn_table_column_name (table, i));
-  }
+  for (gsize i = 0; i < table->width; i++)
+    qn_file_writer_csv (writer, ",%s", qn_table_column_name (table, i));
   qn_file_writer_puts (writer, ",status,outcome,reason\n");
   for (gsize i = 0; i < table->rows->len && !qn_file_writer_failed (writer); i++) {
     const QnRow *row = &g_array_index (table->rows, QnRow, i);
-    qn_file_writer_printf (writer, "%" G_GSIZE_FORMAT, row->index + 1);
+    qn_file_writer_csv (writer, "%zu", row->index + 1);
     for (gsize k = 0; k < table->width; k++) {
-      double number = qn_table_number (table, i, k);
-      qn_file_writer_puts (writer, ",");
-      if (k >= table->parameters
-          && qn_study_output (table->study, k - table->parameters)
-               == QN_STUDY_MECHANISM_KIND)
-        write_text (writer, row->mechanism);
-      else if (k < table->parameters
-               && qn_study_combination (table->study, k, number) != NULL)
-        write_text (writer, qn_study_combination (table->study, k, number)->name);
+      const double number = qn_table_number (table, i, k);
+      const gsize output = k - table->parameters;
+      const QnCombination *of =
+        k < table->parameters ? qn_study_combination (table->study, k, number) : NULL;
+      if (of != NULL)
+        qn_file_writer_csv (writer, ",%s", of->name);
+      else if (k >= table->parameters
+               && qn_study_output (table->study, output) == QN_STUDY_MECHANISM_KIND)
+        qn_file_writer_csv (writer, ",%s", text_of (row->mechanism));
       else if (!isnan (number))
-        qn_file_writer_number (writer, number);
+        qn_file_writer_csv (writer, ",%g", number);
+      else
+        qn_file_writer_puts (writer, ",");
     }
-    qn_file_writer_puts (writer, row->failed ? ",failed," : ",done,");
-    write_text (writer, row->outcome);
-    qn_file_writer_puts (writer, ",");
-    write_text (writer, row->reason);
-    qn_file_writer_puts (writer, "\n");
+    qn_file_writer_csv (writer, ",%s,%s,%s\n", row->failed ? "failed" : "done",
+                        text_of (row->outcome), text_of (row->reason));
   }
   return qn_file_writer_commit (writer, error);
 }
