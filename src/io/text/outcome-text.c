@@ -193,46 +193,6 @@ collapse_sentence (const QnResult *result)
                          result->collapse_multiplier);
 }
 
-static const char *
-collapse_reason (const QnModel *model, const Task *task, const QnResult *result)
-{
-  const QnStep *last = last_step (result);
-  switch (task->procedure) {
-  case QN_PROCEDURE_LOAD:
-    if (result->mechanism_uncertain)
-      return _ (
-        "No equilibrium was found above the collapse multiplier. How the structure moves "
-        "further was not determined: the mechanism shown is its last motion.");
-    if (result->stop == QN_STOP_FALL)
-      return _ ("Under a load that is held a little above, the structure falls. There "
-                "are equilibria at larger multipliers, to which a load that grows slowly "
-                "does not lead.");
-    return _ (
-      "Above the collapse multiplier the structure moves on along its mechanism and "
-      "does not come to rest.");
-  case QN_PROCEDURE_LIMIT:
-    return model->analysis.flow == QN_FLOW_ASSOCIATIVE
-             ? _ ("No forces that the joints can carry balance more, and a mechanism "
-                  "needs no more.")
-             : _ ("It is the lowest multiplier found at which a mechanism with the "
-                  "friction of the joints can move.");
-  case QN_PROCEDURE_DISPLACEMENT:
-  case QN_PROCEDURE_WORK:
-  case QN_PROCEDURE_ARC_LENGTH:
-  case QN_PROCEDURE_DYNAMIC:
-  case QN_PROCEDURE_COUNT:
-    break;
-  }
-  if (result->stop == QN_STOP_FALL)
-    return _ (
-      "Beyond the last equilibrium blocks fall out of their contacts, although the "
-      "controlled motion is held.");
-  if (last != NULL && last->multiplier <= 0)
-    return _ ("The path was followed beyond its peak until nothing of the load was "
-              "left.");
-  return _ ("The structure keeps moving under a constant load.");
-}
-
 /* --- Answer ----------------------------------------------------------------------------- */
 
 static const char *
@@ -437,28 +397,7 @@ explain_controlled (const QnModel *model, const Task *task, double reached)
     component, model->blocks[task->control.block].name, task->control.target, reached);
 }
 
-static char *
-explain_target (const QnModel *model, const Task *task, const QnResult *result)
-{
-  double reached = result->step_count > 0 ? last_step (result)->multiplier : 0;
-  if (result->stage == 0 && qn_model_lacks_live_load (model))
-    return g_strdup (_ ("No live load acts on any free block, so there is no path to "
-                        "follow: what was found is the equilibrium under the dead "
-                        "load."));
-  if (is_controlled_displacement_reached (model, task, result))
-    return explain_controlled (model, task, reached);
-  if (!task->has_end && !qn_model_sets_have_force (model, task->sets))
-    return g_strdup (_ ("The supports have settled to their targets without collapse."));
-  if (task->has_end)
-    return qn_text_printf (
-      _ ("The load multiplier has reached its end value of %.4g without collapse."),
-      reached);
-  return qn_text_printf (_ ("The target was reached at a load multiplier of %.4g without "
-                            "collapse."),
-                         reached);
-}
-
-/* --- Other ends ------------------------------------------------------------------------- */
+/* --- Ends ----------------------------------------------------------------------------- */
 
 /* Each claim that the check has refused, and what stands all the same. */
 static char *
@@ -479,146 +418,183 @@ explain_refused (const QnModel *model, const QnResult *result)
   return g_string_free (g_steal_pointer (&text), FALSE);
 }
 
+/* What may be known of an end. */
+typedef enum {
+  ANYHOW,
+  IN_TIME,
+  BY_LOAD,
+  BY_LIMIT,
+  ASSOCIATIVE,
+  UNCERTAIN, /* the mechanism is */
+  FELL,
+  NO_STEPS,
+  SPENT, /* nothing of the load is left */
+  FAR,   /* followed until it has moved by its own size */
+  NO_LIVE_LOAD,
+  HAS_END,
+  SETTLED, /* supports move, and nothing else grows */
+  ALL_FACTORIZATIONS,
+  ALL_TIME,
+  ALL_STEPS,
+  FACT_COUNT
+} Fact;
+
+/* The first one of an outcome whose two facts hold is told. A number in it is the multiplier or, in time, the time. */
+static const struct {
+  QnOutcome outcome;
+  Fact fact, other;
+  const char *text;
+} sentences[] = {
+  { QN_OUTCOME_COLLAPSE, IN_TIME, ANYHOW,
+    N_ ("Overturned at %.4g s: a block has turned by a right angle or has fallen out "
+        "of its contacts.") },
+  { QN_OUTCOME_TARGET_REACHED, IN_TIME, ANYHOW,
+    N_ ("Followed to the end of the duration, %.4g s.") },
+  { QN_OUTCOME_REST, IN_TIME, ANYHOW,
+    N_ ("At rest at %.4g s: the ground has stopped and nothing moves any more.") },
+  { QN_OUTCOME_CANCELLED, IN_TIME, ANYHOW,
+    N_ ("Cancelled at %.4g s; what was followed by then is kept.") },
+  { QN_OUTCOME_NOT_CONVERGED, IN_TIME, ALL_FACTORIZATIONS,
+    N_ ("Stopped at %.4g s, after as many factorisations as max_factorizations "
+        "allows; what had converged is kept.") },
+  { QN_OUTCOME_NOT_CONVERGED, IN_TIME, ALL_TIME,
+    N_ ("Stopped at %.4g s, after the time that max_seconds allows; what had "
+        "converged is kept.") },
+  { QN_OUTCOME_NOT_CONVERGED, IN_TIME, ANYHOW,
+    N_ ("At %.4g s no step converged, however short. Try another spectral radius, "
+        "some damping, or a coarser residual tolerance.") },
+  { QN_OUTCOME_COLLAPSE, BY_LOAD, UNCERTAIN,
+    N_ ("No equilibrium was found above the collapse multiplier. How the structure "
+        "moves further was not determined: the mechanism shown is its last motion.") },
+  { QN_OUTCOME_COLLAPSE, BY_LOAD, FELL,
+    N_ ("Under a load that is held a little above, the structure falls. There are "
+        "equilibria at larger multipliers, to which a load that grows slowly does "
+        "not lead.") },
+  { QN_OUTCOME_COLLAPSE, BY_LOAD, ANYHOW,
+    N_ ("Above the collapse multiplier the structure moves on along its mechanism "
+        "and does not come to rest.") },
+  { QN_OUTCOME_COLLAPSE, BY_LIMIT, ASSOCIATIVE,
+    N_ ("No forces that the joints can carry balance more, and a mechanism needs no "
+        "more.") },
+  { QN_OUTCOME_COLLAPSE, BY_LIMIT, ANYHOW,
+    N_ ("It is the lowest multiplier found at which a mechanism with the friction of "
+        "the joints can move.") },
+  { QN_OUTCOME_COLLAPSE, FELL, ANYHOW,
+    N_ ("Beyond the last equilibrium blocks fall out of their contacts, although the "
+        "controlled motion is held.") },
+  { QN_OUTCOME_COLLAPSE, SPENT, ANYHOW,
+    N_ ("The path was followed beyond its peak until nothing of the load was left.") },
+  { QN_OUTCOME_COLLAPSE, ANYHOW, ANYHOW,
+    N_ ("The structure keeps moving under a constant load.") },
+  { QN_OUTCOME_TARGET_REACHED, NO_LIVE_LOAD, ANYHOW,
+    N_ ("No live load acts on any free block, so there is no path to follow: what "
+        "was found is the equilibrium under the dead load.") },
+  { QN_OUTCOME_TARGET_REACHED, SETTLED, ANYHOW,
+    N_ ("The supports have settled to their targets without collapse.") },
+  { QN_OUTCOME_TARGET_REACHED, HAS_END, ANYHOW,
+    N_ ("The load multiplier has reached its end value of %.4g without collapse.") },
+  { QN_OUTCOME_TARGET_REACHED, ANYHOW, ANYHOW,
+    N_ ("The target was reached at a load multiplier of %.4g without collapse.") },
+  { QN_OUTCOME_SNAP, ANYHOW, ANYHOW,
+    N_ ("Stopped at the first limit point, load multiplier %.4g.") },
+  { QN_OUTCOME_UNBOUNDED, BY_LIMIT, ANYHOW,
+    N_ ("By the associative theorem, with joints that dilate as much as they slide, "
+        "rigid blocks carry any multiple of the live load. Check its direction, or "
+        "limit the strength of the joints.") },
+  { QN_OUTCOME_UNBOUNDED, FAR, ANYHOW,
+    N_ ("The structure carries every multiple of the live load: joints of unlimited "
+        "strength connect it to fixed blocks. It was followed to a load multiplier "
+        "of %.4g, where it has moved by its own size. Limit the strength of the "
+        "joints.") },
+  { QN_OUTCOME_UNBOUNDED, ANYHOW, ANYHOW,
+    N_ ("No collapse up to a load multiplier of %.4g, where the path ends. Check the "
+        "direction of the live load, or limit the strength of the joints.") },
+  { QN_OUTCOME_CANCELLED, ANYHOW, ANYHOW,
+    N_ ("Cancelled at a load multiplier of %.4g; what had converged is kept.") },
+  { QN_OUTCOME_NOT_CONVERGED, ALL_FACTORIZATIONS, ANYHOW,
+    N_ ("Stopped at a load multiplier of %.4g, after as many factorisations as "
+        "max_factorizations allows; what had converged is kept.") },
+  { QN_OUTCOME_NOT_CONVERGED, ALL_TIME, ANYHOW,
+    N_ ("Stopped at a load multiplier of %.4g, after the time that max_seconds "
+        "allows; what had converged is kept.") },
+  { QN_OUTCOME_NOT_CONVERGED, BY_LIMIT, ANYHOW,
+    N_ ("The optimisation of limit analysis did not converge.") },
+  { QN_OUTCOME_NOT_CONVERGED, NO_STEPS, ANYHOW,
+    N_ ("The iteration did not converge under the dead load: the structure neither "
+        "comes to rest nor clearly falls. Try a coarser residual tolerance.") },
+  { QN_OUTCOME_NOT_CONVERGED, BY_LOAD, ANYHOW,
+    N_ ("Beyond a load multiplier of %.4g neither an equilibrium nor a mechanism was "
+        "found. Try displacement control or a coarser tolerance.") },
+  { QN_OUTCOME_NOT_CONVERGED, ALL_STEPS, ANYHOW,
+    N_ ("The path was stopped at a load multiplier of %.4g, after the largest number "
+        "of steps. Use fewer increments or a nearer target.") },
+  { QN_OUTCOME_NOT_CONVERGED, ANYHOW, ANYHOW,
+    N_ ("The path ends at a load multiplier of %.4g: beyond it no equilibrium was "
+        "found, even with the shortest step. Try more increments, another controlled "
+        "displacement or a coarser tolerance.") },
+};
+
+/* The end that a sentence needs more for than one number; NULL: it does not. */
 static char *
-explain_failure (const QnModel *model, const Task *task, const QnResult *result)
+explain_by_names (const QnModel *model, const Task *task, const QnResult *result,
+                  gboolean is_path)
 {
-  const QnStep *last = last_step (result);
-  double reached = last != NULL ? last->multiplier : 0;
-  if (result->stop == QN_STOP_CHECK)
+  if (result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
+    return explain_unstable (model, result);
+  if (result->outcome == QN_OUTCOME_NOT_CONVERGED && result->stop == QN_STOP_CHECK)
     return explain_refused (model, result);
-  if (task->procedure == QN_PROCEDURE_LIMIT && result->has_associative_bound)
+  if (result->outcome == QN_OUTCOME_NOT_CONVERGED && task->procedure == QN_PROCEDURE_LIMIT
+      && result->has_associative_bound)
     return qn_text_printf (
       _ ("No collapse with the dilatancy of the joints was found in %d factorisations. "
          "What is known: no equilibrium above a load multiplier of %.4g, the associative "
          "bound. The load path may tell more."),
       (int) result->statistics.factorizations, result->associative_bound);
-  if (result->stop == QN_STOP_FACTORIZATIONS)
-    return qn_text_printf (
-      _ ("Stopped at a load multiplier of %.4g, after as many factorisations as "
-         "max_factorizations allows; what had converged is kept."),
-      reached);
-  if (result->stop == QN_STOP_TIME)
-    return qn_text_printf (
-      _ ("Stopped at a load multiplier of %.4g, after the time that max_seconds allows; "
-         "what had converged is kept."),
-      reached);
-  if (task->procedure == QN_PROCEDURE_LIMIT)
-    return g_strdup (_ ("The optimisation of limit analysis did not converge."));
-  if (last == NULL)
-    return g_strdup (
-      _ ("The iteration did not converge under the dead load: the structure neither "
-         "comes to rest nor clearly falls. Try a coarser "
-         "residual tolerance."));
-  if (task->procedure == QN_PROCEDURE_LOAD)
-    return qn_text_printf (
-      _ ("Beyond a load multiplier of %.4g neither an equilibrium nor a mechanism was "
-         "found. Try displacement control or a coarser tolerance."),
-      last->multiplier);
-  if (result->stop == QN_STOP_STEPS)
-    return qn_text_printf (
-      _ ("The path was stopped at a load multiplier of %.4g, after the largest number of "
-         "steps. Use fewer increments or a nearer target."),
-      last->multiplier);
-  return qn_text_printf (
-    _ ("The path ends at a load multiplier of %.4g: beyond it no equilibrium was found, "
-       "even with the shortest step. Try more increments, another controlled "
-       "displacement or a coarser tolerance."),
-    last->multiplier);
-}
-
-/* How an analysis in time ended; NULL where it ended under the dead load, or as others do. */
-static char *
-explain_time (const QnResult *result)
-{
-  const QnHistory *history = &result->history;
-  if (history->width == 0)
-    return NULL;
-  switch (result->outcome) {
-  case QN_OUTCOME_COLLAPSE:
-    return qn_text_printf (_ ("Overturned at %.4g s: a block has turned by a right angle "
-                              "or has fallen out of its contacts."),
-                           history->collapse_time);
-  case QN_OUTCOME_TARGET_REACHED:
-    return qn_text_printf (_ ("Followed to the end of the duration, %.4g s."),
-                           history->end);
-  case QN_OUTCOME_REST:
-    return qn_text_printf (
-      _ ("At rest at %.4g s: the ground has stopped and nothing moves any more."),
-      history->end);
-  case QN_OUTCOME_CANCELLED:
-    return qn_text_printf (_ ("Cancelled at %.4g s; what was followed by then is kept."),
-                           history->end);
-  case QN_OUTCOME_NOT_CONVERGED:
-    if (result->stop == QN_STOP_CHECK)
-      return NULL;
-    if (result->stop == QN_STOP_FACTORIZATIONS)
-      return qn_text_printf (
-        _ ("Stopped at %.4g s, after as many factorisations as max_factorizations "
-           "allows; what had converged is kept."),
-        history->end);
-    if (result->stop == QN_STOP_TIME)
-      return qn_text_printf (_ ("Stopped at %.4g s, after the time that max_seconds "
-                                "allows; what had converged is kept."),
-                             history->end);
-    return qn_text_printf (
-      _ ("At %.4g s no step converged, however short. Try another spectral radius, some "
-         "damping, or a coarser residual tolerance."),
-      history->end);
-  case QN_OUTCOME_SNAP:
-  case QN_OUTCOME_UNBOUNDED:
-  case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
-  case QN_OUTCOME_COUNT:
-    break;
-  }
-  return NULL;
+  return result->outcome == QN_OUTCOME_TARGET_REACHED && is_path
+             && is_controlled_displacement_reached (model, task, result)
+           ? explain_controlled (model, task, last_step (result)->multiplier)
+           : NULL;
 }
 
 static char *
 explain (const QnModel *model, const Task *task, const QnResult *result)
 {
-  double reached = result->step_count > 0 ? last_step (result)->multiplier : 0;
-  char *in_time = explain_time (result);
-  if (in_time != NULL)
-    return in_time;
-  switch (result->outcome) {
-  case QN_OUTCOME_COLLAPSE:
-    return g_strdup (collapse_reason (model, task, result));
-  case QN_OUTCOME_TARGET_REACHED:
-    return explain_target (model, task, result);
-  case QN_OUTCOME_SNAP:
-    return qn_text_printf (
-      _ ("Stopped at the first limit point, load multiplier %.4g."),
-      result->has_first_limit_multiplier ? result->first_limit_multiplier : reached);
-  case QN_OUTCOME_UNBOUNDED:
-    if (task->procedure == QN_PROCEDURE_LIMIT)
-      return g_strdup (
-        _ ("By the associative theorem, with joints that dilate as much as "
-           "they slide, rigid blocks carry any multiple of the live load. "
-           "Check its direction, or limit the strength of the joints."));
-    if (model->analysis.geometry == QN_GEOMETRY_NONLINEAR
-        && reached < (1 - AT_TARGET) * QN_UNBOUNDED)
-      return qn_text_printf (
-        _ ("The structure carries every multiple of the live load: joints of unlimited "
-           "strength connect it to fixed blocks. It was followed to a load multiplier of "
-           "%.4g, where it has moved by its own size. Limit the strength of the joints."),
-        reached);
-    return qn_text_printf (
-      _ ("No collapse up to a load multiplier of %.4g, where the path ends. Check the "
-         "direction of the live load, or limit the strength of the joints."),
-      reached);
-  case QN_OUTCOME_DEAD_LOAD_UNSTABLE:
-    return explain_unstable (model, result);
-  case QN_OUTCOME_CANCELLED:
-    return qn_text_printf (
-      _ ("Cancelled at a load multiplier of %.4g; what had converged "
-         "is kept."),
-      reached);
-  case QN_OUTCOME_NOT_CONVERGED:
-    return explain_failure (model, task, result);
-  case QN_OUTCOME_REST:
-  case QN_OUTCOME_COUNT:
-    break;
-  }
+  const QnOutcome outcome = result->outcome;
+  const QnStep *last = last_step (result);
+  const gboolean target = outcome == QN_OUTCOME_TARGET_REACHED;
+  double number = last != NULL ? last->multiplier : 0;
+  const gboolean holds[FACT_COUNT] = {
+    [ANYHOW] = TRUE,
+    [IN_TIME] = result->history.width > 0,
+    [BY_LOAD] = task->procedure == QN_PROCEDURE_LOAD,
+    [BY_LIMIT] = task->procedure == QN_PROCEDURE_LIMIT,
+    [ASSOCIATIVE] = model->analysis.flow == QN_FLOW_ASSOCIATIVE,
+    [UNCERTAIN] = result->mechanism_uncertain,
+    [FELL] = result->stop == QN_STOP_FALL,
+    [NO_STEPS] = last == NULL,
+    [SPENT] = last != NULL && last->multiplier <= 0,
+    [FAR] = model->analysis.geometry == QN_GEOMETRY_NONLINEAR
+            && number < (1 - AT_TARGET) * QN_UNBOUNDED,
+    [NO_LIVE_LOAD] = target && result->stage == 0 && qn_model_lacks_live_load (model),
+    [HAS_END] = task->has_end,
+    [SETTLED] = target && !task->has_end && !qn_model_sets_have_force (model, task->sets),
+    [ALL_FACTORIZATIONS] = result->stop == QN_STOP_FACTORIZATIONS,
+    [ALL_TIME] = result->stop == QN_STOP_TIME,
+    [ALL_STEPS] = result->stop == QN_STOP_STEPS,
+  };
+  char *by_names =
+    explain_by_names (model, task, result, !holds[IN_TIME] && !holds[NO_LIVE_LOAD]);
+  if (by_names != NULL)
+    return by_names;
+  if (holds[IN_TIME])
+    number = outcome == QN_OUTCOME_COLLAPSE ? result->history.collapse_time
+                                            : result->history.end;
+  else if (outcome == QN_OUTCOME_SNAP && result->has_first_limit_multiplier)
+    number = result->first_limit_multiplier;
+  for (gsize i = 0; i < G_N_ELEMENTS (sentences); i++)
+    if (sentences[i].outcome == outcome && holds[sentences[i].fact]
+        && holds[sentences[i].other])
+      return qn_text_with_number (_ (sentences[i].text), number);
   return g_strdup ("");
 }
 

@@ -71,6 +71,12 @@ qn_text_printf (const char *format, ...)
   return text;
 }
 
+char *
+qn_text_with_number (const char *sentence, double number)
+{
+  return qn_text_printf (sentence, number);
+}
+
 void
 qn_text_append (GString *text, const char *format, ...)
 {

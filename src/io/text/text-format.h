@@ -12,6 +12,9 @@ char *qn_text_printf (const char *format, ...) G_GNUC_PRINTF (1, 2);
 char *qn_text_vprintf (gboolean *finite, const char *format, va_list arguments)
   G_GNUC_PRINTF (2, 0);
 
+/* The same of a text that is chosen from a table, with one conversion of a double or none. */
+char *qn_text_with_number (const char *sentence, double number);
+
 /* As g_string_append_printf(), in the same manner. */
 void qn_text_append (GString *text, const char *format, ...) G_GNUC_PRINTF (2, 3);
 
