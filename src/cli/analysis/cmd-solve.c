@@ -6,9 +6,8 @@
 #include "cli/base/subcommand.h"
 #include "core/base/word.h"
 #include "core/path/analysis.h"
-#include "disk/whole-file.h"
 #include "io/exchange/table-csv.h"
-#include "io/text/io-error.h"
+#include "io/text/file-writer.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
 #include "io/text/tie-text.h"
@@ -130,12 +129,7 @@ probe_output (const char *path)
       || (g_file_test (path, G_FILE_TEST_EXISTS)
           && !g_file_test (path, G_FILE_TEST_IS_REGULAR | G_FILE_TEST_IS_DIR)))
     return;
-  QnWholeFile file;
-  int trouble = qn_whole_file_open (&file, path);
-  qn_whole_file_discard (&file);
-  if (trouble != 0)
-    qn_io_error_set_errno (QN_TROUBLE, path, _ ("cannot be written"), trouble);
-  qn_cli_must (trouble == 0);
+  qn_cli_must (qn_file_can_be_written (path, QN_TROUBLE));
 }
 
 static void

@@ -264,3 +264,15 @@ qn_file_write (const char *path, const char *bytes, gsize length, GError **error
   qn_file_writer_write (writer, bytes, length);
   return qn_file_writer_commit (writer, error);
 }
+
+gboolean
+qn_file_can_be_written (const char *path, GError **error)
+{
+  QnFileWriter *writer = qn_file_writer_open (path);
+  const int trouble = writer->trouble;
+  qn_whole_file_discard (&writer->file);
+  writer_free (writer);
+  if (trouble != 0)
+    qn_io_error_set_errno (error, path, _ ("cannot be written"), trouble);
+  return trouble == 0;
+}

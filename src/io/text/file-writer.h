@@ -69,3 +69,6 @@ gboolean qn_file_writer_commit (QnFileWriter *writer, GError **error);
 /* All of it at once. */
 gboolean qn_file_write (const char *path, const char *bytes, gsize length,
                         GError **error);
+
+/* Whether a file could be written; leaves it as it is. */
+gboolean qn_file_can_be_written (const char *path, GError **error);
