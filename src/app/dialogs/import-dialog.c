@@ -165,8 +165,9 @@ show (gpointer data, guint field, QnValue *value)
     show_layers (dialog, value);
   else if (field == ROLE)
     value->number = layer_of (dialog)->role;
-  else if (field == EXTENTS && dialog->has_project)
-    value->text = dup_extents (&dialog->project.model);
+  else if (field == EXTENTS)
+    value->text =
+      dialog->has_project ? dup_extents (&dialog->project.model) : g_strdup ("");
   else if (field == ACCEPT)
     value->disabled = !dialog->has_project;
   return TRUE;

@@ -217,8 +217,8 @@ show_value (QnBoundForm *form, GtkWidget *widget, const QnValue *value)
     show_list (form, GTK_LIST_BOX (widget), value);
   else if (GTK_IS_BOX (widget) && value->rows != NULL)
     show_checks (GTK_BOX (widget), value);
-  else if (GTK_IS_LABEL (widget))
-    gtk_label_set_text (GTK_LABEL (widget), value->text != NULL ? value->text : "");
+  else if (GTK_IS_LABEL (widget) && value->text != NULL)
+    gtk_label_set_text (GTK_LABEL (widget), value->text);
   else if (GTK_IS_EDITABLE (widget)) {
     show_text (GTK_EDITABLE (widget), value->text != NULL ? value->text : "");
     if (gtk_widget_has_css_class (widget, "error"))

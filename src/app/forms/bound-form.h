@@ -8,7 +8,7 @@
  *
  * How widgets show a value: QnQuantityEntry its number; GtkDropDown, GtkListBox the row; check
  * buttons, switches, toggle buttons whether they are on; scales and spin buttons their number;
- * entries and labels the text; a vertical box has a check for each row, and a bit of the number
+ * entries the text, labels too where there is one; a vertical box has a check for each row, and a bit of the number
  * says whether it is on. Plain buttons and lists call with no value but the row. What was typed into an entry is taken by Enter, and where it loses the focus. */
 #pragma once
 

@@ -259,9 +259,9 @@ show (gpointer data, guint field, QnValue *value)
       return FALSE;
     value->rows = dup_vehicles (self, load, &moved);
     value->number = moved;
-    if (field == CHOSEN && moved != 0) {
+    if (field == CHOSEN) {
       g_auto (GStrv) chosen = dup_chosen (value->rows, moved);
-      value->text = g_strjoinv (", ", chosen);
+      value->text = chosen != NULL ? g_strjoinv (", ", chosen) : g_strdup ("");
     }
     return TRUE;
   case CONVOY:

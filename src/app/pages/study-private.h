@@ -1,48 +1,45 @@
 /* The inside of the page of studies, shared by the files that make it up. */
 #pragma once
 
+#include "app/forms/bound-form.h"
 #include "app/pages/pages.h"
 #include "study/cases/study-job.h"
 #include "study/plan/draft.h"
 #include "study/report/figures.h"
 
 typedef struct QnStudyPage {
+  QnBoundForm base;
   QnDocument *document;
   QnViewState *state;
-  GtkWidget *page;
   GSimpleActionGroup *actions;
   GObject *chooser;     /* file chooser on the screen */
   const char *exported; /* what it asks for a file for */
 
   QnDraft *draft;
-  gboolean showing; /* the draft is being shown: nobody has entered anything */
-  QnStudyJob *job;  /* while it runs */
+  GPtrArray *rows; /* forms of what varies */
+  QnStudyJob *job; /* while it runs */
+  double share;    /* of its cases that are there */
   guint timeout;
 
   char *running; /* folder of the results that are computed now, or last */
   char *folder;  /* of the results shown, or NULL */
   QnStudy study; /* that they belong to */
   QnTable table;
-  gint64 chosen;   /* row, or -1 */
-  gboolean points; /* were drawn, one for each row */
-
-  /* from study-page.ui */
-  GtkListBox *parameters;
-  GtkDropDown *analysis, *plan, *figure, *of, *by, *by_second;
-  GtkSpinButton *count;
-  GtkWidget *cases, *outputs, *plot, *over, *and;
-  GtkProgressBar *progress;
-  GtkLabel *status, *statistics, *failed;
+  gint64 chosen;                 /* row, or -1 */
+  gboolean points;               /* were drawn, one for each row */
+  int figure, of, by, by_second; /* rows of the choices of the figure */
+  GtkLabel *status;
 } QnStudyPage;
 
-/* study-page.c: the line under the figure; which actions can be used; the draft shown anew, soon:
- * rows are made anew outside of the signals of their own widgets. */
+/* study-page.c: the line under the figure; which actions can be used; everything shown anew. */
 void qn_study_page_tell (QnStudyPage *self, const char *text);
 void qn_study_page_update_actions (QnStudyPage *self);
-void qn_study_page_show_draft (QnStudyPage *self);
+void qn_study_page_show (QnStudyPage *self);
+/* FALSE: nothing to draw. */
+gboolean qn_study_page_chosen_figure (QnStudyPage *self, QnStudyFigure *figure);
 
 /* study-parameters.c: the list of what varies. */
-void qn_study_page_show_parameters (QnStudyPage *self);
+void qn_study_page_show_parameters (QnStudyPage *self, GtkListBox *list);
 /* Whether the project reads with this value there. */
 gboolean qn_study_page_takes_value (QnStudyPage *self, const char *path, double value,
                                     GError **error);
@@ -51,15 +48,9 @@ gboolean qn_study_page_takes_value (QnStudyPage *self, const char *path, double 
 void qn_study_page_forget_results (QnStudyPage *self);
 /* Reads those of the study as its file is now; none is no error. */
 void qn_study_page_read_results (QnStudyPage *self);
-/* Moments and fractiles of the output that is shown. */
-void qn_study_page_show_statistics (QnStudyPage *self);
 /* Of actions. Computes what is missing; the job is looked at now and then. */
 void qn_study_page_run (GSimpleAction *action, GVariant *parameter, gpointer self);
 /* The chosen case, analysed again, in the drawing. */
 void qn_study_page_open_case (QnStudyPage *self);
 /* Of actions: "table", "figure" or "mechanisms", to a file that is asked for; or (what, path). */
 void qn_study_page_export (GSimpleAction *action, GVariant *what, gpointer self);
-
-/* study-plot.c: the figure, and its points under the pointer. FALSE: nothing to draw. */
-void qn_study_page_connect_plot (QnStudyPage *self);
-gboolean qn_study_page_chosen_figure (QnStudyPage *self, QnStudyFigure *figure);

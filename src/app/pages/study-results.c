@@ -17,55 +17,6 @@
 
 /* ---- results ---- */
 
-/* What the figures leave out is said above them. */
-static void
-show_failed (QnStudyPage *self)
-{
-  guint failed = 0;
-  const char *reason = NULL;
-  for (guint i = 0; i < self->table.rows->len; i++) {
-    const QnRow *row = &g_array_index (self->table.rows, QnRow, i);
-    failed += row->failed ? 1 : 0;
-    reason = row->failed && reason == NULL ? row->reason : reason;
-  }
-  g_autofree char *why = g_strdup (reason != NULL ? reason : "");
-  for (guint i = 0; i < self->study.parameters->len; i++) {
-    if (qn_study_parameter (&self->study, i)->paths[0] == NULL)
-      continue;
-    char *shorter =
-      qn_path_dup_reason (why, qn_study_parameter (&self->study, i)->paths[0]);
-    g_free (why);
-    why = shorter;
-  }
-  g_autofree char *text = g_strdup_printf (
-    _ ("%u of %u cases have no answer; the figures are of the others. First reason: %s"),
-    failed, self->table.rows->len, why);
-  gtk_label_set_text (self->failed, text);
-  gtk_widget_set_visible (GTK_WIDGET (self->failed), failed > 0);
-  qn_study_page_show_statistics (self);
-  gtk_widget_queue_draw (self->plot);
-}
-
-void
-qn_study_page_show_statistics (QnStudyPage *self)
-{
-  QnStudyFigure figure;
-  gsize count = 0;
-  g_autofree double *sorted = NULL;
-  if (qn_study_page_chosen_figure (self, &figure))
-    sorted = qn_table_dup_sorted (&self->table, (gsize) figure.column, &count);
-  gtk_widget_set_visible (GTK_WIDGET (self->statistics), count > 1);
-  if (count < 2)
-    return;
-  QnMoments moments = qn_moments (sorted, count);
-  g_autofree char *text = g_strdup_printf (
-    _ ("%u cases: mean %.4g, deviation %.3g; 5 %% lie below %.4g, "
-       "half below %.4g, 95 %% below %.4g"),
-    (guint) count, moments.mean, moments.deviation, qn_quantile (sorted, count, 0.05),
-    qn_quantile (sorted, count, 0.5), qn_quantile (sorted, count, 0.95));
-  gtk_label_set_text (self->statistics, text);
-}
-
 void
 qn_study_page_forget_results (QnStudyPage *self)
 {
@@ -75,20 +26,6 @@ qn_study_page_forget_results (QnStudyPage *self)
   qn_study_clear (&self->study);
   g_clear_pointer (&self->folder, g_free);
   self->chosen = -1;
-}
-
-static void
-fill (GtkDropDown *choice, const QnStudy *study, gboolean outputs)
-{
-  g_autoptr (GStrvBuilder) names = g_strv_builder_new ();
-  for (guint i = 0; !outputs && i < study->parameters->len; i++)
-    g_strv_builder_add (names, qn_study_parameter (study, i)->name);
-  for (guint i = 0; outputs && i < study->outputs->len; i++)
-    if (qn_study_output_is_number (qn_study_output (study, i)))
-      g_strv_builder_add (names, qn_study_output_text (qn_study_output (study, i)));
-  g_auto (GStrv) strings = g_strv_builder_end (names);
-  g_autoptr (GtkStringList) list = gtk_string_list_new ((const char *const *) strings);
-  gtk_drop_down_set_model (choice, G_LIST_MODEL (list));
 }
 
 void
@@ -102,7 +39,6 @@ qn_study_page_read_results (QnStudyPage *self)
     qn_folder_dup_of_state (&study, qn_draft_get_path (self->draft));
   gboolean same = g_strcmp0 (folder, self->folder) == 0;
   qn_study_page_forget_results (self);
-  gtk_widget_set_visible (GTK_WIDGET (self->failed), FALSE);
   self->study = study;
   if (!qn_table_read (&table, &self->study, folder, NULL)) {
     qn_study_clear (&self->study);
@@ -111,13 +47,9 @@ qn_study_page_read_results (QnStudyPage *self)
   self->table = table;
   self->folder = g_steal_pointer (&folder);
   if (!same) {
-    fill (self->of, &self->study, TRUE);
-    fill (self->by, &self->study, FALSE);
-    fill (self->by_second, &self->study, FALSE);
-    if (self->study.parameters->len > 1)
-      gtk_drop_down_set_selected (self->by_second, 1);
+    self->of = self->by = 0;
+    self->by_second = self->study.parameters->len > 1;
   }
-  show_failed (self);
 }
 
 /* What has come in since, of the study that runs. */
@@ -133,7 +65,6 @@ read_more (QnStudyPage *self)
     return;
   qn_table_clear (&self->table);
   self->table = table;
-  show_failed (self);
 }
 
 /* ---- cases that are being computed ---- */
@@ -142,12 +73,12 @@ read_more (QnStudyPage *self)
 static void
 show_in_tab (QnStudyPage *self, const QnStudyProgress *progress)
 {
-  GtkStack *pages = GTK_STACK (gtk_widget_get_ancestor (self->page, GTK_TYPE_STACK));
+  GtkStack *pages = GTK_STACK (gtk_widget_get_ancestor (self->base.root, GTK_TYPE_STACK));
   g_autofree char *title =
     self->job != NULL && progress->wanted > 0
       ? g_strdup_printf (_ ("Study: %zu %%"), 100 * progress->present / progress->wanted)
       : g_strdup (_ ("Study"));
-  gtk_stack_page_set_title (gtk_stack_get_page (pages, self->page), title);
+  gtk_stack_page_set_title (gtk_stack_get_page (pages, self->base.root), title);
 }
 
 static void
@@ -164,8 +95,7 @@ show_progress (QnStudyPage *self, const QnStudyProgress *progress)
   qn_study_page_tell (self, text->str);
   show_in_tab (self, progress);
   if (progress->wanted > 0)
-    gtk_progress_bar_set_fraction (self->progress, (double) progress->present
-                                                     / (double) progress->wanted);
+    self->share = (double) progress->present / (double) progress->wanted;
 }
 
 static gboolean
@@ -176,19 +106,16 @@ on_timeout (gpointer data)
   g_autoptr (GError) error = NULL;
   QnStudyJobState state = qn_study_job_look (self->job, &progress, &error);
   read_more (self);
-  if (state == QN_STUDY_JOB_RUNS) {
-    show_progress (self, &progress);
-    return G_SOURCE_CONTINUE;
-  }
-  g_clear_pointer (&self->job, qn_study_job_free);
-  self->timeout = 0;
-  gtk_widget_set_visible (GTK_WIDGET (self->progress), FALSE);
+  const gboolean runs = state == QN_STUDY_JOB_RUNS;
+  if (!runs)
+    g_clear_pointer (&self->job, qn_study_job_free);
   if (error != NULL)
     qn_study_page_tell (self, error->message);
   else
     show_progress (self, &progress);
-  qn_study_page_update_actions (self);
-  return G_SOURCE_REMOVE;
+  self->timeout = runs ? self->timeout : 0;
+  qn_study_page_show (self);
+  return runs ? G_SOURCE_CONTINUE : G_SOURCE_REMOVE;
 }
 
 /* quoin-cli, which computes the cases: beside this program, in the build tree, or in the path. */
@@ -244,10 +171,9 @@ qn_study_page_run (GSimpleAction *action, GVariant *parameter, gpointer data)
     return;
   }
   qn_study_page_tell (self, "");
-  gtk_progress_bar_set_fraction (self->progress, 0);
-  gtk_widget_set_visible (GTK_WIDGET (self->progress), TRUE);
+  self->share = 0;
   self->timeout = g_timeout_add (INTERVAL, on_timeout, self);
-  qn_study_page_update_actions (self);
+  qn_study_page_show (self);
 }
 
 /* ---- a case in the drawing, analysed again from the copies in its folder ---- */
@@ -394,7 +320,7 @@ qn_study_page_export (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .told = on_told };
   self->exported = g_intern_string (what);
   if (path == NULL)
-    qn_chooser_ask (self->page, &self->chooser, &question, self);
+    qn_chooser_ask (self->base.root, &self->chooser, &question, self);
   else if (self->folder != NULL)
     qn_chooser_write (&question, self, path, NULL);
 }
