@@ -2,8 +2,6 @@
 
 #define SPACING 6
 
-#define MOST_COLUMNS 3
-
 /* ---- the first that fits ---- */
 
 static GtkSizeRequestMode
@@ -127,82 +125,4 @@ qn_layout_wrap_pair (GtkWidget *box)
 {
   gtk_widget_set_layout_manager (
     box, gtk_custom_layout_new (height_for_width, measure_pair, allocate_pair));
-}
-
-/* ---- columns ---- */
-
-typedef struct Cells {
-  int count, width, height; /* of the visible children, and the size of the largest */
-} Cells;
-
-static Cells
-measure_cells (GtkWidget *box)
-{
-  Cells cells = { 0 };
-  for (GtkWidget *child = gtk_widget_get_first_child (box); child != NULL;
-       child = gtk_widget_get_next_sibling (child)) {
-    int width, height;
-    if (!gtk_widget_should_layout (child))
-      continue;
-    gtk_widget_measure (child, GTK_ORIENTATION_HORIZONTAL, -1, NULL, &width, NULL, NULL);
-    gtk_widget_measure (child, GTK_ORIENTATION_VERTICAL, -1, NULL, &height, NULL, NULL);
-    cells.count++;
-    cells.width = MAX (cells.width, width);
-    cells.height = MAX (cells.height, height);
-  }
-  return cells;
-}
-
-/* As even as the height allows; any height: one column. */
-static int
-count_rows (const Cells *cells, int height)
-{
-  int fitting = height < 0 || cells->height == 0 ? cells->count : height / cells->height;
-  int columns =
-    CLAMP ((cells->count + MAX (fitting, 1) - 1) / MAX (fitting, 1), 1, MOST_COLUMNS);
-  return MAX ((cells->count + columns - 1) / columns, 1);
-}
-
-static void
-measure_columns (GtkWidget *widget, GtkOrientation orientation, int for_size,
-                 int *minimum, int *natural, int *minimum_baseline, int *natural_baseline)
-{
-  Cells cells = measure_cells (widget);
-  *minimum_baseline = *natural_baseline = -1;
-  if (orientation == GTK_ORIENTATION_VERTICAL) {
-    *minimum = count_rows (&cells, 0) * cells.height;
-    *natural = cells.count * cells.height;
-    return;
-  }
-  int rows = count_rows (&cells, for_size);
-  *minimum = *natural = (cells.count + rows - 1) / rows * cells.width;
-}
-
-static void
-allocate_columns (GtkWidget *widget, int width, int height, int baseline)
-{
-  Cells cells = measure_cells (widget);
-  int rows = count_rows (&cells, height), i = 0;
-  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
-       child = gtk_widget_get_next_sibling (child)) {
-    if (!gtk_widget_should_layout (child))
-      continue;
-    GtkAllocation place = { i / rows * cells.width, i % rows * cells.height, cells.width,
-                            cells.height };
-    gtk_widget_size_allocate (child, &place, -1);
-    i++;
-  }
-}
-
-static GtkSizeRequestMode
-width_for_height (GtkWidget *widget)
-{
-  return GTK_SIZE_REQUEST_WIDTH_FOR_HEIGHT;
-}
-
-void
-qn_layout_columns (GtkWidget *box)
-{
-  gtk_widget_set_layout_manager (
-    box, gtk_custom_layout_new (width_for_height, measure_columns, allocate_columns));
 }

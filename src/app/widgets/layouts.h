@@ -10,7 +10,3 @@ void qn_layout_first_fit (GtkWidget *box);
 /* Two children: beside each other where both have the room that they take by themselves, the first
  * taking the rest; else the second below the first. */
 void qn_layout_wrap_pair (GtkWidget *box);
-
-/* Children of one size, from top to bottom in as many columns as the height needs, all but the last
- * full: three at most. */
-void qn_layout_columns (GtkWidget *box);

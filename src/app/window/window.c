@@ -358,7 +358,6 @@ qn_window_open_recovered (QnWindow *self, const char *recovery_path)
 static void
 build_tools (QnWindow *self)
 {
-  qn_layout_columns (GTK_WIDGET (self->tool_box));
   for (int i = 0; qn_tools[i] != NULL; i++) {
     const QnTool *tool = qn_tools[i];
     GtkWidget *button = gtk_toggle_button_new ();
@@ -371,7 +370,8 @@ build_tools (QnWindow *self)
                                     GTK_ACCESSIBLE_PROPERTY_LABEL, _ (tool->label), -1);
     gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.tool");
     gtk_actionable_set_action_target (GTK_ACTIONABLE (button), "s", tool->name);
-    gtk_box_append (self->tool_box, button);
+    gtk_flow_box_append (self->tool_box, button);
+    gtk_widget_set_focusable (gtk_widget_get_parent (button), FALSE);
   }
 }
 
