@@ -448,7 +448,7 @@ test_dissolving_is_named (void)
   driver_lay_large_wall (window);
   QnDocument *document = qn_window_get_document (window);
   QnId id = (QnId) model_of (window)->block_count - 1;
-  QnDraft draft;
+  QnCanvasDraft draft;
   g_assert_true (qn_canvas_begin_edit (canvas_of (window), &draft));
   g_assert_true (qn_canvas_end_edit (
     canvas_of (window), &draft, "Move", NULL,

@@ -460,7 +460,7 @@ qn_canvas_set_magnet_skip (QnCanvas *self, gboolean *skip)
 }
 
 gboolean
-qn_canvas_begin_edit (QnCanvas *self, QnDraft *draft)
+qn_canvas_begin_edit (QnCanvas *self, QnCanvasDraft *draft)
 {
   g_autoptr (GError) error = NULL;
   draft->model = &draft->project.model;
@@ -472,8 +472,8 @@ qn_canvas_begin_edit (QnCanvas *self, QnDraft *draft)
 }
 
 gboolean
-qn_canvas_end_edit (QnCanvas *self, QnDraft *draft, const char *name, const char *key,
-                    gboolean done)
+qn_canvas_end_edit (QnCanvas *self, QnCanvasDraft *draft, const char *name,
+                    const char *key, gboolean done)
 {
   QnDocument *document = qn_canvas_get_document (self);
   done = qn_document_end_edit (document, &draft->project, name, key, done, &draft->error);
@@ -490,7 +490,7 @@ gboolean
 qn_canvas_transform (QnCanvas *self, const char *name, const char *key,
                      QnTransform transform, int copies)
 {
-  QnDraft draft;
+  QnCanvasDraft draft;
   QnPartSet set = qn_canvas_get_parts (self);
   return qn_canvas_begin_edit (self, &draft)
          && qn_canvas_end_edit (

@@ -100,17 +100,10 @@ QnVec2 qn_canvas_snap (QnCanvas *canvas, QnVec2 point);
 /* Blocks that the magnet leaves alone, one flag per block, taken over; NULL for none. */
 void qn_canvas_set_magnet_skip (QnCanvas *canvas, gboolean *skip);
 
-/* An edit that is under way: what it changes, and why it is refused. */
-typedef struct QnDraft {
-  QnProject project;
-  QnModel *model; /* of the project */
-  GError *error;
-} QnDraft;
-
 /* Begin and end an edit as qn_document_begin_edit() and qn_document_end_edit() do; FALSE where it is
  * refused, which the signal "failed" has told then. */
-gboolean qn_canvas_begin_edit (QnCanvas *canvas, QnDraft *draft);
-gboolean qn_canvas_end_edit (QnCanvas *canvas, QnDraft *draft, const char *name,
+gboolean qn_canvas_begin_edit (QnCanvas *canvas, QnCanvasDraft *draft);
+gboolean qn_canvas_end_edit (QnCanvas *canvas, QnCanvasDraft *draft, const char *name,
                              const char *key, gboolean done);
 /* Moves the selected blocks and beams in one step; with `copies` adds so many, each moved against the one
  * before, and leaves the selected ones where they are. */

@@ -1,6 +1,7 @@
 #include "app/canvas/gesture.h"
 
 #include "app/widgets/settings.h"
+#include <glib/gi18n.h>
 #include <math.h>
 
 /* Objects with more blocks are drawn as a frame while they are dragged. */
@@ -15,10 +16,28 @@
 #define STRAIGHT_PX   9.0
 #define STRAIGHT_PART 0.1
 
-static void
-complete (QnCanvas *canvas)
+void
+qn_gesture_complete (QnCanvas *canvas)
 {
-  qn_canvas_get_tool (canvas)->complete (canvas);
+  const QnTool *tool = qn_canvas_get_tool (canvas);
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const gboolean x = gesture->from.x != gesture->to.x,
+                 y = gesture->from.y != gesture->to.y;
+  QnCanvasDraft draft;
+  if (tool->complete != NULL) {
+    tool->complete (canvas);
+    return;
+  }
+  gboolean done = (tool->least_points > 0 || (tool->wide ? x && y : x || y))
+                  && qn_canvas_begin_edit (canvas, &draft);
+  if (done) {
+    draft.step = tool->step;
+    done = tool->edit (canvas, &draft, gesture);
+    done = qn_canvas_end_edit (canvas, &draft, _ (draft.step), NULL, done);
+  }
+  qn_canvas_set_in_gesture (canvas, FALSE);
+  if (done && tool->added != NULL)
+    tool->added (canvas);
 }
 
 void
@@ -27,7 +46,7 @@ qn_gesture_press (QnCanvas *canvas, const QnToolEvent *event)
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
   if (qn_canvas_is_in_gesture (canvas)) {
     qn_canvas_get_tool (canvas)->motion (canvas, event);
-    complete (canvas);
+    qn_gesture_complete (canvas);
     return;
   }
   gesture->from = gesture->to = event->point;
@@ -82,7 +101,7 @@ qn_gesture_release (QnCanvas *canvas, const QnToolEvent *event)
   if (!qn_canvas_is_in_gesture (canvas) || !qn_canvas_is_drag (canvas, event))
     return;
   qn_canvas_get_tool (canvas)->motion (canvas, event);
-  complete (canvas);
+  qn_gesture_complete (canvas);
 }
 
 gboolean
@@ -96,7 +115,7 @@ qn_gesture_rectangle_numbers (QnCanvas *canvas, const double *values, int count)
   double up = gesture->to.y < gesture->from.y ? -1.0 : 1.0;
   gesture->to =
     qn_vec2 (gesture->from.x + right * values[0], gesture->from.y + up * values[1]);
-  complete (canvas);
+  qn_gesture_complete (canvas);
   return TRUE;
 }
 
@@ -120,7 +139,7 @@ qn_gesture_line_numbers (QnCanvas *canvas, const double *values, int count)
   if (!qn_gesture_typed_way (gesture, values, count, &way))
     return FALSE;
   gesture->to = qn_vec2_add (gesture->from, way);
-  complete (canvas);
+  qn_gesture_complete (canvas);
   return TRUE;
 }
 
@@ -132,7 +151,7 @@ qn_gesture_press_point (QnCanvas *canvas, const QnToolEvent *event)
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
   if (event->press_count == 2
       && gesture->points->len >= qn_canvas_get_tool (canvas)->least_points)
-    complete (canvas);
+    qn_gesture_complete (canvas);
   else if (event->press_count == 1) {
     g_array_append_val (gesture->points, event->point);
     gesture->to = event->point;
@@ -145,7 +164,7 @@ qn_gesture_point_numbers (QnCanvas *canvas, const double *values, int count)
 {
   GArray *points = qn_canvas_get_gesture (canvas)->points;
   if (count == 0 && points->len >= qn_canvas_get_tool (canvas)->least_points) {
-    complete (canvas);
+    qn_gesture_complete (canvas);
     return TRUE;
   }
   if (count != 2 || points->len == 0)

@@ -1,9 +1,12 @@
 /* Gestures between points. Between two: pressed at the one and released at the other, or clicked at both,
  * or clicked at the first and typed. Rectangles and lines share them; what becomes of the two
- * points is the tool's `complete`. */
+ * points is the tool's `edit`. */
 #pragma once
 
 #include "app/canvas/canvas.h"
+
+/* Carries out what the gesture has, and ends it. */
+void qn_gesture_complete (QnCanvas *canvas);
 
 /* For QnTool.press, .motion and .release. */
 void qn_gesture_press (QnCanvas *canvas, const QnToolEvent *event);
@@ -25,7 +28,7 @@ gboolean qn_gesture_line_numbers (QnCanvas *canvas, const double *values, int co
   .motion = qn_gesture_motion_straight, .release = qn_gesture_release,                   \
   .numbers = qn_gesture_line_numbers
 #define QN_GESTURE_RECTANGLE                                                             \
-  .magnetic = TRUE, .numbers_label = N_ ("width; height"),                               \
+  .magnetic = TRUE, .wide = TRUE, .numbers_label = N_ ("width; height"),                 \
   .quantities = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH }, .press = qn_gesture_press,   \
   .motion = qn_gesture_motion, .release = qn_gesture_release,                            \
   .numbers = qn_gesture_rectangle_numbers

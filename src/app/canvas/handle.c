@@ -323,7 +323,7 @@ finish (QnCanvas *canvas, double typed_angle)
 {
   Drag drag = drag_of_gesture (canvas);
   const QnGrip grip = drag.grip;
-  QnDraft draft;
+  QnCanvasDraft draft;
   drag.typed_angle = typed_angle;
   const char *name = grip.kind == QN_GRIP_MASONRY  ? step_name (canvas, &grip)
                      : grip.kind == QN_GRIP_CORNER ? _ ("Move Corner")

@@ -11,6 +11,7 @@
 #include "doc/masonry/masonry-plan.h"
 #include "doc/text/units.h"
 #include "doc/view/magnet.h"
+#include "io/project/project.h"
 #include <gtk/gtk.h>
 
 #define QN_TYPE_CANVAS (qn_canvas_get_type ())
@@ -57,6 +58,14 @@ typedef struct QnGesture {
   GArray *points;     /* of QnVec2, of a polygon */
 } QnGesture;
 
+/* An edit that is under way: what it changes, and why it is refused. */
+typedef struct QnCanvasDraft {
+  QnProject project;
+  QnModel *model; /* of the project */
+  GError *error;
+  const char *step; /* its name, translatable, where a tool makes it (QnTool.edit) */
+} QnCanvasDraft;
+
 /* Numbers that can be typed at most. */
 #define QN_TOOL_NUMBERS 4
 
@@ -79,8 +88,14 @@ typedef struct QnTool {
   void (*release) (QnCanvas *canvas, const QnToolEvent *event);
   /* Completes the gesture with typed numbers (SI); false: these are not the right ones. */
   gboolean (*numbers) (QnCanvas *canvas, const double *values, int count);
-  /* Carries out what lies between gesture.from and gesture.to, and ends the gesture; for tools
-   * that work between two points (gesture.h). */
+  /* For tools that work between two points, or along several (gesture.h): changes the drawing in one undo
+   * step, called `step` unless the draft is given another name; `added`, or NULL, selects what is new then. Two
+   * points are apart, in both directions where `wide`. */
+  const char *step;
+  gboolean wide;
+  gboolean (*edit) (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture);
+  void (*added) (QnCanvas *canvas);
+  /* In place of these: carries the gesture out and ends it. */
   void (*complete) (QnCanvas *canvas);
   /* Gives up the gesture. */
   void (*cancel) (QnCanvas *canvas);

@@ -266,7 +266,7 @@ show (gpointer data, guint field, QnValue *value)
 static void
 import_path (Form *form, const char *path)
 {
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (!qn_canvas_begin_edit (form->base.canvas, &draft)
       || !qn_canvas_end_edit (form->base.canvas, &draft, _ ("Import Ground Motion"), NULL,
                               qn_edit_add_record (draft.model, path, &draft.error)))

@@ -41,7 +41,7 @@ arch_of_gesture (QnCanvas *canvas)
 static void
 add (QnCanvas *canvas, Arch arch)
 {
-  QnDraft draft;
+  QnCanvasDraft draft;
   QnMasonry masonry;
   qn_canvas_set_in_gesture (canvas, FALSE);
   if (qn_canvas_begin_edit (canvas, &draft))

@@ -5,17 +5,11 @@
 #include "doc/edit/edit-shape.h"
 #include <glib/gi18n.h>
 
-static void
-complete (QnCanvas *canvas)
+static gboolean
+edit (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  QnVec2 a = gesture->from, b = gesture->to;
-  QnDraft draft;
-  qn_canvas_set_in_gesture (canvas, FALSE);
-  if ((a.x != b.x || a.y != b.y) && qn_canvas_begin_edit (canvas, &draft))
-    qn_canvas_end_edit (canvas, &draft, _ ("Cut Blocks"), NULL,
-                        qn_edit_cut_blocks (draft.model, qn_canvas_get_selected (canvas),
-                                            a, b, &draft.error));
+  return qn_edit_cut_blocks (draft->model, qn_canvas_get_selected (canvas), gesture->from,
+                             gesture->to, &draft->error);
 }
 
 /* The line, and the blocks that it would part. */
@@ -45,6 +39,7 @@ const QnTool qn_tool_cut = {
               "selected; Shift holds it straight"),
   .accel = "x",
   QN_GESTURE_LINE,
-  .complete = complete,
+  .step = N_ ("Cut Blocks"),
+  .edit = edit,
   .draw = draw,
 };

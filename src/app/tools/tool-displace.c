@@ -70,7 +70,7 @@ transform_of (QnCanvas *canvas, double *angle)
 static void
 displace (QnCanvas *canvas, Displacement d)
 {
-  QnDraft draft;
+  QnCanvasDraft draft;
   d.set = qn_canvas_get_selected (canvas);
   qn_canvas_set_in_gesture (canvas, FALSE);
   if (d.set.count == 0)

@@ -46,7 +46,7 @@ typedef struct Put {
 static gboolean
 put_load (QnCanvas *canvas, const char *name, const Put *put)
 {
-  QnDraft draft;
+  QnCanvasDraft draft;
   gboolean done = TRUE;
   if (!qn_canvas_begin_edit (canvas, &draft))
     return FALSE;

@@ -25,7 +25,7 @@ add (QnCanvas *canvas, QnVec2 vector)
   const QnId node = qn_canvas_pick_node (canvas, gesture->from_screen);
   const gboolean live = qn_canvas_get_tool_settings (canvas)->live;
   const QnVec2 at = gesture->from;
-  QnDraft draft;
+  QnCanvasDraft draft;
   qn_canvas_set_in_gesture (canvas, FALSE);
   if ((pick.kind == QN_PICK_BLOCK || node != QN_NONE)
       && qn_canvas_begin_edit (canvas, &draft))

@@ -10,7 +10,7 @@ qn_tool_joint_set_law (QnCanvas *canvas, const QnId *ids, guint count, const cha
 {
   const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (canvas));
   const QnFaceSet set = { contacts, ids, count };
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (count > 0 && qn_canvas_begin_edit (canvas, &draft)) {
     QnId id =
       law != NULL && *law != '\0' ? qn_model_find_law (draft.model, law) : QN_NONE;

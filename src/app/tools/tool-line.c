@@ -7,75 +7,46 @@
 #include "doc/edit/edit-tie.h"
 #include <glib/gi18n.h>
 
-/* Adds to the draft the line between two points. */
-typedef gboolean (*AddFunc) (QnCanvas *canvas, QnDraft *draft, QnVec2 from, QnVec2 to);
-
 static gboolean
-add_beam (QnCanvas *canvas, QnDraft *draft, QnVec2 from, QnVec2 to)
+add_beam (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 {
   const QnToolSettings *settings = qn_canvas_get_tool_settings (canvas);
-  g_autofree char *section = g_strdup (settings->section);
-  const QnBeamStyle style = { .section = section,
+  const QnBeamStyle style = { .section = settings->section,
                               .hinge = { settings->hinges[0], settings->hinges[1] },
                               .element_count = settings->elements };
-  return qn_edit_add_beam (draft->model, from, to, style, &draft->error);
+  return qn_edit_add_beam (draft->model, gesture->from, gesture->to, style,
+                           &draft->error);
 }
 
 static gboolean
-add_bar (QnCanvas *canvas, QnDraft *draft, QnVec2 from, QnVec2 to)
+add_bar (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 {
-  return qn_edit_draw_bar (draft->model, from, to, &draft->error);
+  return qn_edit_draw_bar (draft->model, gesture->from, gesture->to, &draft->error);
 }
 
 static gboolean
-add_tie (QnCanvas *canvas, QnDraft *draft, QnVec2 from, QnVec2 to)
+add_tie (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 {
-  return qn_edit_draw_tie (draft->model, from, to, &draft->error);
+  return qn_edit_draw_tie (draft->model, gesture->from, gesture->to, &draft->error);
 }
 
-/* One undo step with the drawn line, which is the last of its kind; FALSE where there is none. */
-static gboolean
-add (QnCanvas *canvas, const char *name, AddFunc func)
-{
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  const QnVec2 from = gesture->from, to = gesture->to;
-  QnDraft draft;
-  qn_canvas_set_in_gesture (canvas, FALSE);
-  return !(from.x == to.x && from.y == to.y) && qn_canvas_begin_edit (canvas, &draft)
-         && qn_canvas_end_edit (canvas, &draft, name, NULL,
-                                func (canvas, &draft, from, to));
-}
-
-/* What is new is selected, so that its handles and numbers are there. */
+/* The last of its kind is new: selected, it has its handles and numbers there. */
 
 static void
-complete_beam (QnCanvas *canvas)
+select_beam (QnCanvas *canvas)
 {
-  if (!add (canvas, _ ("Add Beam"), add_beam))
-    return;
   const QnId last = (QnId) qn_canvas_get_model (canvas)->beam_count - 1;
   qn_selection_set (qn_canvas_get_selection (canvas), QN_PART_BEAM, &last, 1);
 }
 
 static void
-complete_item (QnCanvas *canvas, QnItemKind kind, const char *name, AddFunc func)
+select_item (QnCanvas *canvas)
 {
-  if (add (canvas, name, func))
-    qn_selection_set_item (
-      qn_canvas_get_selection (canvas), kind,
-      (QnId) qn_model_count_items (qn_canvas_get_model (canvas), kind) - 1);
-}
-
-static void
-complete_bar (QnCanvas *canvas)
-{
-  complete_item (canvas, QN_ITEM_BAR, _ ("Add Bar"), add_bar);
-}
-
-static void
-complete_tie (QnCanvas *canvas)
-{
-  complete_item (canvas, QN_ITEM_TIE, _ ("Add Tie"), add_tie);
+  const QnItemKind kind =
+    qn_canvas_get_tool (canvas) == &qn_tool_bar ? QN_ITEM_BAR : QN_ITEM_TIE;
+  qn_selection_set_item (qn_canvas_get_selection (canvas), kind,
+                         (QnId) qn_model_count_items (qn_canvas_get_model (canvas), kind)
+                           - 1);
 }
 
 static void
@@ -140,7 +111,9 @@ const QnTool qn_tool_beam = {
               "Shift holds it straight"),
   .accel = "b",
   QN_GESTURE_LINE,
-  .complete = complete_beam,
+  .step = N_ ("Add Beam"),
+  .edit = add_beam,
+  .added = select_beam,
   .draw = draw_beam,
 };
 
@@ -152,7 +125,9 @@ const QnTool qn_tool_bar = {
               "straight; law and diameter are in the panel Analysis"),
   .accel = "e",
   QN_GESTURE_LINE,
-  .complete = complete_bar,
+  .step = N_ ("Add Bar"),
+  .edit = add_bar,
+  .added = select_item,
   .draw = draw,
 };
 
@@ -165,6 +140,8 @@ const QnTool qn_tool_tie = {
         "Shift holds it straight; steel and anchors are in the panel Analysis"),
   .accel = "k",
   QN_GESTURE_LINE,
-  .complete = complete_tie,
+  .step = N_ ("Add Tie"),
+  .edit = add_tie,
+  .added = select_item,
   .draw = draw_tie,
 };

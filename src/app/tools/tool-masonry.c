@@ -16,11 +16,10 @@ make_plan (QnCanvas *canvas, QnMasonry *masonry)
            : qn_plan_in_box (masonry, style, gesture->from, gesture->to);
 }
 
-static void
-complete (QnCanvas *canvas)
+static gboolean
+edit (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  static const char *const names[QN_MASONRY_NAME_COUNT] = {
+  static const char *const steps[QN_MASONRY_NAME_COUNT] = {
     [QN_MASONRY_WALL] = N_ ("Add Wall"),
     [QN_MASONRY_COLUMN] = N_ ("Add Column"),
     [QN_MASONRY_BUTTRESS] = N_ ("Add Buttress"),
@@ -29,18 +28,13 @@ complete (QnCanvas *canvas)
     [QN_MASONRY_GRID] = N_ ("Add Grid of Cells"),
     [QN_MASONRY_VORONOI] = N_ ("Add Voronoi Cells"),
   };
-  const int kind = qn_canvas_get_tool (canvas) == &qn_tool_wall
-                     ? QN_MASONRY_WALL
-                     : qn_canvas_get_tool_settings (canvas)->masonry.kind;
-  QnDraft draft;
   QnMasonry masonry;
-  if (gesture->from.x != gesture->to.x && gesture->from.y != gesture->to.y
-      && qn_canvas_begin_edit (canvas, &draft))
-    qn_canvas_end_edit (canvas, &draft, _ (names[kind]), NULL,
-                        make_plan (canvas, &masonry)
-                          ? qn_edit_add_masonry (&draft.project, &masonry, &draft.error)
-                          : qn_edit_no_memory (&draft.error));
-  qn_canvas_set_in_gesture (canvas, FALSE);
+  draft->step = steps[qn_canvas_get_tool (canvas) == &qn_tool_wall
+                        ? QN_MASONRY_WALL
+                        : qn_canvas_get_tool_settings (canvas)->masonry.kind];
+  return make_plan (canvas, &masonry)
+           ? qn_edit_add_masonry (&draft->project, &masonry, &draft->error)
+           : qn_edit_no_memory (&draft->error);
 }
 
 /* The frame is that of whole blocks where a wall has rounded it. */
@@ -71,7 +65,7 @@ const QnTool qn_tool_wall = {
         "height"),
   .accel = "w",
   QN_GESTURE_RECTANGLE,
-  .complete = complete,
+  .edit = edit,
   .draw = draw,
 };
 
@@ -85,6 +79,6 @@ const QnTool qn_tool_column = {
         "buttress, portal, rubble or cells; or click a corner and type width; height"),
   .accel = "c",
   QN_GESTURE_RECTANGLE,
-  .complete = complete,
+  .edit = edit,
   .draw = draw,
 };

@@ -89,7 +89,7 @@ static void
 complete (QnCanvas *canvas)
 {
   Opening opening = opening_of_gesture (canvas);
-  QnDraft draft;
+  QnCanvasDraft draft;
   qn_canvas_set_in_gesture (canvas, FALSE);
   if (opening.from.x != opening.to.x && opening.from.y != opening.to.y
       && qn_canvas_begin_edit (canvas, &draft)
@@ -106,7 +106,7 @@ fill_at (QnCanvas *canvas, QnVec2 at)
   const QnId object = wall_at (list, at);
   const int number =
     object != QN_NONE ? qn_masonry_opening_at (&list->items[object], at) : QN_NO_OPENING;
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (number == QN_NO_OPENING)
     return;
   qn_selection_clear (qn_canvas_get_selection (canvas));

@@ -8,18 +8,12 @@
 /* px: a click this near to the first corner closes the polygon. */
 #define CLOSE_PX 8.0
 
-static void
-complete (QnCanvas *canvas)
+static gboolean
+edit (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 {
-  const GArray *points = qn_canvas_get_gesture (canvas)->points;
-  QnBlockStyle style =
-    qn_tool_settings_get_block_style (qn_canvas_get_tool_settings (canvas));
-  QnDraft draft;
-  if (points->len >= 3 && qn_canvas_begin_edit (canvas, &draft))
-    qn_canvas_end_edit (canvas, &draft, _ ("Add Block"), NULL,
-                        qn_edit_add_block (draft.model, (const QnVec2 *) points->data,
-                                           points->len, style, &draft.error));
-  qn_canvas_set_in_gesture (canvas, FALSE);
+  return qn_edit_add_block (draft->model, (const QnVec2 *) gesture->points->data,
+                            gesture->points->len, qn_tool_block_style (canvas),
+                            &draft->error);
 }
 
 static void
@@ -29,7 +23,7 @@ press (QnCanvas *canvas, const QnToolEvent *event)
   if (points->len >= 3) {
     QnVec2 first = qn_canvas_to_screen (canvas, g_array_index (points, QnVec2, 0));
     if (qn_vec2_length (qn_vec2_sub (first, event->screen)) < CLOSE_PX) {
-      complete (canvas);
+      qn_gesture_complete (canvas);
       return;
     }
   }
@@ -64,6 +58,7 @@ const QnTool qn_tool_polygon = {
   .press = press,
   .motion = qn_gesture_motion,
   .numbers = qn_gesture_point_numbers,
-  .complete = complete,
+  .step = N_ ("Add Block"),
+  .edit = edit,
   .draw = draw,
 };

@@ -4,20 +4,13 @@
 
 #include <glib/gi18n.h>
 
-static void
-complete (QnCanvas *canvas)
+static gboolean
+edit (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnVec2 a = gesture->from, b = gesture->to;
   QnVec2 corners[] = { a, { b.x, a.y }, b, { a.x, b.y } };
-  QnBlockStyle style =
-    qn_tool_settings_get_block_style (qn_canvas_get_tool_settings (canvas));
-  QnDraft draft;
-  if (a.x != b.x && a.y != b.y && qn_canvas_begin_edit (canvas, &draft))
-    qn_canvas_end_edit (canvas, &draft, _ ("Add Block"), NULL,
-                        qn_edit_add_block (draft.model, corners, G_N_ELEMENTS (corners),
-                                           style, &draft.error));
-  qn_canvas_set_in_gesture (canvas, FALSE);
+  return qn_edit_add_block (draft->model, corners, G_N_ELEMENTS (corners),
+                            qn_tool_block_style (canvas), &draft->error);
 }
 
 static void
@@ -35,6 +28,7 @@ const QnTool qn_tool_rectangle = {
   .hint = N_ ("Drag a rectangle, or click a corner and type width; height"),
   .accel = "r",
   QN_GESTURE_RECTANGLE,
-  .complete = complete,
+  .step = N_ ("Add Block"),
+  .edit = edit,
   .draw = draw,
 };

@@ -21,7 +21,7 @@ press (QnCanvas *canvas, const QnToolEvent *event)
   const QnModel *model = qn_canvas_get_model (canvas);
   QnId node = qn_canvas_pick_node (canvas, event->screen);
   bool fixed[QN_DOF_COUNT];
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (node != QN_NONE && model->nodes[node].block == QN_NONE) {
     gboolean all = toggle (fixed, model->nodes[node].support);
     if (qn_canvas_begin_edit (canvas, &draft))

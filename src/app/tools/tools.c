@@ -21,9 +21,9 @@ qn_tool_find (const char *name)
 }
 
 QnBlockStyle
-qn_tool_settings_get_block_style (const QnToolSettings *settings)
+qn_tool_block_style (QnCanvas *canvas)
 {
-  const QnMasonryStyle *masonry = &settings->masonry;
+  const QnMasonryStyle *masonry = &qn_canvas_get_tool_settings (canvas)->masonry;
   return (QnBlockStyle){ .thickness = masonry->thickness,
                          .unit_weight = masonry->unit_weight,
                          .law = masonry->law };

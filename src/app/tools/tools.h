@@ -1,7 +1,7 @@
 /* All tools. */
 #pragma once
 
-#include "app/canvas/tool.h"
+#include "app/canvas/canvas.h"
 
 /* Selects what lies at a place of the screen, as a click of the select tool does, unless it is selected
  * already; nothing where there is nothing. */
@@ -40,4 +40,4 @@ extern const QnTool qn_tool_measure;
 extern const QnTool qn_tool_picture;
 
 /* Style of single blocks. */
-QnBlockStyle qn_tool_settings_get_block_style (const QnToolSettings *settings);
+QnBlockStyle qn_tool_block_style (QnCanvas *canvas);

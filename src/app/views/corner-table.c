@@ -41,7 +41,7 @@ on_committed (QnQuantityEntry *entry, Table *table)
       to.y = qn_quantity_entry_get_value (entry);
     else
       continue;
-    QnDraft draft;
+    QnCanvasDraft draft;
     const QnVec2 from = v[k];
     if (!qn_canvas_begin_edit (table->canvas, &draft)
         || !qn_canvas_end_edit (table->canvas, &draft, _ ("Move Corner"), NULL,

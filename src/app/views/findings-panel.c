@@ -30,7 +30,7 @@ on_fix (GtkButton *button, Panel *panel)
 {
   /* The end of the edit makes the list anew, and with it this button goes. */
   const Fix *fix = g_object_get_data (G_OBJECT (button), "qn-fix");
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (qn_canvas_begin_edit (panel->canvas, &draft))
     qn_canvas_end_edit (
       panel->canvas, &draft, qn_repair_get_step_name (fix->repair), NULL,
@@ -41,7 +41,7 @@ static void
 on_repair_all (Panel *panel)
 {
   guint count = 0;
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (!qn_canvas_begin_edit (panel->canvas, &draft)
       || !qn_canvas_end_edit (panel->canvas, &draft, _ ("Repair Contacts"), NULL,
                               qn_edit_repair_all (draft.model, &count, &draft.error)))
@@ -160,7 +160,7 @@ static void
 on_close_gaps (Panel *panel)
 {
   double width = qn_quantity_entry_get_value (QN_QUANTITY_ENTRY (panel->gap_width));
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (qn_canvas_begin_edit (panel->canvas, &draft))
     qn_canvas_end_edit (panel->canvas, &draft, _ ("Close Gaps"), NULL,
                         qn_edit_close_gaps (draft.model, width, &draft.error));

@@ -22,7 +22,7 @@ static void
 edit_blocks (QnWindow *self, const char *name,
              gboolean (*func) (QnModel *model, QnBlockSet set, GError **error))
 {
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (qn_canvas_begin_edit (self->canvas, &draft))
     qn_canvas_end_edit (
       self->canvas, &draft, name, NULL,
@@ -76,7 +76,7 @@ edit_item (QnWindow *self, gboolean copy)
   QnSelection *selection = qn_document_get_selection (self->document);
   QnItemKind kind;
   QnId item = qn_selection_get_any_item (selection, &kind);
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (item == QN_NONE)
     return FALSE;
   if (!copy)
@@ -101,7 +101,7 @@ delete_selected (QnWindow *self, GVariant *parameter)
   OpeningEdit opening = { 0 };
   const gboolean is_opening = selected_opening (self, &opening);
   const QnPartSet parts = qn_canvas_get_parts (self->canvas);
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (edit_item (self, FALSE))
     return;
   if (is_opening)
@@ -132,7 +132,7 @@ join_bodies (QnWindow *self, GVariant *parameter)
 {
   const QnRun *run = qn_document_get_run (self->document);
   QnMechanism mechanism = { 0 };
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (run->result.mechanism == NULL || qn_document_is_stale (self->document, run)
       || qn_mechanism_of_result (&mechanism, &run->model, &run->contacts, &run->result,
                                  NULL)
@@ -238,7 +238,7 @@ nudge (QnWindow *self, GVariant *parameter)
 {
   double dx, dy;
   OpeningEdit opening = { 0 };
-  QnDraft draft;
+  QnCanvasDraft draft;
   g_variant_get (parameter, "(dd)", &dx, &dy);
   if (selected_opening (self, &opening)) {
     opening.dx = dx;
@@ -332,7 +332,7 @@ static void
 align (QnWindow *self, GVariant *parameter)
 {
   QnAlign align;
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (qn_align_parse (g_variant_get_string (parameter, NULL), &align)
       && qn_canvas_begin_edit (self->canvas, &draft))
     qn_canvas_end_edit (self->canvas, &draft, _ ("Align"), NULL,
@@ -344,7 +344,7 @@ static void
 distribute (QnWindow *self, GVariant *parameter)
 {
   QnSpreadMode spread;
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (qn_spread_parse (g_variant_get_string (parameter, NULL), &spread)
       && qn_canvas_begin_edit (self->canvas, &draft))
     qn_canvas_end_edit (self->canvas, &draft, _ ("Distribute"), NULL,
@@ -363,7 +363,7 @@ hold (QnWindow *self, GVariant *parameter)
                 { "pinned", { true, true, false } },
                 { "roller", { false, true, false } },
                 { "free", { false, false, false } } };
-  QnDraft draft;
+  QnCanvasDraft draft;
   for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++)
     if (g_str_equal (kinds[i].name, g_variant_get_string (parameter, NULL))
         && qn_canvas_begin_edit (self->canvas, &draft))
@@ -519,7 +519,7 @@ on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
   if (qn_model_copy (model, &before, NULL) != QN_OK)
     return;
   const QnVec2 by = find_room (model, box);
-  QnDraft draft;
+  QnCanvasDraft draft;
   if (qn_canvas_begin_edit (self->canvas, &draft)
       && qn_canvas_end_edit (self->canvas, &draft, _ ("Paste"), NULL,
                              add_blocks (draft.model, blocks, by, &draft.error))) {
