@@ -133,8 +133,8 @@ test_example (void)
   g_assert_cmpuint (model_of (window)->ground_count, ==, 1);
 
   driver_activate (window, "win.save");
-  g_assert_nonnull (window->chooser);
-  g_clear_object (&window->chooser);
+  g_assert_nonnull (g_object_get_data (G_OBJECT (window), QN_CHOOSER));
+  g_object_set_data (G_OBJECT (window), QN_CHOOSER, NULL);
   g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
   g_autofree char *path = g_build_filename (folder, "mine.quoin", NULL);
   g_autofree char *record = g_build_filename (folder, "43-synthetic-record.csv", NULL);
@@ -219,7 +219,7 @@ begin_choosing (QnWindow *window, const char *action, const char *shown,
                 const char *hidden)
 {
   driver_activate (window, action);
-  g_assert_nonnull (window->chooser);
+  g_assert_nonnull (g_object_get_data (G_OBJECT (window), QN_CHOOSER));
   GtkWidget *dialog = driver_find_other ();
   g_assert_true (GTK_IS_FILE_CHOOSER (dialog));
   g_assert_true (gtk_window_get_modal (GTK_WINDOW (dialog)));
@@ -241,7 +241,7 @@ respond (QnWindow *window, GtkFileChooser *chooser, int response)
 {
   gtk_dialog_response (GTK_DIALOG (chooser), response);
   driver_settle ();
-  g_assert_null (window->chooser);
+  g_assert_null (g_object_get_data (G_OBJECT (window), QN_CHOOSER));
   g_assert_null (driver_find_other ());
 }
 

@@ -22,7 +22,6 @@ typedef struct Dialog {
   int format;
   GCancellable *cancellable; /* while it is written */
   char *path, *message;      /* message: NULL for the facts */
-  GObject *chooser;          /* on the screen, or NULL */
 } Dialog;
 
 typedef struct Form {
@@ -70,7 +69,6 @@ clear (gpointer form)
   Dialog *dialog = ((Form *) form)->dialog;
   dialog->form = NULL;
   g_cancellable_cancel (dialog->cancellable);
-  g_clear_object (&dialog->chooser);
   dialog_unref (dialog);
 }
 
@@ -163,7 +161,7 @@ on_export (Dialog *dialog)
                                     .endings = folder ? NULL : endings[dialog->format],
                                     .chosen = on_chosen,
                                     .folder = folder };
-  qn_chooser_ask (GTK_WIDGET (dialog->form->root), &dialog->chooser, &question, dialog);
+  qn_chooser_ask (GTK_WIDGET (dialog->form->root), &question, dialog);
 }
 
 /* ---- fields ---- */

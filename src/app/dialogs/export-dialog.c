@@ -15,10 +15,9 @@ typedef struct Dialog {
   QnViewState *state;
   QnFigureFunc write;
   QnTellFunc tell;
-  GObject *chooser; /* on the screen, or NULL */
-  guint format;     /* row */
-  double dpi;       /* of sizes in mm */
-  char *refusal;    /* why there is no preview; shown when the drawing is over */
+  guint format;  /* row */
+  double dpi;    /* of sizes in mm */
+  char *refusal; /* why there is no preview; shown when the drawing is over */
   guint refusal_idle;
   QnRecipe *recipe; /* what the fields say */
 } Dialog;
@@ -55,7 +54,6 @@ static void
 clear (gpointer data)
 {
   Dialog *dialog = data;
-  g_clear_object (&dialog->chooser);
   g_clear_handle_id (&dialog->refusal_idle, g_source_remove);
   g_free (dialog->refusal);
   qn_recipe_free (dialog->recipe);
@@ -189,7 +187,7 @@ on_export (Dialog *dialog)
                                     .name = g_strdelimit (proposed, "/", '-'),
                                     .endings = typed_endings[dialog->format],
                                     .chosen = on_file_chosen };
-  qn_chooser_ask (GTK_WIDGET (dialog->base.root), &dialog->chooser, &question, dialog);
+  qn_chooser_ask (GTK_WIDGET (dialog->base.root), &question, dialog);
 }
 
 static void

@@ -18,7 +18,6 @@ typedef struct Form {
   QnGroundPreviewKind preview;
   QnGroundPreview sampled; /* what the plot shows */
   char *fault;             /* why its record cannot be read, or NULL */
-  GObject *chooser;
 } Form;
 
 #define CHANGE N_ ("Change Analysis")
@@ -318,7 +317,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     form->base.wanted = (int) draft->model.ground_count;
     return qn_edit_add_pulse (&draft->model, error);
   case IMPORT:
-    qn_chooser_ask (form->base.root, &form->chooser,
+    qn_chooser_ask (form->base.root,
                     &(QnFileQuestion){ .title = _ ("Import Ground Motion"),
                                        .accept = _ ("_Import"),
                                        .chosen = on_chosen },
@@ -350,7 +349,6 @@ make_plot (gpointer data, gboolean zoomed, char **message)
 static void
 on_destroy (GtkWidget *root, Form *form)
 {
-  g_clear_object (&form->chooser);
   qn_ground_preview_clear (&form->sampled);
   g_free (form->fault);
 }

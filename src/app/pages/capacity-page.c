@@ -44,7 +44,6 @@ typedef struct Form {
   char *digest;              /* of the model and its settings then */
   char *message;             /* below the buttons, or NULL */
   GCancellable *cancellable; /* while it is searched */
-  GObject *chooser;
   char *stored; /* the project's member as it was read or written last; NULL: none */
   gboolean storing;
 } Form;
@@ -153,8 +152,9 @@ clear_curve (Form *form)
 }
 
 static void
-say (Form *form, const char *message)
+say (gpointer data, const char *message)
 {
+  Form *form = data;
   g_free (form->message);
   form->message = g_strdup (message);
   qn_bound_form_show (form);
@@ -248,12 +248,6 @@ write_file (gpointer data, const char *path, GError **error)
   return qn_capacity_answer_export (&form->answer, form->title, &metadata, path, error);
 }
 
-static void
-on_told (gpointer form, const char *message, gboolean trouble)
-{
-  say (form, message);
-}
-
 /* Asks for the file of what a button reads or writes. */
 static void
 ask (Form *form, guint field)
@@ -271,8 +265,8 @@ ask (Form *form, guint field)
                                                           : _ ("capacity.csv"),
                           .endings = field == EXPORT_PICTURE ? pictures : tables,
                           .write = write_file,
-                          .told = on_told };
-  qn_chooser_ask (form->base.root, &form->chooser, &question, form);
+                          .told = say };
+  qn_chooser_ask (form->base.root, &question, form);
 }
 
 /* ---- fields ---- */
@@ -536,7 +530,6 @@ clear (gpointer data)
   if (form->cancellable != NULL)
     g_cancellable_cancel (form->cancellable);
   g_clear_object (&form->cancellable);
-  g_clear_object (&form->chooser);
   clear_curve (form);
   qn_record_clear (&form->points);
   qn_capacity_settings_clear (&form->entered);

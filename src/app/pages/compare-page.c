@@ -19,7 +19,6 @@ static void
 compare_free (gpointer data, GObject *where)
 {
   Compare *compare = data;
-  g_clear_object (&compare->chooser);
   g_signal_handlers_disconnect_by_data (compare->batch, compare);
   g_object_unref (compare->batch);
   g_hash_table_unref (compare->known);
@@ -71,7 +70,7 @@ redraw (gpointer data)
 }
 
 static void let_move (Compare *compare, GtkWidget *cell);
-static void tell (Compare *compare, const char *text);
+static void tell (gpointer compare, const char *text);
 static void let_rename (Compare *compare, GtkWidget *cell);
 static void show_name (GtkWidget *cell, gpointer data);
 static void remove_run (Compare *compare, guint at);
@@ -400,8 +399,9 @@ remove_by_menu (GSimpleAction *action, GVariant *parameter, gpointer data)
 /* ---- files ---- */
 
 static void
-tell (Compare *compare, const char *text)
+tell (gpointer data, const char *text)
 {
+  const Compare *compare = data;
   gtk_label_set_text (compare->message, text);
   gtk_widget_set_visible (GTK_WIDGET (compare->message), *text != '\0');
 }
@@ -485,7 +485,7 @@ add_files (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .kind = folder ? NULL : &kind,
                                     .folder = folder,
                                     .many = TRUE };
-  qn_chooser_ask (compare->page, &compare->chooser, &question, compare);
+  qn_chooser_ask (compare->page, &question, compare);
 }
 
 static void
@@ -576,12 +576,6 @@ write_sheet (gpointer data, const char *path, GError **error)
 }
 
 static void
-on_told (gpointer compare, const char *message, gboolean trouble)
-{
-  tell (compare, message);
-}
-
-static void
 export_sheet (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   static const char *const endings[] = { ".png", ".svg", ".pdf", NULL };
@@ -590,9 +584,9 @@ export_sheet (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .name = _ ("comparison.png"),
                                     .endings = endings,
                                     .write = write_sheet,
-                                    .told = on_told };
+                                    .told = tell };
   Compare *compare = data;
-  qn_chooser_ask (compare->page, &compare->chooser, &question, compare);
+  qn_chooser_ask (compare->page, &question, compare);
 }
 
 /* ---- building ---- */

@@ -27,7 +27,6 @@ typedef struct Compare {
   QnCompareView view;
   gint64 started;
   guint tick;
-  GObject *chooser;
 } Compare;
 
 /* Those of the windows, that of this one first, and of the files. */

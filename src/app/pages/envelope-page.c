@@ -28,7 +28,6 @@ typedef struct Page {
   QnBoundForm base;
   QnDocument *document;
   GSimpleActionGroup *actions;
-  GObject *chooser;
   char *told; /* below the picture */
 
   QnEnvelopeSettings settings;
@@ -501,7 +500,7 @@ write_file (gpointer data, const char *path, GError **error)
 
 /* Below what there is to say of the position. */
 static void
-on_told (gpointer data, const char *message, gboolean trouble)
+on_told (gpointer data, const char *message)
 {
   Page *self = data;
   tell_position (self);
@@ -520,11 +519,11 @@ export_file (GSimpleAction *action, GVariant *path, gpointer data)
                                     .name = _ ("envelope.pdf"),
                                     .endings = endings,
                                     .write = write_file,
-                                    .told = on_told };
-  if (path != NULL)
-    qn_chooser_write (&question, self, g_variant_get_string (path, NULL), NULL);
-  else
-    qn_chooser_ask (self->base.root, &self->chooser, &question, self);
+                                    .told = on_told,
+                                    .given = path != NULL
+                                               ? g_variant_get_string (path, NULL)
+                                               : NULL };
+  qn_chooser_ask (self->base.root, &question, self);
 }
 
 /* ---- the page ---- */
@@ -535,7 +534,6 @@ clear (gpointer data)
   Page *self = data;
   qn_model_clear (&self->moved);
   qn_envelope_settings_clear (&self->settings);
-  g_clear_object (&self->chooser);
   g_object_unref (self->document);
   g_free (self->digest);
   g_free (self->digest_put);

@@ -39,9 +39,9 @@
 QN_FORM_FIELDS;
 
 void
-qn_study_page_tell (QnStudyPage *self, const char *text)
+qn_study_page_tell (gpointer self, const char *text)
 {
-  gtk_label_set_text (self->status, text);
+  gtk_label_set_text (((QnStudyPage *) self)->status, text);
 }
 
 void
@@ -454,7 +454,7 @@ save_as (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .endings = endings,
                                     .chosen = on_saved,
                                     .path = qn_draft_get_path (self->draft) };
-  qn_chooser_ask (self->base.root, &self->chooser, &question, self);
+  qn_chooser_ask (self->base.root, &question, self);
 }
 
 static void
@@ -502,7 +502,6 @@ clear (gpointer data)
   g_object_unref (self->state);
   qn_draft_free (self->draft);
   g_ptr_array_unref (self->rows);
-  g_clear_object (&self->chooser);
   g_free (self->running);
 }
 

@@ -12,8 +12,7 @@ typedef struct QnStudyPage {
   QnDocument *document;
   QnViewState *state;
   GSimpleActionGroup *actions;
-  GObject *chooser;     /* file chooser on the screen */
-  const char *exported; /* what it asks for a file for */
+  const char *exported; /* what a file is asked for */
 
   QnDraft *draft;
   GPtrArray *rows; /* forms of what varies */
@@ -32,7 +31,7 @@ typedef struct QnStudyPage {
 } QnStudyPage;
 
 /* study-page.c: the line under the figure; which actions can be used; everything shown anew. */
-void qn_study_page_tell (QnStudyPage *self, const char *text);
+void qn_study_page_tell (gpointer self, const char *text);
 void qn_study_page_update_actions (QnStudyPage *self);
 void qn_study_page_show (QnStudyPage *self);
 /* FALSE: nothing to draw. */

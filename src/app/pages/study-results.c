@@ -293,12 +293,6 @@ write_file (gpointer data, const char *path, GError **error)
   return qn_study_figure_export (&figure, &self->table, path, &output, error);
 }
 
-static void
-on_told (gpointer self, const char *message, gboolean trouble)
-{
-  qn_study_page_tell (self, message);
-}
-
 void
 qn_study_page_export (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
@@ -317,10 +311,9 @@ qn_study_page_export (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .name = table ? "study.csv" : "study.png",
                                     .endings = table ? tables : figures,
                                     .write = write_file,
-                                    .told = on_told };
+                                    .told = qn_study_page_tell,
+                                    .given = path };
   self->exported = g_intern_string (what);
-  if (path == NULL)
-    qn_chooser_ask (self->base.root, &self->chooser, &question, self);
-  else if (self->folder != NULL)
-    qn_chooser_write (&question, self, path, NULL);
+  if (path == NULL || self->folder != NULL)
+    qn_chooser_ask (self->base.root, &question, self);
 }

@@ -14,10 +14,10 @@ qn_chooser_begin_beside (const char *path)
   folder = g_file_get_parent (file);
 }
 
-/* What was asked, and whom; `kept` is NULL once nobody waits for the answer. */
+/* What was asked, and whom; `widget` is NULL once nobody waits for the answer. */
 typedef struct Asked {
   QnFileQuestion question;
-  GObject **kept;
+  GtkWidget *widget;
   gpointer data;
 } Asked;
 
@@ -49,18 +49,22 @@ qn_chooser_complete_path (const char *path, const char *const *endings, GError *
   return g_steal_pointer (&whole);
 }
 
-void
-qn_chooser_write (const QnFileQuestion *question, gpointer data, const char *path,
-                  const GError *refused)
+/* The file, or NULL with the reason why it is none. */
+static void
+hand_over (const QnFileQuestion *question, gpointer data, const char *path,
+           const GError *refused)
 {
   g_autoptr (GError) error = NULL;
+  if (question->write == NULL) {
+    question->chosen (data, path, refused);
+    return;
+  }
   gboolean written = path != NULL && question->write (data, path, &error);
   g_autofree char *where = written ? g_strdup_printf (_ ("Written to %s"), path) : NULL;
-  question->told (data,
-                  written         ? where
-                  : error != NULL ? error->message
-                                  : refused->message,
-                  !written);
+  if (!written && question->failed != NULL)
+    question->failed (data, (error != NULL ? error : refused)->message);
+  else
+    question->told (data, written ? where : (error != NULL ? error : refused)->message);
 }
 
 static void
@@ -77,10 +81,21 @@ tell (const Asked *asked, GFile *file)
     path = qn_chooser_complete_path (chosen, asked->question.endings, &error);
   else
     path = g_steal_pointer (&chosen);
-  if (asked->question.write != NULL)
-    qn_chooser_write (&asked->question, asked->data, path, error);
-  else
-    asked->question.chosen (asked->data, path, error);
+  hand_over (&asked->question, asked->data, path, error);
+}
+
+static void
+drop (GtkWidget *widget)
+{
+  g_object_set_data (G_OBJECT (widget), QN_CHOOSER, NULL);
+}
+
+/* A chooser in place of the one that the widget had. */
+static void
+keep (GtkWidget *widget, gpointer chooser)
+{
+  g_signal_connect_object (widget, "destroy", G_CALLBACK (drop), chooser, 0);
+  g_object_set_data_full (G_OBJECT (widget), QN_CHOOSER, chooser, g_object_unref);
 }
 
 /* NULL: nothing was chosen. The chooser is gone before anybody hears of it. */
@@ -88,7 +103,7 @@ static void
 answer (const Asked *asked, GListModel *files)
 {
   const guint count = files != NULL ? g_list_model_get_n_items (files) : 0;
-  g_clear_object (asked->kept);
+  drop (asked->widget);
   for (guint i = 0; i < count; i++) {
     g_autoptr (GFile) file = g_list_model_get_item (files, i);
     g_clear_object (&folder);
@@ -145,25 +160,24 @@ on_done (GObject *source, GAsyncResult *result, gpointer data)
       g_list_store_append (store, file);
     files = G_LIST_MODEL (store);
   }
-  if (asked->kept != NULL)
+  if (asked->widget != NULL)
     answer (asked, files);
 }
 
-/* What *kept held is gone: the dialog goes, too, and tells nobody. */
+/* What the widget kept is gone: the dialog goes, too, and tells nobody. */
 static void
 forget (gpointer data, GObject *gone)
 {
   GCancellable *cancellable = data;
   Asked *asked = g_object_get_data (G_OBJECT (cancellable), "qn-asked");
   if (asked != NULL)
-    asked->kept = NULL;
+    asked->widget = NULL;
   g_cancellable_cancel (cancellable);
   g_object_unref (cancellable);
 }
 
-void
-qn_chooser_ask (GtkWidget *widget, GObject **kept, const QnFileQuestion *question,
-                gpointer data)
+static void
+show (GtkWidget *widget, const QnFileQuestion *question, gpointer data)
 {
   static void (*const begin[]) (GtkFileDialog *, GtkWindow *, GCancellable *,
                                 GAsyncReadyCallback, gpointer) = {
@@ -174,7 +188,7 @@ qn_chooser_ask (GtkWidget *widget, GObject **kept, const QnFileQuestion *questio
     [FOLDERS] = gtk_file_dialog_select_multiple_folders,
   };
   g_autoptr (GtkFileDialog) dialog = gtk_file_dialog_new ();
-  g_autoptr (GObject) holder = g_object_new (G_TYPE_OBJECT, NULL);
+  GObject *holder = g_object_new (G_TYPE_OBJECT, NULL);
   GCancellable *cancellable = g_cancellable_new ();
   gtk_file_dialog_set_title (dialog, question->title);
   gtk_file_dialog_set_accept_label (dialog, question->accept);
@@ -192,10 +206,10 @@ qn_chooser_ask (GtkWidget *widget, GObject **kept, const QnFileQuestion *questio
     gtk_file_dialog_set_filters (dialog, G_LIST_MODEL (filters));
   }
   Asked *asked = g_new (Asked, 1);
-  *asked = (Asked){ *question, kept, data };
+  *asked = (Asked){ *question, widget, data };
   g_object_set_data (G_OBJECT (cancellable), "qn-asked", asked);
   g_object_weak_ref (holder, forget, cancellable);
-  g_set_object (kept, holder);
+  keep (widget, holder);
   begin[way_of (question)](dialog, GTK_WINDOW (gtk_widget_get_root (widget)), cancellable,
                            on_done, asked);
 }
@@ -212,9 +226,8 @@ on_response (GtkNativeDialog *chooser, int response, const Asked *asked)
   answer (asked, files);
 }
 
-void
-qn_chooser_ask (GtkWidget *widget, GObject **kept, const QnFileQuestion *question,
-                gpointer data)
+static void
+show (GtkWidget *widget, const QnFileQuestion *question, gpointer data)
 {
   GtkFileChooserNative *native = gtk_file_chooser_native_new (
     question->title, GTK_WINDOW (gtk_widget_get_root (widget)),
@@ -240,15 +253,23 @@ qn_chooser_ask (GtkWidget *widget, GObject **kept, const QnFileQuestion *questio
     gtk_file_chooser_add_filter (chooser, filter);
   }
   Asked *asked = g_new (Asked, 1);
-  *asked = (Asked){ *question, kept, data };
+  *asked = (Asked){ *question, widget, data };
   g_signal_connect_data (native, "response", G_CALLBACK (on_response), asked,
                          (GClosureNotify) (void (*) (void)) g_free, 0);
-  g_set_object (kept, G_OBJECT (native));
+  keep (widget, native);
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (native));
-  g_object_unref (native);
 }
 
 #endif
+
+void
+qn_chooser_ask (GtkWidget *widget, const QnFileQuestion *question, gpointer data)
+{
+  if (question->given != NULL)
+    hand_over (question, data, question->given, NULL);
+  else
+    show (widget, question, data);
+}
 
 /* Who takes what is dropped. */
 typedef struct Taker {

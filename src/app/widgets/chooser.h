@@ -26,23 +26,22 @@ typedef struct QnFileQuestion {
   const char *const *endings;
   /* The file, each of many; NULL with the reason why it is none. Not called where none was chosen. */
   void (*chosen) (gpointer data, const char *path, const GError *error);
-  /* In place of it, for a file to be written: writes it; `told` says where it is, or why it is not there. */
+  /* In place of it, for a file to be written: writes it; `told` says where it is, or why it is not there, but
+   * where `failed` (nullable) does. */
   gboolean (*write) (gpointer data, const char *path, GError **error);
-  void (*told) (gpointer data, const char *message, gboolean trouble);
+  void (*told) (gpointer data, const char *message);
+  void (*failed) (gpointer data, const char *message);
   void (*left) (gpointer data); /* none was chosen; or NULL */
   const QnFileKind *kind;       /* that alone is shown; NULL: all files */
   const char *path;      /* of the file that is proposed, instead of a name; or NULL */
+  const char *given;     /* that is the file, and nothing is asked; or NULL */
   gboolean folder, many; /* folders, in place of files to be read; several at once */
 } QnFileQuestion;
 
-/* Asks over the window of a widget, in the folder that was chosen from last; *kept holds the chooser while it is there, in
- * place of what it held, and `data` must live as long. */
-void qn_chooser_ask (GtkWidget *widget, GObject **kept, const QnFileQuestion *question,
-                     gpointer data);
-
-/* Writes and tells as for a file that was chosen; `path` is NULL with the reason why it is none. */
-void qn_chooser_write (const QnFileQuestion *question, gpointer data, const char *path,
-                       const GError *refused);
+/* Asks over the window of a widget, in the folder that was chosen from last. The widget keeps the chooser, its
+ * only one, as QN_CHOOSER, and it goes with it; `data` must live as long. */
+#define QN_CHOOSER "qn-chooser"
+void qn_chooser_ask (GtkWidget *widget, const QnFileQuestion *question, gpointer data);
 
 /* The path of a file to be written with its ending, as above; NULL with an error. The caller frees it. */
 char *qn_chooser_complete_path (const char *path, const char *const *endings,

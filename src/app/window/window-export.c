@@ -133,9 +133,15 @@ on_report_chosen (gpointer self, const char *path, const GError *error)
 }
 
 static void
-on_told (gpointer self, const char *message, gboolean trouble)
+on_told (gpointer self, const char *message)
 {
-  tell (self, message, trouble);
+  qn_window_show_message (self, message);
+}
+
+static void
+on_failed (gpointer self, const char *message)
+{
+  qn_window_show_error (self, message);
 }
 
 /* To a file that is asked for, where `path` is NULL. */
@@ -148,16 +154,13 @@ export_to (QnWindow *self, gsize i, const char *path)
                                     .endings = exports[i].endings,
                                     .write = i == REPORT ? NULL : write_file,
                                     .told = on_told,
+                                    .failed = on_failed,
+                                    .given = path,
                                     .chosen = on_report_chosen };
   if (i != DRAWING && qn_document_get_run (self->document) == NULL)
     return;
   self->exported = i;
-  if (path == NULL)
-    qn_chooser_ask (GTK_WIDGET (self), &self->chooser, &question, self);
-  else if (i == REPORT)
-    write_report (self, path);
-  else
-    qn_chooser_write (&question, self, path, NULL);
+  qn_chooser_ask (GTK_WIDGET (self), &question, self);
 }
 
 /* ---- figures and what else has a dialog of its own ---- */

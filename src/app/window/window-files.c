@@ -33,7 +33,7 @@ qn_window_choose_file (QnWindow *self, const QnFileKind *kind)
                                     .chosen = on_file_chosen,
                                     .kind = kind };
   self->chosen_kind = kind;
-  qn_chooser_ask (GTK_WIDGET (self), &self->chooser, &question, self);
+  qn_chooser_ask (GTK_WIDGET (self), &question, self);
 }
 
 QnWindow *
@@ -194,7 +194,7 @@ save_as (QnWindow *self, GVariant *parameter)
                                     .left = on_save_left,
                                     .kind = &projects,
                                     .path = qn_document_get_path (self->document) };
-  qn_chooser_ask (GTK_WIDGET (self), &self->chooser, &question, self);
+  qn_chooser_ask (GTK_WIDGET (self), &question, self);
 }
 
 /* Over the file that it came from, and closes then where that is wanted. */

@@ -81,8 +81,7 @@ struct _QnWindow {
   char *last_export;                /* path of the last exported figure */
   QnRecipe *last_recipe;            /* what it looked like */
   GtkPrintSettings *print_settings; /* of the last page, or NULL */
-  GObject *chooser;                 /* file chooser on the screen … */
-  const QnFileKind *chosen_kind;    /* … and what it opens */
+  const QnFileKind *chosen_kind;    /* what the file chooser on the screen opens */
   gsize exported;                   /* what it asks for a file for */
   GCancellable *reporting;          /* while a report is written */
   gboolean has_info_place;

@@ -630,7 +630,6 @@ static void
 qn_window_finalize (GObject *object)
 {
   QnWindow *self = QN_WINDOW (object);
-  g_clear_object (&self->chooser);
   g_clear_object (&self->reporting);
   g_clear_object (&self->state);
   g_clear_object (&self->document);
