@@ -142,20 +142,6 @@ expect_pdf (const char *path)
 }
 
 static void
-test_print (void)
-{
-  g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
-  g_autofree char *path = g_build_filename (folder, "page.pdf", NULL);
-  QnWindow *window = driver_open_example ("06-arch.quoin");
-  driver_activate_target (window, "win.print-path", g_variant_new_string (path));
-  driver_wait (exists, path);
-  expect_pdf (path);
-  driver_discard (window);
-  g_unlink (path);
-  g_rmdir (folder);
-}
-
-static void
 test_sheet (void)
 {
   g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
@@ -467,7 +453,6 @@ QN_TESTS
 {
   gtk_init ();
   g_test_add_func ("/app/export/figures", test_figures);
-  g_test_add_func ("/app/export/print", test_print);
   g_test_add_func ("/app/export/sheet", test_sheet);
   g_test_add_func ("/app/export/animation", test_animation);
   g_test_add_func ("/app/export/files", test_files);

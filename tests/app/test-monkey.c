@@ -84,8 +84,7 @@ spare_choosers (GtkWidget *widget)
 {
   static const char *const actions[] = { "open",          "import",         "picture",
                                          "save",          "save-as",        "open-result",
-                                         "export-result", "export-drawing", "print",
-                                         "shortcuts" };
+                                         "export-result", "export-drawing", "shortcuts" };
   for (gsize i = 0; QN_IS_WINDOW (widget) && i < G_N_ELEMENTS (actions); i++) {
     g_autoptr (GSimpleAction) idle = g_simple_action_new (
       actions[i],
@@ -231,11 +230,11 @@ make_parameter (Monkey *monkey, const GVariantType *type)
   return g_variant_new ("(ss)", ONE_OF (words), path);
 }
 
-/* Files are named by a path of the folder alone, and nothing is printed. */
+/* Files are named by a path of the folder alone. */
 static GVariant *
 make_path (Monkey *monkey, const char *action)
 {
-  if (g_str_equal (action, "save-path") || g_str_equal (action, "print-path")) {
+  if (g_str_equal (action, "save-path")) {
     g_autofree char *path = g_build_filename (monkey->folder, "saved.quoin", NULL);
     return g_variant_new_string (path);
   }

@@ -128,8 +128,8 @@ test_unsaved (void)
   g_assert_true (qn_window_open_copy (window, example));
   driver_activate (window, "win.study");
   g_assert_null (driver_find_page ("Study"));
-  g_assert_nonnull (window->chooser);
-  g_clear_object (&window->chooser);
+  g_assert_nonnull (g_object_get_data (G_OBJECT (window), QN_CHOOSER));
+  g_object_set_data (G_OBJECT (window), QN_CHOOSER, NULL);
   driver_activate_target (window, "win.save-path", g_variant_new_string (path));
   GtkWidget *page = driver_find_page ("Study");
   g_assert_nonnull (page);

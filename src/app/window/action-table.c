@@ -22,7 +22,6 @@ const QnActionRow qn_action_rows[] = {
   KEYED (FILES, "win.repeat-export", ALL, "<Control><Shift>e",
          N_ ("Repeat the last export")),
   KEYED (FILES, "win.import", ALL, "<Control>i", N_ ("Import a drawing")),
-  KEYED (FILES, "win.print", ALL, "<Control>p", N_ ("Print")),
   KEYED (FILES, "win.close", ALL, "<Control>w", N_ ("Close the window")),
 
   /* Editing. */

@@ -283,8 +283,7 @@ qn_window_add_actions (QnWindow *self)
                                            qn_window_import_actions,
                                            qn_window_analysis_actions,
                                            qn_window_export_actions,
-                                           qn_window_page_actions,
-                                           qn_window_print_actions };
+                                           qn_window_page_actions };
   for (gsize i = 0; i < G_N_ELEMENTS (tables); i++)
     add_table (self, tables[i]);
   add_stateful_actions (self);

@@ -77,13 +77,12 @@ struct _QnWindow {
   const QnQueuedAnalysis *next_analysis, *last_analysis; /* or NULL */
   gboolean was_running; /* an analysis, when the document last told */
   QnClosing closing;
-  char *after_save;                 /* action that waits until there is a file, or NULL */
-  char *last_export;                /* path of the last exported figure */
-  QnRecipe *last_recipe;            /* what it looked like */
-  GtkPrintSettings *print_settings; /* of the last page, or NULL */
-  const QnFileKind *chosen_kind;    /* what the file chooser on the screen opens */
-  gsize exported;                   /* what it asks for a file for */
-  GCancellable *reporting;          /* while a report is written */
+  char *after_save;              /* action that waits until there is a file, or NULL */
+  char *last_export;             /* path of the last exported figure */
+  QnRecipe *last_recipe;         /* what it looked like */
+  const QnFileKind *chosen_kind; /* what the file chooser on the screen opens */
+  gsize exported;                /* what it asks for a file for */
+  GCancellable *reporting;       /* while a report is written */
   gboolean has_info_place;
   QnVec2 info_place;
 
@@ -190,4 +189,4 @@ typedef struct QnWindowAction {
 } QnWindowAction;
 extern const QnWindowAction qn_window_edit_actions[], qn_window_file_actions[],
   qn_window_import_actions[], qn_window_analysis_actions[], qn_window_export_actions[],
-  qn_window_page_actions[], qn_window_print_actions[];
+  qn_window_page_actions[];

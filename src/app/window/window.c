@@ -636,7 +636,6 @@ qn_window_finalize (GObject *object)
   g_free (self->after_save);
   g_free (self->last_export);
   g_clear_pointer (&self->last_recipe, qn_recipe_free);
-  g_clear_object (&self->print_settings);
   g_free (self->tool_settings.joint_law);
   g_free (self->tool_settings.section);
   G_OBJECT_CLASS (qn_window_parent_class)->finalize (object);
