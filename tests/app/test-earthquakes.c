@@ -1,9 +1,10 @@
-/* Earthquakes in the window: the history while it is computed, energies, initial motion by hand,
+/* Earthquakes in the window: the history while it is computed, energies, initial motion by fields,
  * capacity against a spectrum. */
 #include "driver.h"
 
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/settings.h"
+#include "doc/edit/edit-dynamic.h"
 #include "doc/view/capacity-settings.h"
 #include "io/project/project.h"
 #include "support/room.h"
@@ -229,18 +230,26 @@ start_is (QnWindow *window, double x, double y, double angle)
   return fabs (u[0] - x) < 1e-9 && fabs (u[1] - y) < 1e-9 && fabs (u[2] - angle) < 1e-9;
 }
 
-/* Drags with Shift, from a place to another. */
-static void
-turn (QnWindow *window, double x0, double y0, double x1, double y1)
+static gboolean
+choose_dynamic (QnModel *model, gpointer data, GError **error)
 {
-  driver_point (window, x0, y0);
-  driver_hold_key ("Shift_L", TRUE);
-  driver_drag (window, x0, y0, x1, y1);
-  driver_hold_key ("Shift_L", FALSE);
+  (void) data;
+  return qn_edit_choose_dynamic (model, error);
 }
 
-/* A block is dragged to where it is let go, turned as it rocks, or typed; one step each, and Escape
- * gives the gesture up. */
+/* Types a displacement into the first field of where the selected blocks start, which is horizontal. */
+static void
+type_start (QnWindow *window, const char *text)
+{
+  GtkWidget *field = driver_find_id (GTK_WIDGET (window), "initial_ux");
+  g_assert_nonnull (field);
+  gtk_widget_grab_focus (field);
+  driver_key ("ctrl+a");
+  driver_type (text);
+  driver_key ("Return");
+}
+
+/* A selected block starts where its fields say; one step, and what becomes of it. */
 static void
 test_initial (void)
 {
@@ -251,74 +260,24 @@ test_initial (void)
   for (gsize i = 0; i < model->block_count; i++)
     if (!model->blocks[i].support[0])
       top = (QnId) i;
-  QnVec2 c = model->blocks[top].centroid;
-  g_assert_cmpint (model->analysis.procedure, !=, QN_PROCEDURE_DYNAMIC);
-  qn_canvas_fit (canvas_of (window));
-  driver_activate_target (window, "win.tool", g_variant_new_string ("displace"));
-  g_settings_set_boolean (qn_settings_get (), "snap", FALSE);
-  driver_drag (window, c.x, c.y, c.x + 0.1, c.y + 0.05);
-  model = model_of (window);
-  g_assert_cmpuint (model->initial_count, ==, 1);
-  g_assert_cmpint (model->initial[0].block, ==, top);
-  g_assert_cmpfloat_with_epsilon (model->initial[0].displacement[0], 0.1, 0.02);
-  g_assert_cmpfloat_with_epsilon (model->initial[0].displacement[1], 0.05, 0.02);
-  g_assert_cmpfloat (model->initial[0].displacement[2], ==, 0.0);
-  g_assert_cmpint (model->analysis.procedure, ==, QN_PROCEDURE_DYNAMIC);
-  g_assert_cmpuint (model->ground_count, ==, 0);
-  driver_screenshot (GTK_WIDGET (window), "initial-displacement");
-  driver_activate (window, "win.undo");
-  g_assert_cmpuint (model_of (window)->initial_count, ==, 0);
-  g_assert_cmpint (model_of (window)->analysis.procedure, !=, QN_PROCEDURE_DYNAMIC);
-
-  /* Escape gives up, the button still held or not. */
-  driver_click (window, c.x, c.y);
-  driver_point (window, c.x + 0.2, c.y);
-  driver_screenshot (GTK_WIDGET (window), "initial-ghost");
-  driver_key ("Escape");
-  driver_click (window, c.x + 5.0, c.y);
-  g_assert_cmpuint (model_of (window)->initial_count, ==, 0);
-
-  /* Numbers for what is selected, without a pointer. */
+  g_assert_true (
+    qn_document_edit (document, "In Time", NULL, choose_dynamic, NULL, NULL));
   qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &top, 1);
-  gtk_widget_grab_focus (GTK_WIDGET (canvas_of (window)));
-  driver_type ("0.02;0;1");
-  driver_key ("Return");
-  g_assert_true (start_is (window, 0.02, 0.0, G_PI / 180));
-  driver_type ("0");
-  driver_key ("Return");
-  g_assert_cmpuint (model_of (window)->initial_count, ==, 0);
-
-  /* Turned about the lower right corner: to the right and clockwise. */
-  turn (window, c.x, c.y, c.x + 0.1, c.y);
-  model = model_of (window);
-  g_assert_cmpuint (model->initial_count, ==, 1);
-  const QnInitialMotion *motion = &model->initial[0];
-  g_assert_cmpfloat (motion->displacement[2], <, -0.01);
-  const QnVec2 *v = qn_model_block_vertices (model, top);
-  QnVec2 corner = v[0];
-  for (QnId k = 1; k < model->blocks[top].vertex_count; k++)
-    if (v[k].y < corner.y + 1e-9 && v[k].x > corner.x - 1e-9)
-      corner = v[k];
-  double arm[2] = { corner.x - c.x, corner.y - c.y };
-  double s = sin (motion->displacement[2]), q = cos (motion->displacement[2]);
-  g_assert_cmpfloat_with_epsilon (
-    motion->displacement[0] + q * arm[0] - s * arm[1] - arm[0], 0.0, 1e-9);
-  g_assert_cmpfloat_with_epsilon (
-    motion->displacement[1] + s * arm[0] + q * arm[1] - arm[1], 0.0, 1e-9);
-  driver_screenshot (GTK_WIDGET (window), "initial-turn");
-
-  /* The same by fields, and what becomes of it. */
   driver_open_analysis (window);
   driver_settle ();
   g_assert_nonnull (
     driver_find_widget (GTK_WIDGET (window), driver_says, "Start of Block"));
+  type_start (window, "20 mm");
+  g_assert_true (start_is (window, 0.02, 0.0, 0.0));
   driver_screenshot (GTK_WIDGET (window), "initial-fields");
+  driver_activate (window, "win.undo");
+  g_assert_cmpuint (model_of (window)->initial_count, ==, 0);
+  driver_activate (window, "win.redo");
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
   const QnRun *run = qn_document_get_run (document);
   g_assert_cmpuint (run->result.history.row_count, >, 10);
   g_assert_cmpfloat (run->result.history.peaks[top], >, 0.0);
-  g_settings_reset (qn_settings_get (), "snap");
   driver_discard (window);
 }
 
@@ -333,11 +292,11 @@ test_initial_fixed (void)
   for (gsize i = 0; i < model->block_count; i++)
     if (model->blocks[i].support[0])
       base = (QnId) i;
+  g_assert_true (
+    qn_document_edit (document, "In Time", NULL, choose_dynamic, NULL, NULL));
   qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &base, 1);
-  driver_activate_target (window, "win.tool", g_variant_new_string ("displace"));
-  gtk_widget_grab_focus (GTK_WIDGET (canvas_of (window)));
-  driver_type ("0.1");
-  driver_key ("Return");
+  driver_open_analysis (window);
+  type_start (window, "0.1 m");
   g_assert_cmpuint (model_of (window)->initial_count, ==, 0);
   g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "is fixed"));
   driver_discard (window);

@@ -33,7 +33,7 @@ expect_tools_in_sight (QnWindow *window)
     g_assert_false (count > 0 && graphene_rect_intersection (&at, &before, NULL));
     before = at;
   }
-  g_assert_cmpint (count, ==, 20);
+  g_assert_cmpint (count, ==, 19);
 }
 
 static gboolean

@@ -301,7 +301,6 @@ qn_canvas_set_in_gesture (QnCanvas *self, gboolean in_gesture)
     g_array_set_size (self->gesture.points, 0);
     self->gesture.dragging = FALSE;
     self->gesture.band = FALSE;
-    self->gesture.turning = FALSE;
     self->gesture.phase = 0;
     self->gesture.grip = (QnGrip){ .kind = QN_GRIP_NONE };
   }

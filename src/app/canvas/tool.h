@@ -52,7 +52,6 @@ typedef struct QnGesture {
   QnVec2 from_screen; /* px, where the button went down */
   gboolean dragging;  /* moved far enough to be no click */
   gboolean band;      /* a selection rectangle rather than a move */
-  gboolean turning;   /* a turn about a corner rather than a move */
   QnGrip grip;        /* the handle that is dragged, if any */
   int phase;          /* of a gesture with several, from 0 */
   GArray *points;     /* of QnVec2, of a polygon */

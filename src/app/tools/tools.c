@@ -1,13 +1,11 @@
 #include "app/tools/tools.h"
 
 const QnTool *const qn_tools[] = {
-  &qn_tool_select,  &qn_tool_wall,      &qn_tool_opening,
-  &qn_tool_arch,    &qn_tool_column,    &qn_tool_rectangle,
-  &qn_tool_polygon, &qn_tool_beam,      &qn_tool_bar,
-  &qn_tool_tie,     &qn_tool_cut,       &qn_tool_rotate,
-  &qn_tool_mirror,  &qn_tool_joint,     &qn_tool_support,
-  &qn_tool_force,   &qn_tool_edge_load, &qn_tool_displace,
-  &qn_tool_measure, &qn_tool_picture,   NULL
+  &qn_tool_select,    &qn_tool_wall,      &qn_tool_opening, &qn_tool_arch,
+  &qn_tool_column,    &qn_tool_rectangle, &qn_tool_polygon, &qn_tool_beam,
+  &qn_tool_bar,       &qn_tool_tie,       &qn_tool_cut,     &qn_tool_rotate,
+  &qn_tool_mirror,    &qn_tool_joint,     &qn_tool_support, &qn_tool_force,
+  &qn_tool_edge_load, &qn_tool_measure,   &qn_tool_picture, NULL
 };
 
 const QnTool *

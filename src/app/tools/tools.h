@@ -35,7 +35,6 @@ extern const QnTool qn_tool_joint;
 extern const QnTool qn_tool_support;
 extern const QnTool qn_tool_force;
 extern const QnTool qn_tool_edge_load;
-extern const QnTool qn_tool_displace;
 extern const QnTool qn_tool_measure;
 extern const QnTool qn_tool_picture;
 

@@ -104,23 +104,6 @@ put_moving (QnModel *model, const QnInitialMotion *motion, GError **error)
 }
 
 gboolean
-qn_edit_displace (QnModel *model, QnBlockSet set, QnTransform transform, double angle,
-                  GError **error)
-{
-  for (guint i = 0; i < set.count; i++) {
-    QnInitialMotion motion = qn_initial_motion_of (model, set.ids[i]);
-    QnVec2 from = model->blocks[set.ids[i]].centroid;
-    QnVec2 way = qn_vec2_sub (qn_transform_apply (transform, from), from);
-    motion.displacement[QN_DOF_UX] = way.x;
-    motion.displacement[QN_DOF_UY] = way.y;
-    motion.displacement[QN_DOF_RZ] = angle;
-    if (!put_moving (model, &motion, error))
-      return FALSE;
-  }
-  return TRUE;
-}
-
-gboolean
 qn_edit_set_initial (QnModel *model, QnBlockSet set,
                      const double displacement[QN_DOF_COUNT],
                      const double velocity[QN_DOF_COUNT], GError **error)

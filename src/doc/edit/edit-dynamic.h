@@ -10,13 +10,8 @@ gboolean qn_edit_choose_dynamic (QnModel *model, GError **error);
 /* A further half-sine pulse along x: 2 m/s2 for half a second. */
 gboolean qn_edit_add_pulse (QnModel *model, GError **error);
 
-/* Where blocks of the set start, counted from the equilibrium under dead load: as the rigid motion
- * `transform` takes them, by `angle`, rad, which is that of the transform and may be more than one
- * turn. What they have of velocity stays. Makes the analysis one in time. Refuses fixed blocks. */
-gboolean qn_edit_displace (QnModel *model, QnBlockSet set, QnTransform transform,
-                           double angle, GError **error);
-
-/* Where, and how fast, each block of the set starts: m, m, rad and m/s, m/s, rad/s. */
+/* Where each block of the set starts, counted from the equilibrium under dead load, and how fast: m, m, rad
+ * and m/s, m/s, rad/s. Makes the analysis one in time. Refuses fixed blocks. */
 gboolean qn_edit_set_initial (QnModel *model, QnBlockSet set,
                               const double displacement[QN_DOF_COUNT],
                               const double velocity[QN_DOF_COUNT], GError **error);
