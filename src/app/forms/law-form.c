@@ -1,7 +1,7 @@
 /* The laws: kind, basis, the numbers that the kind has, and how the law answers. */
 #include "app/forms/bound-form.h"
-#include "app/forms/law-view.h"
 #include "app/forms/panel.h"
+#include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-face.h"
 #include "doc/text/law-text.h"
@@ -37,10 +37,16 @@ static struct {
   { "crushing_energy", { .most = 1e18 } },
 };
 
+/* m: of the block's side in the plot, where a law speaks of strains. */
+#define TYPICAL_LENGTH 0.1
+
 typedef struct Form {
   QnBoundForm base;
   QnId shown; /* law that the fields are about */
   QnId by; /* what stands in its place once it is removed; QN_NONE: that of all others */
+  QnLawPreset
+    traced; /* how the law answers a typical history of elongations; without its names */
+  GArray *samples; /* of QnLawSample; empty where the law snaps back */
 } Form;
 
 #define CHANGE N_ ("Change Law")
@@ -127,6 +133,24 @@ is_ignored (const QnAnalysisSettings *analysis, const char *key)
          && (analysis->flow == QN_FLOW_ASSOCIATIVE || !g_str_equal (key, "dilatancy"));
 }
 
+static void
+trace (Form *form, const QnLaw *law)
+{
+  form->traced = qn_law_preset_for (law);
+  form->traced.law.name = form->traced.law.source = NULL;
+  g_array_set_size (form->samples, 0);
+  qn_law_trace (&form->traced, law->basis == QN_BASIS_MATERIAL ? TYPICAL_LENGTH : 1.0,
+                form->samples);
+  qn_plot_view_fit (form->base.widgets[VIEW]);
+}
+
+static QnPlot *
+make_plot (gpointer data, gboolean zoomed, char **message)
+{
+  const Form *form = data;
+  return form->samples->len > 0 ? qn_law_plot (&form->traced, form->samples) : NULL;
+}
+
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -181,7 +205,7 @@ show (gpointer data, guint field, QnValue *value)
     value->text = qn_points_dup_text (law.points, law.point_count);
     return law.kind == QN_LAW_CURVE;
   case VIEW:
-    qn_law_view_set_law (form->base.widgets[VIEW], &law);
+    trace (data, &law);
     return TRUE;
   case JOINT:
     add_joints (value, _ ("Choose…"));
@@ -342,13 +366,22 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   }
 }
 
+static void
+clear (gpointer form)
+{
+  g_array_unref (((Form *) form)->samples);
+}
+
 /* As it is before anything is shown. */
 static void
 init (gpointer data)
 {
-  QnBoundForm *form = data;
-  ((Form *) form)->by = QN_NONE;
-  qn_law_view_init (form->widgets[VIEW]);
+  static const QnPlotHand hand = { .make = make_plot };
+  Form *form = data;
+  form->by = QN_NONE;
+  form->samples = g_array_new (FALSE, FALSE, sizeof (QnLawSample));
+  form->base.clear = clear;
+  qn_plot_view_init (form->base.widgets[VIEW], &hand, form);
 }
 
 const QnFormKind qn_law_form = QN_FORM_KIND (

@@ -42,6 +42,8 @@ struct Table {
   GtkStringList *rows;
   GtkSingleSelection *selection;
   GtkColumnViewColumn *columns[MOST_COLUMNS];
+  double top;    /* before the next layout, … */
+  gulong layout; /* … where the panel scrolls to keep it; 0: it is not to be kept */
 };
 
 static QnRun *
@@ -299,59 +301,43 @@ on_bind_cell (GObject *factory, GtkListItem *item, const Table *table)
   gtk_label_set_text (GTK_LABEL (gtk_list_item_get_child (item)), text);
 }
 
-/* Where a table lies in the panel that scrolls. */
-typedef struct TablePlace {
-  GtkWidget *table, *panel;
+/* The panel that scrolls, with where the table lies in it, px; NULL: it is in none. */
+static GtkWidget *
+panel_of (const Table *table, double *top)
+{
+  GtkWidget *panel = gtk_widget_get_ancestor (table->widget, GTK_TYPE_SCROLLED_WINDOW);
+  graphene_point_t at = { 0 };
+  if (panel != NULL
+      && !gtk_widget_compute_point (table->widget, panel, graphene_point_zero (), &at))
+    return NULL;
+  *top = at.y;
+  return panel;
+}
+
+static void
+put_back (Table *table)
+{
   double top;
-} TablePlace;
-
-static double
-top_in_panel (const TablePlace *place)
-{
-  graphene_point_t at;
-  return gtk_widget_compute_point (place->table, place->panel, graphene_point_zero (),
-                                   &at)
-           ? at.y
-           : place->top;
-}
-
-static void
-free_place (gpointer data, GClosure *closure)
-{
-  (void) closure;
-  TablePlace *place = data;
-  g_object_unref (place->table);
-  g_object_unref (place->panel);
-  g_free (place);
-}
-
-static void
-put_back (GdkFrameClock *clock, const TablePlace *place)
-{
+  GtkWidget *panel = panel_of (table, &top);
+  g_clear_signal_handler (&table->layout, gtk_widget_get_frame_clock (table->widget));
+  if (panel == NULL)
+    return;
   GtkAdjustment *scroll =
-    gtk_scrolled_window_get_vadjustment (GTK_SCROLLED_WINDOW (place->panel));
-  gtk_adjustment_set_value (scroll, gtk_adjustment_get_value (scroll)
-                                      + top_in_panel (place) - place->top);
-  g_signal_handlers_disconnect_by_func (clock, put_back, (gpointer) place);
+    gtk_scrolled_window_get_vadjustment (GTK_SCROLLED_WINDOW (panel));
+  gtk_adjustment_set_value (scroll, gtk_adjustment_get_value (scroll) + top - table->top);
 }
 
 /* What a row shows above the table moves it in the next layout: the panel scrolls by as much in the same
  * frame, and the next row is still under the pointer. */
 static void
-keep_place (GtkWidget *table)
+keep_place (Table *table)
 {
-  GtkWidget *panel = gtk_widget_get_ancestor (table, GTK_TYPE_SCROLLED_WINDOW);
-  GdkFrameClock *clock = gtk_widget_get_frame_clock (table);
-  if (panel == NULL || clock == NULL
-      || g_signal_handler_find (clock, G_SIGNAL_MATCH_FUNC, 0, 0, NULL, put_back, NULL)
-           != 0)
+  GdkFrameClock *clock = gtk_widget_get_frame_clock (table->widget);
+  if (clock == NULL || table->layout != 0 || panel_of (table, &table->top) == NULL)
     return;
-  TablePlace *place = g_new0 (TablePlace, 1);
-  place->table = g_object_ref (table);
-  place->panel = g_object_ref (panel);
-  place->top = top_in_panel (place);
-  g_signal_connect_data (clock, "layout", G_CALLBACK (put_back), place, free_place,
-                         G_CONNECT_AFTER);
+  GClosure *closure = g_cclosure_new_swap (G_CALLBACK (put_back), table, NULL);
+  g_object_watch_closure (G_OBJECT (table->widget), closure);
+  table->layout = g_signal_connect_closure (clock, "layout", closure, TRUE);
   gdk_frame_clock_request_phase (clock, GDK_FRAME_CLOCK_PHASE_LAYOUT);
 }
 
@@ -362,7 +348,7 @@ on_selected (GtkSingleSelection *selection, GParamSpec *pspec, Table *table)
   const QnRun *run = run_of (table);
   if (run == NULL || row >= table->kind->count_rows (run))
     return;
-  keep_place (table->widget);
+  keep_place (table);
   table->kind->select (table, run, row);
 }
 
