@@ -41,7 +41,7 @@ after_libraries (void)
 GtkApplication *
 driver_application (void)
 {
-  static QnApplication *application;
+  static GtkApplication *application;
   if (application == NULL) {
     application = qn_application_new ();
     g_application_set_flags (G_APPLICATION (application),

@@ -19,7 +19,7 @@
 #define NEAR 12.0
 
 #define FIELDS(FIELD, MEMBER)                                                            \
-  FIELD (PARAMETERS, "parameters", NULL)                                                 \
+  FIELD (PARAMETERS, "varied", NULL)                                                     \
   FIELD (ANALYSIS, "analysis", NULL)                                                     \
   FIELD (PLAN, "plan", NULL)                                                             \
   FIELD (CASES, "cases", NULL)                                                           \

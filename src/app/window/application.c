@@ -8,13 +8,6 @@
 #include "doc/document/recovery.h"
 #include <glib/gi18n.h>
 
-struct _QnApplication {
-  GtkApplication parent_instance;
-  gboolean recovery_offered;
-};
-
-G_DEFINE_FINAL_TYPE (QnApplication, qn_application, GTK_TYPE_APPLICATION)
-
 /* ---- actions of the program ---- */
 
 static GtkWindow *
@@ -70,34 +63,31 @@ find_host (gpointer application)
   return qn_window_new (application);
 }
 
+/* Once. */
 static void
-offer_recovery (QnApplication *self)
+offer_recovery (gpointer application)
 {
-  if (self->recovery_offered)
-    return;
-  self->recovery_offered = TRUE;
-  g_autoptr (GPtrArray) paths = qn_recovery_list ();
+  static gboolean offered;
+  g_autoptr (GPtrArray) paths = offered ? g_ptr_array_new () : qn_recovery_list ();
+  offered = TRUE;
   for (guint i = 0; i < paths->len; i++)
-    qn_window_open_with (find_host (self), g_ptr_array_index (paths, i),
+    qn_window_open_with (find_host (application), g_ptr_array_index (paths, i),
                          qn_window_open_recovered);
 }
 
 static void
-qn_application_activate (GApplication *application)
+on_activate (GApplication *application)
 {
-  QnApplication *self = QN_APPLICATION (application);
-  offer_recovery (self);
-  GtkWindow *window = active_window (application);
-  if (window == NULL)
-    window = GTK_WINDOW (qn_window_new (GTK_APPLICATION (application)));
-  gtk_window_present (window);
+  offer_recovery (application);
+  gtk_window_present (active_window (application) != NULL
+                        ? active_window (application)
+                        : GTK_WINDOW (qn_window_new (GTK_APPLICATION (application))));
 }
 
 static void
-qn_application_open (GApplication *application, GFile **files, int count,
-                     const char *hint)
+on_open (GApplication *application, GFile **files, int count)
 {
-  offer_recovery (QN_APPLICATION (application));
+  offer_recovery (application);
   for (int i = 0; i < count; i++) {
     g_autofree char *path = g_file_get_path (files[i]);
     QnWindow *window = find_host (application);
@@ -111,43 +101,31 @@ qn_application_open (GApplication *application, GFile **files, int count,
 }
 
 static void
-qn_application_window_removed (GtkApplication *application, GtkWindow *window)
+on_window_removed (GtkApplication *application, GtkWindow *window)
 {
-  GTK_APPLICATION_CLASS (qn_application_parent_class)
-    ->window_removed (application, window);
   if (QN_IS_WINDOW (window))
     qn_window_save_next (application);
 }
 
 static int
-qn_application_handle_local_options (GApplication *application, GVariantDict *options)
+on_local_options (GApplication *application, GVariantDict *options)
 {
   if (g_variant_dict_contains (options, "version")) {
     g_print ("quoin %s\n", QN_VERSION);
     return 0;
   }
-  if (g_variant_dict_contains (options, "new-window")) {
-    if (!g_application_register (application, NULL, NULL))
-      return 1;
-    g_action_group_activate_action (G_ACTION_GROUP (application), "new-window", NULL);
-    return g_application_get_is_remote (application) ? 0 : -1;
-  }
-  return -1;
+  if (!g_variant_dict_contains (options, "new-window"))
+    return -1;
+  if (!g_application_register (application, NULL, NULL))
+    return 1;
+  g_action_group_activate_action (G_ACTION_GROUP (application), "new-window", NULL);
+  return g_application_get_is_remote (application) ? 0 : -1;
 }
 
+/* After GTK's own, which opens the display. */
 static void
-qn_application_startup (GApplication *application)
+on_startup (GtkApplication *application)
 {
-  static const GActionEntry actions[] = {
-    { .name = "new-window", .activate = on_new_window },
-    { .name = "preferences", .activate = on_preferences },
-    { .name = "about", .activate = on_about },
-    { .name = "help", .activate = on_help },
-    { .name = "quit", .activate = on_quit },
-  };
-  G_APPLICATION_CLASS (qn_application_parent_class)->startup (application);
-  g_action_map_add_action_entries (G_ACTION_MAP (application), actions,
-                                   G_N_ELEMENTS (actions), application);
   gtk_window_set_default_icon_name ("io.github.quoin.Quoin");
   /* Choosers of files have title bars like the windows. */
   g_object_set (gtk_settings_get_default (), "gtk-dialogs-use-header", TRUE, NULL);
@@ -157,35 +135,34 @@ qn_application_startup (GApplication *application)
   gtk_style_context_add_provider_for_display (gdk_display_get_default (),
                                               GTK_STYLE_PROVIDER (provider),
                                               GTK_STYLE_PROVIDER_PRIORITY_APPLICATION);
-  qn_action_add_accelerators (GTK_APPLICATION (application));
+  qn_action_add_accelerators (application);
 }
 
-static void
-qn_application_class_init (QnApplicationClass *klass)
+GtkApplication *
+qn_application_new (void)
 {
-  GApplicationClass *application_class = G_APPLICATION_CLASS (klass);
-  application_class->activate = qn_application_activate;
-  application_class->open = qn_application_open;
-  application_class->startup = qn_application_startup;
-  GTK_APPLICATION_CLASS (klass)->window_removed = qn_application_window_removed;
-  application_class->handle_local_options = qn_application_handle_local_options;
-}
-
-static void
-qn_application_init (QnApplication *self)
-{
-  const GOptionEntry options[] = {
+  static const GActionEntry actions[] = {
+    { .name = "new-window", .activate = on_new_window },
+    { .name = "preferences", .activate = on_preferences },
+    { .name = "about", .activate = on_about },
+    { .name = "help", .activate = on_help },
+    { .name = "quit", .activate = on_quit },
+  };
+  static const GOptionEntry options[] = {
     { "new-window", 'w', 0, G_OPTION_ARG_NONE, NULL, N_ ("Open a new window"), NULL },
     { "version", 0, 0, G_OPTION_ARG_NONE, NULL, N_ ("Show the version"), NULL },
     G_OPTION_ENTRY_NULL,
   };
+  GtkApplication *self =
+    gtk_application_new ("io.github.quoin.Quoin", G_APPLICATION_HANDLES_OPEN);
+  g_application_set_resource_base_path (G_APPLICATION (self), "/io/github/quoin/Quoin");
   g_application_add_main_option_entries (G_APPLICATION (self), options);
-}
-
-QnApplication *
-qn_application_new (void)
-{
-  return g_object_new (QN_TYPE_APPLICATION, "application-id", "io.github.quoin.Quoin",
-                       "flags", G_APPLICATION_HANDLES_OPEN, "resource-base-path",
-                       "/io/github/quoin/Quoin", NULL);
+  g_action_map_add_action_entries (G_ACTION_MAP (self), actions, G_N_ELEMENTS (actions),
+                                   self);
+  g_signal_connect (self, "activate", G_CALLBACK (on_activate), NULL);
+  g_signal_connect (self, "open", G_CALLBACK (on_open), NULL);
+  g_signal_connect_after (self, "startup", G_CALLBACK (on_startup), NULL);
+  g_signal_connect_after (self, "window-removed", G_CALLBACK (on_window_removed), NULL);
+  g_signal_connect (self, "handle-local-options", G_CALLBACK (on_local_options), NULL);
+  return self;
 }

@@ -22,6 +22,6 @@ main (int argc, char **argv)
 
   /* A file beyond what the user may write is an error like others, not a reason to die. */
   signal (SIGXFSZ, SIG_IGN);
-  g_autoptr (QnApplication) application = qn_application_new ();
+  g_autoptr (GtkApplication) application = qn_application_new ();
   return g_application_run (G_APPLICATION (application), argc, argv);
 }
