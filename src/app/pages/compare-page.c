@@ -9,11 +9,30 @@
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
 #include "doc/document/run-name.h"
+#include "doc/document/run.h"
 #include "doc/text/explain.h"
 #include "doc/view/sheet.h"
+#include "render/backend/draw-cairo.h"
+#include "render/scene/scene-build.h"
 #include <glib/gi18n.h>
+#include <string.h>
 
 #define MOST_RUNS 12
+
+#define MARGIN_PX    24.0
+#define LEAST_PX     150 /* as in compare-cell.ui */
+#define CAPTION_PX   60
+#define WHEEL_FACTOR 1.15
+
+/* One run: its mechanism, or its last displacements, and what it is called. */
+typedef struct Cell {
+  Compare *compare;
+  QnRun *run;
+  GtkWidget *box, *area, *name, *words;
+  QnBox whole; /* of the whole motion */
+  gboolean has_whole;
+  QnVec2 pan_from;
+} Cell;
 
 static void
 compare_free (gpointer data, GObject *where)
@@ -23,6 +42,7 @@ compare_free (gpointer data, GObject *where)
   g_object_unref (compare->batch);
   g_hash_table_unref (compare->known);
   g_ptr_array_unref (compare->shown);
+  g_ptr_array_unref (compare->cells);
   g_free (compare);
 }
 
@@ -41,58 +61,122 @@ qn_compare_list_documents (Compare *compare)
 
 /* ---- cells ---- */
 
-static void
-each_cell (Compare *compare, void (*func) (GtkWidget *cell, gpointer data), gpointer data)
+static QnScene *
+build_scene (const Cell *cell, double phase)
 {
-  for (GtkWidget *cell = gtk_widget_get_first_child (compare->grid); cell != NULL;
-       cell = gtk_widget_get_next_sibling (cell))
-    func (cell, data);
+  const QnRun *run = cell->run, *first = cell->compare->shown->pdata[0];
+  QnViewOptions options;
+  qn_view_options_init (&options, qn_view_of_result (&run->result));
+  options.titles = options.legend = options.dimensions = options.loads = false;
+  options.phase = phase;
+  gboolean comparable =
+    first != run && first->result.block_count == run->result.block_count
+    && (options.view == QN_VIEW_MECHANISM ? first->result.mechanism != NULL
+                                          : first->result.step_count > 0);
+  if (cell->compare->outline && comparable)
+    options.onion = &first->result;
+  return qn_scene_build (&run->model, &run->contacts, &run->result, &options, NULL);
+}
+
+/* That shows all of a cell. */
+static QnCamera
+fit_camera (const Cell *cell)
+{
+  QnCamera camera = { .width = gtk_widget_get_width (cell->area),
+                      .height = gtk_widget_get_height (cell->area),
+                      .scale = 1.0,
+                      .unit = 1.0 };
+  qn_camera_fit (&camera, cell->whole, MARGIN_PX);
+  return camera;
 }
 
 static void
-take_scale (GtkWidget *cell, gpointer data)
+draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
-  double *scale = data;
-  double fitting = qn_compare_cell_fit_scale (cell);
-  if (fitting > 0.0)
-    *scale = MIN (*scale, fitting);
+  const Cell *cell = data;
+  const Compare *compare = cell->compare;
+  QnScene *scene = build_scene (cell, compare->phase);
+  if (scene == NULL)
+    return;
+  QnCamera camera = fit_camera (cell);
+  if (compare->base_scale > 0.0)
+    camera.scale = compare->base_scale * compare->zoom;
+  camera.center = qn_vec2_add (camera.center, compare->pan);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, NULL);
+  qn_scene_free (scene);
 }
 
 /* One scale for all: that of the one with the least room. */
 static void
-redraw (gpointer data)
+redraw (Compare *compare)
 {
-  Compare *compare = data;
   double scale = INFINITY;
-  each_cell (compare, take_scale, &scale);
-  compare->view.base_scale = isfinite (scale) ? scale : 0.0;
-  each_cell (compare, qn_compare_cell_redraw, NULL);
+  for (guint i = 0; i < compare->cells->len; i++) {
+    const Cell *cell = compare->cells->pdata[i];
+    gtk_widget_queue_draw (cell->area);
+    if (cell->has_whole && gtk_widget_get_width (cell->area) > 0
+        && gtk_widget_get_height (cell->area) > 0)
+      scale = MIN (scale, fit_camera (cell).scale);
+  }
+  compare->base_scale = isfinite (scale) ? scale : 0.0;
 }
 
-static void let_move (Compare *compare, GtkWidget *cell);
+/* What stands beneath a picture, or is copied. */
+static char *
+dup_caption (const QnRun *run, const char *name)
+{
+  if (run->kind != QN_RUN_ANALYSIS) {
+    g_autofree char *title = qn_run_dup_title (run);
+    return g_strdup_printf ("%s\n%s\n", name, title);
+  }
+  g_autofree char *words =
+    qn_explain_mechanism_briefly (&run->model, &run->contacts, &run->result);
+  g_autofree char *value =
+    run->result.has_collapse_multiplier
+      ? g_strdup_printf ("λ\u00a0=\u00a0%.4f", run->result.collapse_multiplier)
+      : g_strdup (qn_explain_outcome_label (&run->result));
+  return g_strdup_printf ("%s\n%s\n%s", name, value, words != NULL ? words : "");
+}
+
+/* Without the title where that is above it already. */
+static void
+show_name (const Cell *cell)
+{
+  g_autofree char *title = qn_compare_dup_title (cell->compare, cell->run);
+  g_autofree char *caption = dup_caption (cell->run, title);
+  const char *above = cell->run->label;
+  int width, height;
+  gtk_editable_set_text (GTK_EDITABLE (cell->name), above != NULL ? above : "");
+  gtk_label_set_text (GTK_LABEL (cell->words), g_strcmp0 (title, above) == 0
+                                                 ? strchr (caption, '\n') + 1
+                                                 : caption);
+  /* As high in a wide cell as in the narrowest: a GtkPaned asks how wide its child is at the height that
+   * it has, which may not be less than it needs at its least width. */
+  gtk_widget_set_size_request (cell->words, -1, CAPTION_PX);
+  gtk_widget_measure (cell->words, GTK_ORIENTATION_HORIZONTAL, -1, &width, NULL, NULL,
+                      NULL);
+  gtk_widget_measure (cell->words, GTK_ORIENTATION_VERTICAL, MAX (width, LEAST_PX),
+                      &height, NULL, NULL, NULL);
+  gtk_widget_set_size_request (cell->words, -1, height);
+  gtk_accessible_update_property (GTK_ACCESSIBLE (cell->area),
+                                  GTK_ACCESSIBLE_PROPERTY_LABEL, caption, -1);
+}
+
+static void add_cell (Compare *compare, QnRun *run, int column, int row);
 static void tell (gpointer compare, const char *text);
-static void let_rename (Compare *compare, GtkWidget *cell);
-static void show_name (GtkWidget *cell, gpointer data);
 static void remove_run (Compare *compare, guint at);
 
 static void
 fill (Compare *compare)
 {
   GtkWidget *child;
+  g_ptr_array_set_size (compare->cells, 0);
   while ((child = gtk_widget_get_first_child (compare->grid)) != NULL)
     gtk_grid_remove (GTK_GRID (compare->grid), child);
   guint count = compare->shown->len;
   int columns = count <= 1 ? 1 : count <= 4 ? 2 : count <= 9 ? 3 : 4;
-  compare->view.first = count > 0 ? g_ptr_array_index (compare->shown, 0) : NULL;
-  for (guint i = 0; i < count; i++) {
-    QnRun *run = compare->shown->pdata[i];
-    GtkWidget *cell = qn_compare_cell_new (run, &compare->view);
-    let_move (compare, cell);
-    let_rename (compare, cell);
-    gtk_grid_attach (GTK_GRID (compare->grid), cell, (int) i % columns, (int) i / columns,
-                     1, 1);
-    show_name (cell, compare);
-  }
+  for (guint i = 0; i < count; i++)
+    add_cell (compare, compare->shown->pdata[i], (int) i % columns, (int) i / columns);
   gtk_widget_set_visible (compare->hint, count < 2);
   qn_compare_fill_table (compare);
   gtk_widget_queue_draw (compare->curves);
@@ -105,11 +189,9 @@ fill (Compare *compare)
 static void
 focus_cell (Compare *compare, guint at)
 {
-  GtkWidget *cell = gtk_widget_get_first_child (compare->grid), *next;
-  while (at-- > 0 && cell != NULL && (next = gtk_widget_get_next_sibling (cell)) != NULL)
-    cell = next;
-  if (cell != NULL)
-    gtk_widget_grab_focus (cell);
+  const guint count = compare->cells->len;
+  if (count > 0)
+    gtk_widget_grab_focus (((Cell *) compare->cells->pdata[MIN (at, count - 1)])->box);
 }
 
 /* Puts a run at a place of the order. */
@@ -128,36 +210,33 @@ move_run (Compare *compare, QnRun *run, guint to)
 }
 
 static GdkContentProvider *
-on_drag_prepare (GtkDragSource *source, double x, double y, GtkWidget *cell)
+on_drag_prepare (GtkDragSource *source, double x, double y, Cell *cell)
 {
-  return gdk_content_provider_new_typed (G_TYPE_POINTER, qn_compare_cell_get_run (cell));
+  return gdk_content_provider_new_typed (G_TYPE_POINTER, cell->run);
 }
 
 static gboolean
-on_cell_drop (GtkDropTarget *target, const GValue *value, double x, double y,
-              Compare *compare)
+on_cell_drop (GtkDropTarget *target, const GValue *value, double x, double y, Cell *cell)
 {
-  GtkWidget *cell = gtk_event_controller_get_widget (GTK_EVENT_CONTROLLER (target));
   guint to;
-  gboolean found = g_ptr_array_find (compare->shown, qn_compare_cell_get_run (cell), &to);
+  gboolean found = g_ptr_array_find (cell->compare->shown, cell->run, &to);
   if (found)
-    move_run (compare, g_value_get_pointer (value), to);
+    move_run (cell->compare, g_value_get_pointer (value), to);
   return found;
 }
 
 static gboolean
 on_cell_key (GtkEventControllerKey *controller, guint key, guint code,
-             GdkModifierType state, Compare *compare)
+             GdkModifierType state, Cell *cell)
 {
-  GtkWidget *cell = gtk_event_controller_get_widget (GTK_EVENT_CONTROLLER (controller));
-  QnRun *run = qn_compare_cell_get_run (cell);
+  Compare *compare = cell->compare;
   guint at;
-  if (!g_ptr_array_find (compare->shown, run, &at))
+  if (!g_ptr_array_find (compare->shown, cell->run, &at))
     return FALSE;
   if (key == GDK_KEY_Delete || key == GDK_KEY_KP_Delete)
     remove_run (compare, at);
   else if ((state & GDK_ALT_MASK) && (key == GDK_KEY_Left || key == GDK_KEY_Right))
-    move_run (compare, run, key == GDK_KEY_Right ? at + 1 : at - 1);
+    move_run (compare, cell->run, key == GDK_KEY_Right ? at + 1 : at - 1);
   else
     return FALSE;
   return TRUE;
@@ -165,12 +244,12 @@ on_cell_key (GtkEventControllerKey *controller, guint key, guint code,
 
 /* What can be done with a picture by hand, too. */
 static GMenuModel *
-make_cell_menu (GtkWidget *cell, QnMenuPlace *place, gpointer data)
+make_cell_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data)
 {
-  Compare *compare = data;
+  const Cell *cell = data;
   GMenu *menu = g_menu_new (), *order = g_menu_new (), *rest = g_menu_new ();
   guint at;
-  if (!g_ptr_array_find (compare->shown, qn_compare_cell_get_run (cell), &at))
+  if (!g_ptr_array_find (cell->compare->shown, cell->run, &at))
     return NULL;
   if (at > 0) {
     qn_menu_add_target (order, _ ("_Reference for the Comparison"), "compare.move",
@@ -178,7 +257,7 @@ make_cell_menu (GtkWidget *cell, QnMenuPlace *place, gpointer data)
     qn_menu_add_target (order, _ ("_Earlier"), "compare.move",
                         g_variant_new ("(uu)", at, at - 1));
   }
-  if (at + 1 < compare->shown->len)
+  if (at + 1 < cell->compare->shown->len)
     qn_menu_add_target (order, _ ("_Later"), "compare.move",
                         g_variant_new ("(uu)", at, at + 1));
   qn_menu_add_target (rest, _ ("_Copy Text"), "compare.copy", g_variant_new_uint32 (at));
@@ -207,84 +286,115 @@ copy_by_menu (GSimpleAction *action, GVariant *parameter, gpointer data)
   if (at >= compare->shown->len)
     return;
   g_autofree char *title = qn_compare_dup_title (compare, compare->shown->pdata[at]);
-  g_autofree char *text = qn_compare_cell_dup_caption (compare->shown->pdata[at], title);
+  g_autofree char *text = dup_caption (compare->shown->pdata[at], title);
   gdk_clipboard_set_text (gtk_widget_get_clipboard (compare->page), text);
 }
 
-/* The words beneath a picture are dragged onto another one; Alt and the arrows do the same. */
-static void
-let_move (Compare *compare, GtkWidget *cell)
-{
-  GtkDragSource *source = gtk_drag_source_new ();
-  GtkDropTarget *target = gtk_drop_target_new (G_TYPE_POINTER, GDK_ACTION_COPY);
-  GtkEventController *keys = gtk_event_controller_key_new ();
-  g_signal_connect (source, "prepare", G_CALLBACK (on_drag_prepare), cell);
-  gtk_widget_add_controller (gtk_widget_get_last_child (cell),
-                             GTK_EVENT_CONTROLLER (source));
-  g_signal_connect (target, "drop", G_CALLBACK (on_cell_drop), compare);
-  gtk_widget_add_controller (cell, GTK_EVENT_CONTROLLER (target));
-  g_signal_connect (keys, "key-pressed", G_CALLBACK (on_cell_key), compare);
-  gtk_widget_add_controller (cell, keys);
-  qn_context_menu_attach (cell, make_cell_menu, compare);
-  gtk_widget_set_focusable (cell, TRUE);
-  gtk_widget_set_tooltip_text (
-    gtk_widget_get_last_child (cell),
-    _ ("Drag onto another picture to change the order, or press "
-       "Alt and an arrow"));
-}
-
-/* ---- names ---- */
+/* ---- what a cell does ---- */
 
 static void
-on_renamed (GtkWidget *entry, Compare *compare)
+on_renamed (GtkWidget *entry, Cell *cell)
 {
-  QnRun *run = qn_compare_cell_get_run (gtk_widget_get_parent (entry));
-  QnDocument *document = qn_compare_find_document (compare, run);
+  QnDocument *document = qn_compare_find_document (cell->compare, cell->run);
   g_autoptr (GError) error = NULL;
   if (document != NULL
-      && !qn_document_rename_run (document, run,
+      && !qn_document_rename_run (document, cell->run,
                                   gtk_editable_get_text (GTK_EDITABLE (entry)), &error))
-    tell (compare, error->message);
+    tell (cell->compare, error->message);
 }
 
 static void
-on_left (GtkEventController *focus, Compare *compare)
+on_left (GtkEventController *focus, Cell *cell)
 {
-  GtkWidget *entry = gtk_event_controller_get_widget (focus);
-  if (gtk_widget_get_mapped (entry)) /* not while the window goes */
-    on_renamed (entry, compare);
+  if (gtk_widget_get_mapped (cell->name)) /* not while the window goes */
+    on_renamed (cell->name, cell);
+}
+
+static gboolean
+on_scroll (GtkEventControllerScroll *controller, double dx, double dy, Cell *cell)
+{
+  Compare *compare = cell->compare;
+  compare->zoom = CLAMP (compare->zoom * pow (WHEEL_FACTOR, -dy), 0.2, 200.0);
+  redraw (compare);
+  return TRUE;
 }
 
 static void
-show_name (GtkWidget *cell, gpointer data)
+on_pan_begin (GtkGestureDrag *gesture, double x, double y, Cell *cell)
 {
-  Compare *compare = data;
-  QnRun *run = qn_compare_cell_get_run (cell);
-  GtkWidget *entry = gtk_widget_get_next_sibling (gtk_widget_get_first_child (cell));
-  g_autofree char *title = qn_compare_dup_title (compare, run);
-  if (GTK_IS_ENTRY (entry))
-    gtk_editable_set_text (GTK_EDITABLE (entry), run->label);
-  qn_compare_cell_set_title (cell, title, run->label);
+  cell->pan_from = cell->compare->pan;
 }
 
-/* What a run is called stands over the words beneath its picture, to be typed over. */
 static void
-let_rename (Compare *compare, GtkWidget *cell)
+on_pan_update (GtkGestureDrag *gesture, double dx, double dy, Cell *cell)
 {
-  const QnRun *run = qn_compare_cell_get_run (cell);
-  if (run->label == NULL)
+  Compare *compare = cell->compare;
+  double scale = compare->base_scale * compare->zoom;
+  if (!(scale > 0.0))
     return;
-  GtkWidget *entry = gtk_entry_new ();
-  GtkEventController *focus = gtk_event_controller_focus_new ();
-  gtk_entry_set_has_frame (GTK_ENTRY (entry), FALSE);
-  gtk_entry_set_alignment (GTK_ENTRY (entry), 0.5f);
-  gtk_widget_set_tooltip_text (entry, _ ("Name of the run"));
-  gtk_accessible_update_property (GTK_ACCESSIBLE (entry), GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                  _ ("Name of the run"), -1);
-  g_signal_connect (entry, "activate", G_CALLBACK (on_renamed), compare);
-  g_signal_connect (focus, "leave", G_CALLBACK (on_left), compare);
-  gtk_widget_add_controller (entry, focus);
-  gtk_box_insert_child_after (GTK_BOX (cell), entry, gtk_widget_get_first_child (cell));
+  compare->pan = qn_vec2 (cell->pan_from.x - dx / scale, cell->pan_from.y + dy / scale);
+  redraw (compare);
+}
+
+static void
+on_resize (GtkDrawingArea *area, int width, int height, Compare *compare)
+{
+  redraw (compare);
+}
+
+static void
+free_cell (gpointer data)
+{
+  Cell *cell = data;
+  qn_run_unref (cell->run);
+  g_free (cell);
+}
+
+/* All are zoomed and panned together. The words beneath a picture are dragged onto another one, Alt and the arrows do
+ * the same; what the run is called stands over them, to be typed over. */
+static void
+add_cell (Compare *compare, QnRun *run, int column, int row)
+{
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("compare-cell");
+  Cell *cell = g_new0 (Cell, 1);
+  *cell = (Cell){ .compare = compare,
+                  .run = qn_run_ref (run),
+                  .box = qn_builder_take_widget (builder, "cell"),
+                  .area = qn_builder_get_widget (builder, "area"),
+                  .name = qn_builder_get_widget (builder, "name"),
+                  .words = qn_builder_get_widget (builder, "words") };
+  /* Room for the whole motion, so that nothing jumps while it plays. */
+  QnScene *whole = build_scene (cell, 1.0);
+  cell->has_whole = whole != NULL;
+  if (whole != NULL)
+    cell->whole = whole->box;
+  qn_scene_free (whole);
+  const struct {
+    const char *id, *signal;
+    GCallback handler;
+  } links[] = {
+    { "scroll", "scroll", G_CALLBACK (on_scroll) },
+    { "pan", "drag-begin", G_CALLBACK (on_pan_begin) },
+    { "pan", "drag-update", G_CALLBACK (on_pan_update) },
+    { "keys", "key-pressed", G_CALLBACK (on_cell_key) },
+    { "source", "prepare", G_CALLBACK (on_drag_prepare) },
+    { "name", "activate", G_CALLBACK (on_renamed) },
+    { "focus", "leave", G_CALLBACK (on_left) },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (links); i++)
+    g_signal_connect (gtk_builder_get_object (builder, links[i].id), links[i].signal,
+                      links[i].handler, cell);
+  GtkDropTarget *target = gtk_drop_target_new (G_TYPE_POINTER, GDK_ACTION_COPY);
+  g_signal_connect (target, "drop", G_CALLBACK (on_cell_drop), cell);
+  gtk_widget_add_controller (cell->box, GTK_EVENT_CONTROLLER (target));
+  g_signal_connect (cell->area, "resize", G_CALLBACK (on_resize), compare);
+  gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (cell->area), draw, cell, NULL);
+  g_object_set_data_full (G_OBJECT (cell->box), "qn-cell", cell, free_cell);
+  gtk_widget_set_visible (cell->name, run->label != NULL);
+  qn_context_menu_attach (cell->box, make_cell_menu, cell);
+  gtk_grid_attach (GTK_GRID (compare->grid), cell->box, column, row, 1, 1);
+  g_ptr_array_add (compare->cells, cell);
+  show_name (cell);
 }
 
 /* ---- choosing ---- */
@@ -372,7 +482,8 @@ on_runs_changed (Compare *compare)
   if (few || take_successors (compare)) {
     fill (compare);
   } else {
-    each_cell (compare, show_name, compare); /* they may have other ones */
+    for (guint i = 0; i < compare->cells->len; i++)
+      show_name (compare->cells->pdata[i]); /* they may have other ones */
     qn_compare_fill_table (compare);
     gtk_widget_queue_draw (compare->curves);
   }
@@ -505,7 +616,7 @@ on_tick (GtkWidget *widget, GdkFrameClock *clock, gpointer data)
     compare->started = now;
   double period = g_settings_get_double (qn_settings_get (), "animation-period");
   double turns = 1e-6 * (double) (now - compare->started) / period;
-  compare->view.phase = 0.5 - 0.5 * cos (G_PI * turns);
+  compare->phase = 0.5 - 0.5 * cos (G_PI * turns);
   redraw (compare);
   return G_SOURCE_CONTINUE;
 }
@@ -520,7 +631,7 @@ on_play (GtkToggleButton *button, Compare *compare)
   } else if (!active && compare->tick != 0) {
     gtk_widget_remove_tick_callback (compare->grid, compare->tick);
     compare->tick = 0;
-    compare->view.phase = 1.0;
+    compare->phase = 1.0;
     redraw (compare);
   }
 }
@@ -528,7 +639,7 @@ on_play (GtkToggleButton *button, Compare *compare)
 static void
 on_outline (GtkToggleButton *button, Compare *compare)
 {
-  compare->view.outline = gtk_toggle_button_get_active (button);
+  compare->outline = gtk_toggle_button_get_active (button);
   redraw (compare);
 }
 
@@ -538,10 +649,9 @@ zoom (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   Compare *compare = data;
   double factor = g_variant_get_double (parameter);
-  compare->view.zoom =
-    factor > 0.0 ? CLAMP (compare->view.zoom * factor, 0.2, 200.0) : 1.0;
+  compare->zoom = factor > 0.0 ? CLAMP (compare->zoom * factor, 0.2, 200.0) : 1.0;
   if (!(factor > 0.0))
-    compare->view.pan = qn_vec2 (0.0, 0.0);
+    compare->pan = qn_vec2 (0.0, 0.0);
   redraw (compare);
 }
 
@@ -618,7 +728,9 @@ qn_compare_page_new (QnDocument *document, QnDocumentsFunc list_others)
     .shown = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref),
     .batch = qn_batch_new (),
     .known = g_hash_table_new_full (NULL, NULL, (GDestroyNotify) qn_run_unref, NULL),
-    .view = { .zoom = 1.0, .phase = 1.0, .changed = redraw, .changed_data = compare },
+    .cells = g_ptr_array_new (),
+    .zoom = 1.0,
+    .phase = 1.0,
     .page = qn_builder_take_widget (builder, "page"),
     .list = qn_builder_get_widget (builder, "list"),
     .hint = qn_builder_get_widget (builder, "hint"),
