@@ -431,7 +431,7 @@ test_words (void)
 static gboolean
 has_no_parameters (gpointer dialog)
 {
-  return !gtk_widget_get_visible (driver_find_id (dialog, "parameters"));
+  return !gtk_widget_get_mapped (driver_find_id (dialog, "parameters"));
 }
 
 static gboolean
