@@ -386,46 +386,45 @@ take_values (QnBlockLu *lu, int32_t f, double *diagonal)
     diagonal[lu->places[e]] = lu->values[e] = ax[lu->sources[e]];
 }
 
-/* Adds what of a child's rest are pivots here, to D, L and U. */
+/* Adds what of a child's rest are pivots here, to D, L and U; */
 static void
-add_child_to_pivots (const QnBlockLu *lu, int32_t c, const QnDenseFront *front)
+add_to_pivots (const QnBlockLu *lu, int32_t c, const QnDenseFront *front)
 {
   const QnFront *child = &lu->tree.fronts[c];
-  const int32_t *places = lu->tree.places + child->first_row;
-  const int32_t *runs = lu->tree.runs + child->first_row;
-  int32_t known = lu->matrices[c].pivots_of_parent, rest = child->rest - known;
-  int32_t height = qn_front_height (child->rest),
-          low_height = qn_front_height (front->rest);
-  const double *schur = dense_front (lu, c).schur;
+  const int32_t *places = lu->tree.places + child->first_row, pivots = front->pivots;
+  const int32_t known = lu->matrices[c].pivots_of_parent;
+  const double *column = dense_front (lu, c).schur;
 
-  lu->loops->add (&(QnFrontPart){ schur, height, known, known, front->diagonal,
-                                  qn_front_height (front->pivots), places, runs,
-                                  places });
-  lu->loops->add (&(QnFrontPart){ schur + known, height, rest, known,
-                                  front->lower - front->pivots, low_height,
-                                  places + known, runs + known, places });
-  lu->loops->add_by_rows (&(QnFrontPart){
-    schur + (size_t) known * (size_t) height, height, known, rest,
-    front->upper - front->pivots, low_height, places, runs, places + known });
+  for (int32_t j = 0; j < child->rest; j++, column += qn_front_height (child->rest)) {
+    const int32_t own = j < known ? places[j] : 0;
+    double *diagonal = front->diagonal + matrix_size (pivots, own);
+    double *lower = front->lower + matrix_size (front->rest, own);
+    for (int32_t r = 0; r < known && j < known; r++)
+      diagonal[places[r]] += column[r];
+    for (int32_t r = known; r < child->rest && j < known; r++)
+      lower[places[r] - pivots] += column[r];
+    for (int32_t r = 0; r < known && j >= known; r++)
+      front
+        ->upper[matrix_size (front->rest, places[r]) + (size_t) (places[j] - pivots)] +=
+        column[r];
+  }
 }
 
-/* Adds the other part of it to S. */
+/* and the other part of it to S. */
 static void
-add_child_to_rest (const QnBlockLu *lu, int32_t c, const QnDenseFront *front)
+add_to_rest (const QnBlockLu *lu, int32_t c, const QnDenseFront *front)
 {
   const QnFront *child = &lu->tree.fronts[c];
-  const int32_t *places = lu->tree.places + child->first_row;
-  const int32_t *runs = lu->tree.runs + child->first_row;
-  int32_t known = lu->matrices[c].pivots_of_parent, rest = child->rest - known;
-  int32_t height = qn_front_height (child->rest),
-          low_height = qn_front_height (front->rest);
-  size_t pivots = (size_t) front->pivots;
+  const int32_t *places = lu->tree.places + child->first_row, pivots = front->pivots;
+  const int32_t known = lu->matrices[c].pivots_of_parent;
   const double *schur = dense_front (lu, c).schur;
 
-  lu->loops->add (
-    &(QnFrontPart){ schur + (size_t) known * (size_t) height + known, height, rest, rest,
-                    front->schur - pivots * (size_t) low_height - pivots, low_height,
-                    places + known, runs + known, places + known });
+  for (int32_t j = known; j < child->rest; j++) {
+    double *target = front->schur + matrix_size (front->rest, places[j] - pivots);
+    const double *column = schur + matrix_size (child->rest, j);
+    for (int32_t r = known; r < child->rest; r++)
+      target[places[r] - pivots] += column[r];
+  }
 }
 
 static bool
@@ -437,12 +436,12 @@ factor_front (QnBlockLu *lu, int32_t f)
   memset (front.diagonal, 0, (m->schur - m->diagonal) * sizeof (double));
   take_values (lu, f, front.diagonal);
   for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE; c = lu->tree.fronts[c].sibling)
-    add_child_to_pivots (lu, c, &front);
+    add_to_pivots (lu, c, &front);
   m->range = (QnPivotRange){ INFINITY, 0 };
   if (!lu->loops->eliminate (&front, &m->range))
     return false;
   for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE; c = lu->tree.fronts[c].sibling)
-    add_child_to_rest (lu, c, &front);
+    add_to_rest (lu, c, &front);
   return true;
 }
 

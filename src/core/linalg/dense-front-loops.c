@@ -1,9 +1,28 @@
 #include "core/linalg/dense-front-loops.h"
 
-#include "core/linalg/vector-loops.h"
-
 #include <math.h>
 #include <string.h>
+
+/* Doubles per SIMD vector; 2, which every processor has, unless the build says otherwise. */
+#ifndef QN_VECTOR_LANES
+#define QN_VECTOR_LANES 2
+#endif
+#define LANES QN_VECTOR_LANES
+
+#if defined __x86_64__ && LANES == 4 && !defined __AVX2__
+#error "These vectors would be split: the compiler is not asked for what they need."
+#endif
+
+typedef double Vector __attribute__ ((vector_size (8 * LANES), aligned (8), may_alias));
+typedef int64_t Mask __attribute__ ((vector_size (8 * LANES), aligned (8), may_alias));
+
+/* Always inlined: there the counts of vectors and columns are constants. */
+#define PART static inline __attribute__ ((always_inline))
+
+/* The name of this width's loops. */
+#define WITH_NUMBER(name, lanes) name##_##lanes
+#define WITH_LANES(name, lanes)  WITH_NUMBER (name, lanes)
+#define WITH_WIDTH(name)         WITH_LANES (name, LANES)
 
 /* Columns that are eliminated together before the others follow, and vectors of as many rows. */
 #define STRIP         QN_FRONT_ROWS
@@ -493,47 +512,12 @@ forward (const QnDenseFront *front, double *x, double *below)
   add_groups (below, low_height, front->lower, low_height, x, pivots, 1, 1);
 }
 
-/* Sums of eight rows apart are added up in pairs: first the vectors of one column, */
-PART Vector
-add_vectors (const Vector sum[STRIP_VECTORS])
-{
-#if LANES == 2
-  return (sum[0] + sum[2]) + (sum[1] + sum[3]);
-#else
-  return sum[0] + sum[1];
-#endif
-}
-
-/* then what is left of it. */
-PART double
-add_lanes (Vector sum)
-{
-#if LANES == 2
-  return sum[0] + sum[1];
-#else
-  return (sum[0] + sum[2]) + (sum[1] + sum[3]);
-#endif
-}
-
-/* add_lanes() of as many vectors as they are long. */
-PART Vector
-add_all_lanes (Vector sum[LANES])
-{
-#if LANES == 4
-  QN_UNROLL
-  for (int c = 0; c < 2; c++)
-    sum[c] = SHUFFLE (sum[2 * c], sum[2 * c + 1], TWO_EVEN)
-             + SHUFFLE (sum[2 * c], sum[2 * c + 1], TWO_ODD);
-#endif
-  return SHUFFLE (sum[0], sum[1], EVEN) + SHUFFLE (sum[0], sum[1], ODD);
-}
-
 /* x[0 to columns] -= matrix' * factors */
 PART void
 subtract_sums (double *x, const double *matrix, int32_t height, const double *factors,
                int columns)
 {
-  Vector sum[LANES][STRIP_VECTORS] = { { { 0 } } }, total[LANES];
+  Vector sum[LANES][STRIP_VECTORS] = { { { 0 } } };
 
   for (int32_t row = 0; row < height; row += STRIP)
     QN_UNROLL
@@ -544,14 +528,11 @@ subtract_sums (double *x, const double *matrix, int32_t height, const double *fa
       sum[c][v] += *(const Vector *) (matrix + c * height + row + LANES * v) * factor;
   }
   QN_UNROLL
-  for (int c = 0; c < columns; c++)
-    total[c] = add_vectors (sum[c]);
-  if (columns == LANES)
-    *(Vector *) x -= add_all_lanes (total);
-  else
-    QN_UNROLL
-  for (int c = 0; c < columns; c++)
-    x[c] -= add_lanes (total[c]);
+  for (int c = 0; c < columns; c++) {
+    double s[STRIP]; /* of every eighth row */
+    memcpy (s, sum[c], sizeof s);
+    x[c] -= ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+  }
 }
 
 /* x = U_1 \ x within a strip of so many columns. */
@@ -598,49 +579,4 @@ backward (const QnDenseFront *front, double *x, const double *above)
   }
 }
 
-/* --- Assembly --------------------------------------------------------------------------- */
-
-typedef double Half __attribute__ ((vector_size (4 * LANES), aligned (8), may_alias));
-
-PART void
-add_column (double *target, const double *source, const int32_t *places,
-            const int32_t *runs, int32_t rows)
-{
-  for (int32_t r = 0; r < rows;) {
-    double *to = target + places[r];
-    const double *from = source + r;
-    int32_t length = runs[r], i = 0;
-    for (; i + LANES <= length; i += LANES)
-      *(Vector *) (to + i) += *(const Vector *) (from + i);
-    if (i + LANES / 2 <= length) {
-      *(Half *) (to + i) += *(const Half *) (from + i);
-      i += LANES / 2;
-    }
-    for (; i < length; i++)
-      to[i] += from[i];
-    r += length;
-  }
-}
-
-static void
-add (const QnFrontPart *part)
-{
-  for (int32_t c = 0; c < part->columns; c++)
-    add_column (part->target + (size_t) part->column_places[c] * (size_t) part->height,
-                part->source + (size_t) c * (size_t) part->source_height, part->places,
-                part->runs, part->rows);
-}
-
-static void
-add_by_rows (const QnFrontPart *part)
-{
-  for (int32_t r = 0; r < part->rows; r++) {
-    double *target = part->target + (size_t) part->places[r] * (size_t) part->height;
-    const double *source = part->source + r;
-    for (int32_t c = 0; c < part->columns; c++, source += part->source_height)
-      target[part->column_places[c]] += *source;
-  }
-}
-
-const QnFrontLoops WITH_WIDTH (qn_front_loops) = { eliminate, forward, backward, add,
-                                                   add_by_rows };
+const QnFrontLoops WITH_WIDTH (qn_front_loops) = { eliminate, forward, backward };

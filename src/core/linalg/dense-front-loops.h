@@ -1,4 +1,4 @@
-/* The loops over dense fronts for each width of vectors: see vectors.h. */
+/* The loops over dense fronts for each width of vectors: see dense-front.c. */
 #pragma once
 
 #include "core/linalg/dense-front.h"

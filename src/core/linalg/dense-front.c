@@ -1,11 +1,14 @@
 #include "core/linalg/dense-front-loops.h"
 
-#include "core/linalg/vectors.h"
-
+/* Compiled once for vectors of two and of four numbers: the compiler would split vectors wider than the
+ * processor's. Every width does the same operations on every number, in the same order. */
 const QnFrontLoops *
 qn_front_loops (int width)
 {
-  static const QnFrontLoops *const loops[] = QN_ALL_WIDTHS (qn_front_loops);
-
-  return loops[qn_vectors (width)];
+#ifdef QN_HAVE_X86_VECTORS
+  if (width >= 4 && __builtin_cpu_supports ("avx2"))
+    return &qn_front_loops_4;
+#endif
+  (void) width;
+  return &qn_front_loops_2;
 }

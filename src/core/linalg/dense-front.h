@@ -44,17 +44,6 @@ typedef struct QnPivotRange {
   double smallest, largest;
 } QnPivotRange;
 
-/* Part of the Schur complement of a child, and its place in a matrix of the parent: entry (r, c) is added
- * at row places[r] of column column_places[c]. runs[r]: so many rows from there
- * on stand side by side. */
-typedef struct QnFrontPart {
-  const double *source;
-  int32_t source_height, rows, columns;
-  double *target;
-  int32_t height;
-  const int32_t *places, *runs, *column_places;
-} QnFrontPart;
-
 /* The loops for one kind of processor. */
 typedef struct QnFrontLoops {
   /* Eliminates the pivots; false where one is no number. */
@@ -64,9 +53,6 @@ typedef struct QnFrontLoops {
   void (*forward) (const QnDenseFront *front, double *x, double *below);
   /* x = U_1 \ (x - U above). Both have the padding of columns, which must be zero. */
   void (*backward) (const QnDenseFront *front, double *x, const double *above);
-  void (*add) (const QnFrontPart *part);
-  /* The same where rows of the child become columns of the parent's matrix. */
-  void (*add_by_rows) (const QnFrontPart *part);
 } QnFrontLoops;
 
 /* The fastest loops of this processor with at most `width` doubles per vector. */

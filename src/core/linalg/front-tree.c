@@ -290,7 +290,6 @@ list_rests (const Analysis *a, QnFrontTree *tree)
       total += (size_t) rows_below (a, j);
   tree->rows = qn_pool_alloc (&tree->pool, total + 1, sizeof *tree->rows);
   tree->places = qn_pool_alloc (&tree->pool, total + 1, sizeof *tree->places);
-  tree->runs = qn_pool_alloc (&tree->pool, total + 1, sizeof *tree->runs);
   if (tree->pool.failed)
     return;
   for (int32_t j = 0; j < a->count; j++) {
@@ -334,23 +333,6 @@ link_fronts (QnFrontTree *tree)
   }
 }
 
-static void
-measure_runs (QnFrontTree *tree)
-{
-  for (int32_t f = 0; f < tree->front_count; f++) {
-    const QnFront *front = &tree->fronts[f];
-    int32_t last = front->first_row + front->rest - 1;
-    if (front->parent == QN_NONE)
-      continue;
-    int32_t pivots = tree->fronts[front->parent].pivots;
-    for (int32_t k = last; k >= front->first_row; k--) {
-      bool goes_on = k < last && tree->places[k + 1] == tree->places[k] + 1
-                     && tree->places[k + 1] != pivots;
-      tree->runs[k] = goes_on ? tree->runs[k + 1] + 1 : 1;
-    }
-  }
-}
-
 static bool
 analyse (Analysis *a, QnFrontTree *tree)
 {
@@ -376,7 +358,6 @@ analyse (Analysis *a, QnFrontTree *tree)
   if (tree->pool.failed)
     return false;
   link_fronts (tree);
-  measure_runs (tree);
   return true;
 }
 

@@ -15,7 +15,7 @@
 typedef struct QnFront {
   int32_t first, pivots; /* positions that it eliminates */
   int32_t rest;          /* number of positions that wait */
-  int32_t first_row;     /* its rest in QnFrontTree.rows, .places and .runs */
+  int32_t first_row;     /* its rest in QnFrontTree.rows and .places */
   int32_t parent;        /* QN_NONE: a root */
   int32_t child,
     sibling; /* the first of its children, the next of its parent's; or QN_NONE */
@@ -29,8 +29,6 @@ typedef struct QnFrontTree {
   int32_t *position; /* n: of each unknown */
   int32_t *rows;     /* positions of the rests, ascending */
   int32_t *places;   /* of the same in the parent: pivots first, then its rest */
-  int32_t *runs; /* how many of them from here on stand side by side there, too, and are
-                        all pivots or none */
 } QnFrontTree;
 
 /* Orders and analyses an n x n pattern in compressed columns (ap, n + 1; ai sorted), which must be
