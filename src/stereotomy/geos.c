@@ -59,31 +59,28 @@ qn_geos_polygon (QnGeos *geos, const QnVec2 *points, size_t count)
 }
 
 GEOSGeometry *
+qn_geos_gather (QnGeos *geos, int type, GEOSGeometry **parts, size_t count)
+{
+  bool whole = parts != NULL;
+  geos->no_memory |= !whole;
+  for (size_t i = 0; parts != NULL && i < count; i++)
+    whole = whole && parts[i] != NULL;
+  GEOSGeometry *all = NULL;
+  if (whole)
+    all = GEOSGeom_createCollection_r (geos->handle, type, parts, (unsigned) count);
+  for (size_t i = 0; parts != NULL && !whole && i < count; i++)
+    GEOSGeom_destroy_r (geos->handle, parts[i]);
+  free (parts);
+  return all;
+}
+
+GEOSGeometry *
 qn_geos_collection (QnGeos *geos, const QnRings *rings)
 {
-  GEOSContextHandle_t h = geos->handle;
   GEOSGeometry **parts = qn_alloc (rings->count, sizeof *parts);
-  if (parts == NULL) {
-    geos->no_memory = true;
-    return NULL;
-  }
-  size_t made = 0;
-  while (made < rings->count) {
-    parts[made] =
-      qn_geos_polygon (geos, rings->items[made].points, rings->items[made].count);
-    if (parts[made] == NULL)
-      break;
-    made++;
-  }
-  GEOSGeometry *collection = NULL;
-  if (made == rings->count)
-    collection =
-      GEOSGeom_createCollection_r (h, GEOS_MULTIPOLYGON, parts, (unsigned) made);
-  else
-    for (size_t i = 0; i < made; i++)
-      GEOSGeom_destroy_r (h, parts[i]);
-  free (parts);
-  return collection;
+  for (size_t i = 0; parts != NULL && i < rings->count; i++)
+    parts[i] = qn_geos_polygon (geos, rings->items[i].points, rings->items[i].count);
+  return qn_geos_gather (geos, GEOS_MULTIPOLYGON, parts, rings->count);
 }
 
 static bool

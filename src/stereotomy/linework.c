@@ -248,19 +248,9 @@ static GEOSGeometry *
 lines_geometry (QnGeos *geos, const QnSegments *segments)
 {
   GEOSGeometry **lines = qn_alloc (segments->count, sizeof *lines);
-  size_t made = 0;
-  while (lines != NULL && made < segments->count
-         && (lines[made] = line_geometry (geos, segments->items[made])) != NULL)
-    made++;
-  GEOSGeometry *all = NULL;
-  if (lines != NULL && made == segments->count)
-    all = GEOSGeom_createCollection_r (geos->handle, GEOS_MULTILINESTRING, lines,
-                                       (unsigned) made);
-  else
-    for (size_t i = 0; i < made; i++)
-      GEOSGeom_destroy_r (geos->handle, lines[i]);
-  free (lines);
-  return all;
+  for (size_t i = 0; lines != NULL && i < segments->count; i++)
+    lines[i] = line_geometry (geos, segments->items[i]);
+  return qn_geos_gather (geos, GEOS_MULTILINESTRING, lines, segments->count);
 }
 
 /* Polygons without holes; those with holes are counted. */

@@ -150,17 +150,16 @@ collect (QnGeos *geos, GEOSGeometry *geometry, QnBox bounds, int round, QnRings 
 typedef GEOSGeometry *(*Overlay) (GEOSContextHandle_t, const GEOSGeometry *,
                                   const GEOSGeometry *, double grid);
 
-/* out += subject (op) other. Where the result touches itself within rounding, as a vault whose
+/* out += subject (op) other, which are consumed. Where the result touches itself within rounding, as a vault whose
  * crown just reaches a joint does, it is computed again on a grid that parts it there. */
 static QnStatus
-overlay (QnGeos *geos, const GEOSGeometry *subject, const GEOSGeometry *other, Overlay op,
+overlay (QnGeos *geos, GEOSGeometry *subject, GEOSGeometry *other, Overlay op,
          QnBox bounds, double least_area, QnRings *out, QnDiag *diag)
 {
-  if (subject == NULL || other == NULL)
-    return qn_diag_no_memory (diag);
   const double grids[] = { 0, GRID * bounds_reach (bounds) };
-  QnStatus status = QN_OK;
-  for (size_t i = 0; i < QN_N_ELEMENTS (grids); i++) {
+  const bool given = subject != NULL && other != NULL;
+  QnStatus status = given ? QN_OK : qn_diag_no_memory (diag);
+  for (size_t i = 0; given && i < QN_N_ELEMENTS (grids); i++) {
     GEOSGeometry *result = op (geos->handle, subject, other, grids[i]);
     QnRings found = { 0 };
     status = result != NULL ? collect (geos, result, bounds, 0, &found, diag)
@@ -171,15 +170,6 @@ overlay (QnGeos *geos, const GEOSGeometry *subject, const GEOSGeometry *other, O
     if (status != QN_ERROR_INVALID)
       break;
   }
-  return status;
-}
-
-/* The same, consuming both geometries. */
-static QnStatus
-overlay_take (QnGeos *geos, GEOSGeometry *subject, GEOSGeometry *other, Overlay op,
-              QnBox bounds, double least_area, QnRings *out, QnDiag *diag)
-{
-  QnStatus status = overlay (geos, subject, other, op, bounds, least_area, out, diag);
   GEOSGeom_destroy_r (geos->handle, subject);
   GEOSGeom_destroy_r (geos->handle, other);
   return status;
@@ -209,10 +199,10 @@ qn_polygon_difference (const QnRing *subject, const QnRings *cutters, QnRings *o
   if (status == QN_OK)
     status = qn_geos_init (&geos, diag);
   if (status == QN_OK)
-    status = overlay_take (
-      &geos, qn_geos_polygon (&geos, subject->points, subject->count),
-      merged (&geos, cutters, 0), GEOSDifferencePrec_r, qn_ring_bounds (subject),
-      NOTHING * fabs (qn_ring_area (subject)), out, diag);
+    status =
+      overlay (&geos, qn_geos_polygon (&geos, subject->points, subject->count),
+               merged (&geos, cutters, 0), GEOSDifferencePrec_r, qn_ring_bounds (subject),
+               NOTHING * fabs (qn_ring_area (subject)), out, diag);
   qn_geos_clear (&geos);
   return status;
 }
@@ -227,11 +217,11 @@ qn_polygon_intersection (const QnRing *a, const QnRing *b, QnRings *out, QnDiag 
   if (status == QN_OK)
     status = qn_geos_init (&geos, diag);
   if (status == QN_OK)
-    status = overlay_take (
-      &geos, qn_geos_polygon (&geos, a->points, a->count),
-      qn_geos_polygon (&geos, b->points, b->count), GEOSIntersectionPrec_r,
-      qn_ring_bounds (a),
-      NOTHING * fmin (fabs (qn_ring_area (a)), fabs (qn_ring_area (b))), out, diag);
+    status = overlay (&geos, qn_geos_polygon (&geos, a->points, a->count),
+                      qn_geos_polygon (&geos, b->points, b->count),
+                      GEOSIntersectionPrec_r, qn_ring_bounds (a),
+                      NOTHING * fmin (fabs (qn_ring_area (a)), fabs (qn_ring_area (b))),
+                      out, diag);
   qn_geos_clear (&geos);
   return status;
 }
@@ -320,10 +310,9 @@ qn_polygon_cut (const QnRing *subject, QnVec2 a, QnVec2 b, QnRings *out, QnDiag 
     QnVec2 p = qn_vec2_add_scaled (foot, -reach, along);
     QnVec2 q = qn_vec2_add_scaled (foot, reach, along);
     const QnVec2 strip[] = { p, q, qn_vec2_add (q, across), qn_vec2_add (p, across) };
-    status =
-      overlay_take (&geos, qn_geos_polygon (&geos, subject->points, subject->count),
-                    qn_geos_polygon (&geos, strip, 4), GEOSIntersectionPrec_r, bounds,
-                    NOTHING * fabs (qn_ring_area (subject)), out, diag);
+    status = overlay (&geos, qn_geos_polygon (&geos, subject->points, subject->count),
+                      qn_geos_polygon (&geos, strip, 4), GEOSIntersectionPrec_r, bounds,
+                      NOTHING * fabs (qn_ring_area (subject)), out, diag);
   }
   while (status != QN_OK && out->count > before)
     qn_rings_remove (out, out->count - 1);

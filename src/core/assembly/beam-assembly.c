@@ -191,9 +191,12 @@ transform (const QnAssembledBeam *beam, double length, double t[6][6])
 
 /* out = T' k T */
 static void
-transform_matrix (double t[6][6], double k[6][6], double out[6][6])
+transform_matrix (const QnAssembledBeam *beam, double length, double k[6][6],
+                  double out[6][6])
 {
-  double kt[6][6];
+  double t[6][6], kt[6][6];
+
+  transform (beam, length, t);
 
   for (int i = 0; i < 6; i++)
     for (int j = 0; j < 6; j++) {
@@ -430,13 +433,12 @@ element_tangent (const QnBeamAssembly *as, size_t index, double out[6][6])
 {
   const QnAssembledBeam *beam = &as->beams[index];
   const QnBeamResponse *response = &as->responses[index];
-  double k[6][6], t[6][6], p[6];
+  double k[6][6], p[6];
 
   material_tangent (as, index, k);
   if (as->nonlinear)
     qn_beam_kinematics_add_stiffness (&beam->kinematics, response->force, k);
-  transform (beam, as->length, t);
-  transform_matrix (t, k, out);
+  transform_matrix (beam, as->length, k, out);
   if (!as->nonlinear)
     return;
   node_forces (beam, response, p);
@@ -469,27 +471,32 @@ void
 qn_beam_assembly_add_material_tangent (const QnBeamAssembly *as, double *ax)
 {
   for (size_t b = 0; b < as->count; b++) {
-    double k[6][6], t[6][6], out[6][6];
+    double k[6][6], out[6][6];
 
     material_tangent (as, b, k);
-    transform (&as->beams[b], as->length, t);
-    transform_matrix (t, k, out);
+    transform_matrix (&as->beams[b], as->length, k, out);
     add_matrix (&as->beams[b], out, ax);
   }
+}
+
+/* Along the chord as it lies, with the mass of the undeformed length. */
+static void
+moved_mass (const QnAssembledBeam *beam, double m[6][6])
+{
+  QnBeamProperties now = beam->properties;
+
+  now.chord = qn_vec2_scale (now.length, beam->kinematics.axis);
+  qn_beam_mass (&now, m);
 }
 
 void
 qn_beam_assembly_add_mass (const QnBeamAssembly *as, double *ax)
 {
   for (size_t b = 0; b < as->count; b++) {
-    double m[6][6], t[6][6], out[6][6];
-    QnBeamProperties now = as->beams[b].properties;
+    double m[6][6], out[6][6];
 
-    /* Along the chord as it lies, with the mass of the undeformed length. */
-    now.chord = qn_vec2_scale (now.length, as->beams[b].kinematics.axis);
-    qn_beam_mass (&now, m);
-    transform (&as->beams[b], as->length, t);
-    transform_matrix (t, m, out);
+    moved_mass (&as->beams[b], m);
+    transform_matrix (&as->beams[b], as->length, m, out);
     add_matrix (&as->beams[b], out, ax);
   }
 }
@@ -500,11 +507,9 @@ qn_beam_assembly_add_inertia (const QnBeamAssembly *as, QnVec2 acceleration,
 {
   for (size_t b = 0; b < as->count; b++) {
     const QnAssembledBeam *beam = &as->beams[b];
-    QnBeamProperties now = beam->properties;
     double m[6][6];
 
-    now.chord = qn_vec2_scale (now.length, beam->kinematics.axis);
-    qn_beam_mass (&now, m);
+    moved_mass (beam, m);
     for (int end = 0; end < 2; end++) {
       double p[3];
       for (int i = 0; i < 3; i++)

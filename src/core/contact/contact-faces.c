@@ -230,8 +230,8 @@ add_gap (const QnContactSearch *search, QnContacts *contacts, const Match *match
   QnVec2 across = qn_vec2_perp (search->sides.items[match->side_a].direction);
   QnVec2 between = qn_vec2_add_scaled (at, -match->width / 2, across);
   if (!is_filled (search, between, a, b))
-    qn_contacts_report (contacts, (QnFinding){ QN_PROBLEM_NEAR_MISS_GAP, a, b, at,
-                                               match->width, QN_NONE, NULL });
+    qn_contacts_tell (contacts, QN_PROBLEM_NEAR_MISS_GAP, a, b, QN_NONE, at,
+                      match->width);
 }
 
 static void

@@ -85,8 +85,8 @@ qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
     if (!(has_face_at (&lists, contacts, touch->a, touch->at, near)
           && has_face_at (&lists, contacts, touch->b, touch->at, near))
         && !overlap (&contacts->findings, earlier, touch, &next))
-      qn_contacts_report (contacts, (QnFinding){ QN_PROBLEM_POINT_CONTACT, touch->a,
-                                                 touch->b, touch->at, 0, QN_NONE, NULL });
+      qn_contacts_tell (contacts, QN_PROBLEM_POINT_CONTACT, touch->a, touch->b, QN_NONE,
+                        touch->at, 0);
   }
 }
 
@@ -96,19 +96,8 @@ report_blocks (const QnModel *model, QnContacts *contacts, QnProblem problem,
 {
   for (size_t i = 0; i < model->block_count; i++)
     if (!in_order[i])
-      qn_contacts_report (contacts,
-                          (QnFinding){ problem, (QnId) i, QN_NONE,
-                                       model->blocks[i].centroid, 0, QN_NONE, NULL });
-}
-
-static void
-report_beam (QnContacts *contacts, QnProblem problem, size_t beam, QnVec2 at)
-{
-  qn_contacts_report (contacts, (QnFinding){ .problem = problem,
-                                             .block_a = QN_NONE,
-                                             .block_b = QN_NONE,
-                                             .subject = (QnId) beam,
-                                             .at = at });
+      qn_contacts_tell (contacts, problem, (QnId) i, QN_NONE, QN_NONE,
+                        model->blocks[i].centroid, 0);
 }
 
 /* Whether a point that moves with a block lies outside of it by more than joints may be wide. */
@@ -145,7 +134,8 @@ report_free_ends (const QnModel *model, QnContacts *contacts)
     bool alone =
       uses[id] == 1 && node->block == QN_NONE && !qn_support_is_any (node->support);
     if (alone || lies_off_block (model, node->block, node->at))
-      report_beam (contacts, QN_PROBLEM_BEAM_END_FREE, i / 2, node->at);
+      qn_contacts_tell (contacts, QN_PROBLEM_BEAM_END_FREE, QN_NONE, QN_NONE,
+                        (QnId) (i / 2), node->at, 0);
   }
 }
 
@@ -166,14 +156,11 @@ report_loads (const QnModel *model, QnContacts *contacts)
                    && qn_model_edge_forces_of (model, i, &count) == NULL;
     bool beside = load->kind == QN_LOAD_VEHICLE && load->beside > 0;
     if (off || nothing || beside)
-      qn_contacts_report (
-        contacts, (QnFinding){ .problem = off       ? QN_PROBLEM_LOAD_OFF_BLOCK
-                                          : nothing ? QN_PROBLEM_LOAD_MEETS_NOTHING
-                                                    : QN_PROBLEM_LOAD_BESIDE,
-                               .block_a = off ? load->block : QN_NONE,
-                               .block_b = QN_NONE,
-                               .subject = (QnId) i,
-                               .at = load->at });
+      qn_contacts_tell (contacts,
+                        off       ? QN_PROBLEM_LOAD_OFF_BLOCK
+                        : nothing ? QN_PROBLEM_LOAD_MEETS_NOTHING
+                                  : QN_PROBLEM_LOAD_BESIDE,
+                        off ? load->block : QN_NONE, QN_NONE, (QnId) i, load->at, 0);
   }
 }
 
@@ -184,11 +171,8 @@ report_ties (const QnModel *model, QnContacts *contacts)
   for (size_t i = 0; i < 2 * model->tie_count; i++) {
     const QnTieEnd *end = &model->ties[i / 2].ends[i % 2];
     if (lies_off_block (model, end->block, end->at))
-      qn_contacts_report (contacts, (QnFinding){ .problem = QN_PROBLEM_TIE_OFF_BLOCK,
-                                                 .block_a = end->block,
-                                                 .block_b = QN_NONE,
-                                                 .subject = (QnId) (i / 2),
-                                                 .at = end->at });
+      qn_contacts_tell (contacts, QN_PROBLEM_TIE_OFF_BLOCK, end->block, QN_NONE,
+                        (QnId) (i / 2), end->at, 0);
   }
 }
 
@@ -256,16 +240,14 @@ qn_contacts_report_loose (const QnModel *model, QnContacts *contacts)
   report_blocks (model, contacts, QN_PROBLEM_BLOCK_WITHOUT_CONTACT, touching);
   if (held_count == 0) { /* one finding says more than one for every block */
     QnVec2 at = blocks > 0 ? model->blocks[0].centroid : model->nodes[0].at;
-    qn_contacts_report (contacts, (QnFinding){ .problem = QN_PROBLEM_NO_SUPPORT,
-                                               .block_a = QN_NONE,
-                                               .block_b = QN_NONE,
-                                               .at = at });
+    qn_contacts_tell (contacts, QN_PROBLEM_NO_SUPPORT, QN_NONE, QN_NONE, 0, at, 0);
   } else {
     report_blocks (model, contacts, QN_PROBLEM_BLOCK_FLOATING, held);
     for (size_t i = 0; i < model->beam_count; i++) {
       const QnId node = model->beams[i].nodes[0];
       if (!held[qn_model_node_body (model, node)])
-        report_beam (contacts, QN_PROBLEM_BEAM_FLOATING, i, model->nodes[node].at);
+        qn_contacts_tell (contacts, QN_PROBLEM_BEAM_FLOATING, QN_NONE, QN_NONE, (QnId) i,
+                          model->nodes[node].at, 0);
     }
   }
   report_free_ends (model, contacts);

@@ -150,5 +150,13 @@ void qn_contacts_report_loose (const QnModel *model, QnContacts *contacts);
 
 void qn_contacts_report (QnContacts *contacts, QnFinding finding);
 
+/* The same, by its members. */
+static inline void
+qn_contacts_tell (QnContacts *contacts, QnProblem problem, QnId a, QnId b, QnId subject,
+                  QnVec2 at, double value)
+{
+  qn_contacts_report (contacts, (QnFinding){ problem, a, b, at, value, subject, NULL });
+}
+
 /* Room for so many pairs more; false where there is none. */
 bool qn_contacts_reserve_pairs (QnContacts *contacts, size_t count);

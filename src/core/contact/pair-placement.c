@@ -26,8 +26,7 @@ find_exceptions (const QnModel *model, QnContacts *contacts, const QnFaceOverrid
     QnVec2 at = qn_vec2_lerp (model->blocks[a].centroid, model->blocks[b].centroid, 0.5);
     qn_contacts_between (contacts, a, b, &face, &end);
     if (face == end)
-      qn_contacts_report (
-        contacts, (QnFinding){ QN_PROBLEM_OVERRIDE_UNUSED, a, b, at, 0, QN_NONE, NULL });
+      qn_contacts_tell (contacts, QN_PROBLEM_OVERRIDE_UNUSED, a, b, QN_NONE, at, 0);
     for (; face < end; face++)
       own[face] = override;
   }

@@ -405,9 +405,8 @@ examine_dead_load (Doubts *d)
   if (any || model->live_load_count == 0 || model->block_count < 2 || model->bar_count > 0
       || model->tie_count > 0 || !needs_pressure (model))
     return;
-  qn_contacts_report (d->contacts,
-                      (QnFinding){ QN_PROBLEM_DOUBT_NO_DEAD_LOAD, QN_NONE, QN_NONE,
-                                   qn_vec2 (0, 0), 0, QN_NONE, NULL });
+  qn_contacts_tell (d->contacts, QN_PROBLEM_DOUBT_NO_DEAD_LOAD, QN_NONE, QN_NONE, QN_NONE,
+                    qn_vec2 (0, 0), 0);
 }
 
 /* A face that bears, seen along the dead load. */
@@ -512,9 +511,8 @@ examine_sinking (Doubts *d)
       seats[of->lower].load += seat->load * of->stiffness / seat->stiffness;
   }
   if (worst != QN_NONE)
-    qn_contacts_report (contacts, (QnFinding){ QN_PROBLEM_DOUBT_SOFT, worst, QN_NONE,
-                                               model->blocks[worst].centroid, deepest,
-                                               QN_NONE, NULL });
+    qn_contacts_tell (contacts, QN_PROBLEM_DOUBT_SOFT, worst, QN_NONE, QN_NONE,
+                      model->blocks[worst].centroid, deepest);
 }
 
 /* ---- slivers ---- */
@@ -589,11 +587,8 @@ examine_slivers (Doubts *d)
       counts[row[i]]++;
   for (size_t i = 0; i < n; i++)
     if (counts[i] > 0)
-      qn_contacts_report (d->contacts, (QnFinding){ .problem = QN_PROBLEM_BLOCK_SLIVER,
-                                                    .block_a = (QnId) i,
-                                                    .block_b = beside[i],
-                                                    .at = d->model->blocks[i].centroid,
-                                                    .subject = counts[i] });
+      qn_contacts_tell (d->contacts, QN_PROBLEM_BLOCK_SLIVER, (QnId) i, beside[i],
+                        counts[i], d->model->blocks[i].centroid, 0);
 }
 
 void

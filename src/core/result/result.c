@@ -95,20 +95,29 @@ qn_result_clear (QnResult *result)
   *result = (QnResult){ 0 };
 }
 
+/* Copies a row behind `count` others of the array at `items`. */
+static bool
+add_row (void *items, size_t *capacity, size_t count, const void *row, size_t length,
+         size_t size)
+{
+  char *all;
+
+  if (!qn_array_reserve (items, capacity, (count + 1) * length, size))
+    return false;
+  memcpy (&all, items, sizeof all);
+  if (length > 0)
+    memcpy (all + count * length * size, row, length * size);
+  return true;
+}
+
 bool
 qn_result_add_step (QnResult *result, QnStep step, const double *displacements)
 {
-  size_t row = qn_result_body_count (result) * QN_DOF_COUNT;
-  if (!qn_array_reserve (&result->steps, &result->step_capacity, result->step_count + 1,
-                         sizeof *result->steps))
-    return false;
-  if (!qn_array_reserve (&result->displacements, &result->displacement_capacity,
-                         (result->step_count + 1) * row, sizeof *result->displacements))
-    return false;
-  memcpy (result->displacements + result->step_count * row, displacements,
-          row * sizeof *result->displacements);
-  result->steps[result->step_count++] = step;
-  return true;
+  return add_row (&result->displacements, &result->displacement_capacity,
+                  result->step_count, displacements,
+                  qn_result_body_count (result) * QN_DOF_COUNT, sizeof (double))
+         && QN_ARRAY_PUSH (result->steps, result->step_count, result->step_capacity,
+                           step);
 }
 
 bool
@@ -206,13 +215,9 @@ qn_result_add_reactions (QnResult *result, const double *reactions)
 bool
 qn_result_add_velocities (QnResult *result, const double *velocities)
 {
-  size_t row = qn_result_body_count (result) * QN_DOF_COUNT;
-  if (!qn_array_reserve (&result->velocities, &result->velocity_capacity,
-                         result->step_count * row, sizeof *result->velocities))
-    return false;
-  memcpy (result->velocities + (result->step_count - 1) * row, velocities,
-          row * sizeof *result->velocities);
-  return true;
+  return add_row (&result->velocities, &result->velocity_capacity, result->step_count - 1,
+                  velocities, qn_result_body_count (result) * QN_DOF_COUNT,
+                  sizeof (double));
 }
 
 static void
@@ -304,13 +309,11 @@ bool
 qn_result_add_history (QnResult *result, const double *row)
 {
   QnHistory *history = &result->history;
-  if (!qn_array_reserve (&history->rows, &history->capacity,
-                         (history->row_count + 1) * history->width,
-                         sizeof *history->rows))
-    return false;
-  memcpy (history->rows + history->row_count++ * history->width, row,
-          history->width * sizeof *history->rows);
-  return true;
+  bool added = add_row (&history->rows, &history->capacity, history->row_count, row,
+                        history->width, sizeof (double));
+
+  history->row_count += added;
+  return added;
 }
 
 bool
@@ -371,13 +374,8 @@ qn_result_load_factors (const QnModel *model, const QnResult *result, size_t ste
 bool
 qn_result_add_beam_forces (QnResult *result, const QnBeamForces *forces)
 {
-  QN_ASSERT (result->step_count > 0);
-  size_t count = result->element_count, end = result->step_count * count;
-  if (!qn_array_reserve (&result->beam_forces, &result->beam_force_capacity, end,
-                         sizeof *result->beam_forces))
-    return false;
-  memcpy (result->beam_forces + end - count, forces, count * sizeof *result->beam_forces);
-  return true;
+  return add_row (&result->beam_forces, &result->beam_force_capacity,
+                  result->step_count - 1, forces, result->element_count, sizeof *forces);
 }
 
 bool

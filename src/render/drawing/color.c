@@ -5,34 +5,31 @@
 
 #include <math.h>
 
-static const uint32_t color_inks[QN_INK_COUNT] = {
-  [QN_INK_LINE] = 0x1a1a1a,      [QN_INK_FAINT] = 0x8c8c8c,
-  [QN_INK_BLOCK] = 0xf1e6d2,     [QN_INK_SUPPORT] = 0xdcdcdc,
-  [QN_INK_SOIL] = 0xd8cfc0,      [QN_INK_FACE] = 0x0072b2,
-  [QN_INK_PAIR] = 0xd55e00,      [QN_INK_OPEN] = 0xc8321e,
-  [QN_INK_SLIDE] = 0x0060a8,     [QN_INK_HINGE] = 0x1a1a1a,
-  [QN_INK_FORCE] = 0x005a8c,     [QN_INK_DEAD_LOAD] = 0x5a5a5a,
-  [QN_INK_LIVE_LOAD] = 0xb33a00, [QN_INK_GROUND] = 0xffffff,
-  [QN_INK_SELECTION] = 0x1c71d8, [QN_INK_THRUST] = 0x96266e,
-  [QN_INK_BAR] = 0x262659,
-};
-
-static const uint32_t grey_inks[QN_INK_COUNT] = {
-  [QN_INK_LINE] = 0x000000,      [QN_INK_FAINT] = 0x8c8c8c,
-  [QN_INK_BLOCK] = 0xf2f2f2,     [QN_INK_SUPPORT] = 0xd8d8d8,
-  [QN_INK_SOIL] = 0xe2e2e2,      [QN_INK_FACE] = 0x505050,
-  [QN_INK_PAIR] = 0x000000,      [QN_INK_OPEN] = 0x303030,
-  [QN_INK_SLIDE] = 0x000000,     [QN_INK_HINGE] = 0x000000,
-  [QN_INK_FORCE] = 0x000000,     [QN_INK_DEAD_LOAD] = 0x5a5a5a,
-  [QN_INK_LIVE_LOAD] = 0x000000, [QN_INK_GROUND] = 0xffffff,
-  [QN_INK_SELECTION] = 0x404040, [QN_INK_THRUST] = 0x202020,
-  [QN_INK_BAR] = 0x202020,
+/* In colours, and in greys. */
+static const uint32_t inks[QN_INK_COUNT][2] = {
+  [QN_INK_LINE] = { 0x1a1a1a, 0x000000 },
+  [QN_INK_FAINT] = { 0x8c8c8c, 0x8c8c8c },
+  [QN_INK_BLOCK] = { 0xf1e6d2, 0xf2f2f2 },
+  [QN_INK_SUPPORT] = { 0xdcdcdc, 0xd8d8d8 },
+  [QN_INK_SOIL] = { 0xd8cfc0, 0xe2e2e2 },
+  [QN_INK_FACE] = { 0x0072b2, 0x505050 },
+  [QN_INK_PAIR] = { 0xd55e00, 0x000000 },
+  [QN_INK_OPEN] = { 0xc8321e, 0x303030 },
+  [QN_INK_SLIDE] = { 0x0060a8, 0x000000 },
+  [QN_INK_HINGE] = { 0x1a1a1a, 0x000000 },
+  [QN_INK_FORCE] = { 0x005a8c, 0x000000 },
+  [QN_INK_DEAD_LOAD] = { 0x5a5a5a, 0x5a5a5a },
+  [QN_INK_LIVE_LOAD] = { 0xb33a00, 0x000000 },
+  [QN_INK_GROUND] = { 0xffffff, 0xffffff },
+  [QN_INK_SELECTION] = { 0x1c71d8, 0x404040 },
+  [QN_INK_THRUST] = { 0x96266e, 0x202020 },
+  [QN_INK_BAR] = { 0x262659, 0x202020 },
 };
 
 QnColor
 qn_ink (QnInk ink, int monochrome)
 {
-  return qn_rgb (monochrome ? grey_inks[ink] : color_inks[ink]);
+  return qn_rgb (inks[ink][monochrome != 0]);
 }
 
 QnColor

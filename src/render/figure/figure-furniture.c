@@ -253,24 +253,28 @@ draw_hatch (cairo_t *cr, double x, double y, double width, double height, double
   cairo_restore (cr);
 }
 
+/* A line of the sample's colour from its left end. */
+static void
+draw_sample_line (cairo_t *cr, const QnLegendEntry *entry, double x, double middle,
+                  double length, double width)
+{
+  qn_set_color (cr, entry->color, 1);
+  cairo_set_line_width (cr, width);
+  cairo_move_to (cr, x, middle);
+  cairo_line_to (cr, x + length, middle);
+  cairo_stroke (cr);
+}
+
 static void
 draw_sample_marker (cairo_t *cr, const QnLegendEntry *entry, double x, double middle,
                     double u)
 {
-  if (entry->marker == QN_MARKER_SLIDE) { /* beside the line of the joint */
-    qn_set_color (cr, entry->color, 1);
-    cairo_set_line_width (cr, 1.5 * u);
-    cairo_move_to (cr, x, middle);
-    cairo_line_to (cr, x + SAMPLE_WIDTH * u, middle);
-    cairo_stroke (cr);
-  }
+  if (entry->marker == QN_MARKER_SLIDE) /* beside the line of the joint */
+    draw_sample_line (cr, entry, x, middle, SAMPLE_WIDTH * u, 1.5 * u);
   if (entry->marker == QN_MARKER_ARROW_HEAD) {
     double head = (3 + 2.5 * entry->size) * u;
-    qn_set_color (cr, entry->color, 1);
-    cairo_set_line_width (cr, entry->size * u);
-    cairo_move_to (cr, x, middle);
-    cairo_line_to (cr, x + SAMPLE_WIDTH * u - 0.5 * head, middle);
-    cairo_stroke (cr);
+    draw_sample_line (cr, entry, x, middle, SAMPLE_WIDTH * u - 0.5 * head,
+                      entry->size * u);
     qn_draw_cairo_marker (cr, QN_MARKER_ARROW_HEAD, x + SAMPLE_WIDTH * u, middle, head, 0,
                           false, u, entry->color);
     return;
@@ -296,12 +300,8 @@ draw_entry (const QnFurniture *f, cairo_t *cr, const QnLegendEntry *entry, doubl
     rectangle_outline (cr, x, middle - 4 * u, SAMPLE_WIDTH * u, 8 * u, 0.5 * u, line);
     break;
   case QN_COMMAND_STROKE:
-    qn_set_color (cr, entry->color, 1);
-    cairo_set_line_width (cr, entry->size * u);
     qn_set_dashes (cr, entry->dashed, u);
-    cairo_move_to (cr, x, middle);
-    cairo_line_to (cr, x + SAMPLE_WIDTH * u, middle);
-    cairo_stroke (cr);
+    draw_sample_line (cr, entry, x, middle, SAMPLE_WIDTH * u, entry->size * u);
     qn_set_dashes (cr, false, u);
     break;
   case QN_COMMAND_MARKER:
