@@ -396,9 +396,9 @@ view_meshes (const GPtrArray *meshes, const char *name, QnDrawing *drawing,
       g_free (g_array_index (drawing->paths, QnDrawingPath, i).points);
     g_array_set_size (drawing->paths, 0);
   }
-  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-               _ ("%s:1: the blocks are not prisms of one direction: %s"), name, first);
-  return FALSE;
+  return qn_io_fail (error, QN_IO_ERROR_INVALID,
+                     _ ("%s:1: the blocks are not prisms of one direction: %s"), name,
+                     first);
 }
 
 /* ---- files ---- */
@@ -414,12 +414,11 @@ typedef struct Reading {
 static gboolean
 fail_mesh (const Reading *reading, guint line, const char *block, gboolean vertex)
 {
-  g_set_error (reading->error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s:%u: %s: %s",
-               reading->name, line, block,
-               vertex ? _ ("expected three coordinates of a vertex")
-                      : _ ("expected a face of three or more corners, each one of the "
-                           "vertices"));
-  return FALSE;
+  return qn_io_fail (
+    reading->error, QN_IO_ERROR_INVALID, "%s:%u: %s: %s", reading->name, line, block,
+    vertex ? _ ("expected three coordinates of a vertex")
+           : _ ("expected a face of three or more corners, each one of the "
+                "vertices"));
 }
 
 static const cJSON *

@@ -197,11 +197,9 @@ run_import (QnImportWork *work, QnProject *project, GError **error)
     status = qn_import_cut_openings (work, &diag);
   if (work->no_memory)
     status = qn_diag_no_memory (&diag);
-  if (status == QN_OK && work->outlines->len == 0) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                 _ ("%s:1: no closed outline to make a block of"), work->name);
-    return FALSE;
-  }
+  if (status == QN_OK && work->outlines->len == 0)
+    return qn_io_fail (error, QN_IO_ERROR_INVALID,
+                       _ ("%s:1: no closed outline to make a block of"), work->name);
   infer_supports (work);
   qn_import_tell (work, FALSE, _ ("blocks: %u"), work->outlines->len);
   if (!qn_project_begin (project, work->has_mortar ? "lime mortar" : "dry joint", error))
@@ -319,8 +317,7 @@ qn_import_settings_set (QnImportSettings *settings, const char *option, const ch
   }
   if (problem == NULL)
     return TRUE;
-  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, "%s %s", option, problem);
-  return FALSE;
+  return qn_io_fail (error, QN_IO_ERROR_OVERRIDE, "%s %s", option, problem);
 }
 
 gboolean

@@ -99,8 +99,7 @@ qn_drawing_join_parts (QnDrawing *drawing, guint first, guint end, gboolean even
       g_clear_pointer (&path[i].points, g_free);
       path[i].count = 0;
     }
-  if (!memory)
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", name,
-                 _ ("not enough memory"));
-  return memory;
+  return memory
+         || qn_io_fail (error, QN_IO_ERROR_NO_MEMORY, "%s: %s", name,
+                        _ ("not enough memory"));
 }

@@ -62,9 +62,8 @@ declared_unit (int code)
 static gboolean
 fail (Scanner *scanner, guint line, const char *message)
 {
-  g_set_error (scanner->error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s:%u: %s",
-               scanner->name, line, message);
-  return FALSE;
+  return qn_io_fail (scanner->error, QN_IO_ERROR_INVALID, "%s:%u: %s", scanner->name,
+                     line, message);
 }
 
 /* The next line without its end and surrounding blanks; NULL at the end of the file. */

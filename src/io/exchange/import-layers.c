@@ -68,11 +68,10 @@ qn_import_check_layers (const QnImportSettings *settings, GError **error)
   for (char **layer = settings->layers; layer != NULL && *layer != NULL; layer++) {
     const char *equals = strrchr (*layer, '=');
     QnRole role;
-    if (equals == NULL || !qn_find_word (equals + 1, role_names, QN_ROLE_COUNT, &role)) {
-      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE,
-                   _ ("%s: expected NAME=block, support, opening or ignored"), *layer);
-      return FALSE;
-    }
+    if (equals == NULL || !qn_find_word (equals + 1, role_names, QN_ROLE_COUNT, &role))
+      return qn_io_fail (error, QN_IO_ERROR_OVERRIDE,
+                         _ ("%s: expected NAME=block, support, opening or ignored"),
+                         *layer);
   }
   return TRUE;
 }
@@ -230,10 +229,9 @@ qn_import_find_layers (QnImportWork *work, GError **error)
     for (guint i = 0; i < layers->len; i++)
       g_string_append_printf (names, "%s%s", i > 0 ? ", " : "",
                               g_array_index (layers, QnImportLayer, i).name);
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE,
-                 _ ("%s: there is no such layer; those of the drawing: %s"), *entry,
-                 names->str);
-    return FALSE;
+    return qn_io_fail (error, QN_IO_ERROR_OVERRIDE,
+                       _ ("%s: there is no such layer; those of the drawing: %s"), *entry,
+                       names->str);
   }
   return TRUE;
 }

@@ -41,12 +41,10 @@ typedef struct Reading {
 static gboolean
 fail (const Reading *r, gsize line, const char *message)
 {
-  if (line > 0)
-    g_set_error (r->error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s:%" G_GSIZE_FORMAT ": %s",
-                 r->name, line, message);
-  else
-    g_set_error (r->error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s: %s", r->name, message);
-  return FALSE;
+  return line > 0
+           ? qn_io_fail (r->error, QN_IO_ERROR_INVALID, "%s:%" G_GSIZE_FORMAT ": %s",
+                         r->name, line, message)
+           : qn_io_fail (r->error, QN_IO_ERROR_INVALID, "%s: %s", r->name, message);
 }
 
 /* ---- numbers ---- */

@@ -112,12 +112,11 @@ reaches_duration (const QnProject *project, gsize index, const QnRecord *record,
          duration = project->model.analysis.dynamic.duration;
   if (project->model.ground[index].rests || end + apart * (1 + 1e-9) >= duration)
     return TRUE;
-  g_set_error (
-    error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
+  return qn_io_fail (
+    error, QN_IO_ERROR_INVALID,
     _ ("the record ends at %.4g s, before the duration of %.4g s: shorten that, "
        "or set \"rest\" for ground that rests from then on"),
     end, duration);
-  return FALSE;
 }
 
 /* Most of a signal's Arias intensity that an analysis may leave out at its end. */
@@ -166,11 +165,9 @@ take_record (QnProject *project, gsize index, const QnRecord *record, GError **e
   motion->record_unit = record->unit;
   for (gsize i = 0; i < record->count; i++)
     if (!qn_ground_motion_add_point (motion, record->points[i].x,
-                                     scale * record->points[i].y)) {
-      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY, "%s: %s", project->name,
-                   _ ("not enough memory"));
-      return FALSE;
-    }
+                                     scale * record->points[i].y))
+      return qn_io_fail (error, QN_IO_ERROR_NO_MEMORY, "%s: %s", project->name,
+                         _ ("not enough memory"));
   return TRUE;
 }
 

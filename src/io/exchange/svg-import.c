@@ -250,12 +250,10 @@ add_shape (Importer *importer, const xmlNode *node, const State *state)
   GArray *paths = importer->drawing->paths;
   guint first = paths->len, line = (guint) xmlGetLineNo (node);
   QnSvgPen pen = { .drawing = importer->drawing, .layer = state->layer, .line = line };
-  if (!read_shape (importer, &pen, node, state)) {
-    g_set_error (importer->error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                 _ ("%s:%u: %s: its coordinates cannot be read"), importer->name, line,
-                 qn_svg_name (node));
-    return FALSE;
-  }
+  if (!read_shape (importer, &pen, node, state))
+    return qn_io_fail (importer->error, QN_IO_ERROR_INVALID,
+                       _ ("%s:%u: %s: its coordinates cannot be read"), importer->name,
+                       line, qn_svg_name (node));
   gboolean painted = !state->empty || !state->bare || is (node, "line");
   for (guint i = first; i < paths->len; i++) {
     QnDrawingPath *path = &g_array_index (paths, QnDrawingPath, i);
@@ -504,11 +502,9 @@ walk (Importer *importer, const xmlNode *node, State state)
   static const char *const groups[] = { "svg", "g", "a", "switch", NULL };
   static const char *const others[] = { "text", "image", "foreignObject", NULL };
   const char *name = qn_svg_name (node);
-  if (state.uses > 0 && importer->budget-- == 0) {
-    g_set_error (importer->error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                 _ ("%s:1: more than %d outlines"), importer->name, MAX_USED);
-    return FALSE;
-  }
+  if (state.uses > 0 && importer->budget-- == 0)
+    return qn_io_fail (importer->error, QN_IO_ERROR_INVALID,
+                       _ ("%s:1: more than %d outlines"), importer->name, MAX_USED);
   if (g_strv_contains (shapes, name)) {
     enter (importer, node, &state);
     return add_shape (importer, node, &state);

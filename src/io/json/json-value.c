@@ -621,8 +621,7 @@ fail_override (GError **error, const char *override, const char *message)
   g_autoptr (GString) quoted = g_string_new (NULL);
   g_autofree char *valid = g_utf8_make_valid (override, -1);
   qn_json_append_string (quoted, valid);
-  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, "%s: %s", quoted->str, message);
-  return FALSE;
+  return qn_io_fail (error, QN_IO_ERROR_OVERRIDE, "%s: %s", quoted->str, message);
 }
 
 /* Follows the path and sets the value. */

@@ -57,11 +57,9 @@ add_overrides (GPtrArray *overrides, const char *owner, const char *const *keys,
                GError **error)
 {
   for (; *keys != NULL; keys++) {
-    if (**keys == '=' || strchr (*keys, '=') == NULL) {
-      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE,
-                   _ ("expected KEY=VALUE, not \"%s\""), *keys);
-      return FALSE;
-    }
+    if (**keys == '=' || strchr (*keys, '=') == NULL)
+      return qn_io_fail (error, QN_IO_ERROR_OVERRIDE,
+                         _ ("expected KEY=VALUE, not \"%s\""), *keys);
     g_ptr_array_add (overrides, dup_override (owner, *keys));
   }
   g_ptr_array_add (overrides, NULL);
@@ -141,13 +139,12 @@ qn_project_generate (const char *kind_name, const char *const *keys, double fric
   const Kind *kind = kinds;
   while (kind < kinds + G_N_ELEMENTS (kinds) && strcmp (kind->name, kind_name) != 0)
     kind++;
-  if (kind == kinds + G_N_ELEMENTS (kinds)) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE,
-                 _ ("%s: not one of wall, arch, column, buttress, portal, rubble, grid, "
-                    "voronoi, facade-strip"),
-                 kind_name);
-    return FALSE;
-  }
+  if (kind == kinds + G_N_ELEMENTS (kinds))
+    return qn_io_fail (
+      error, QN_IO_ERROR_OVERRIDE,
+      _ ("%s: not one of wall, arch, column, buttress, portal, rubble, grid, "
+         "voronoi, facade-strip"),
+      kind_name);
   if (kind->parameters == NULL ? !make_facade (keys, friction, project, error)
                                : !make_masonry (kind, keys, friction, project, error))
     return FALSE;

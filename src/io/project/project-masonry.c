@@ -55,9 +55,7 @@ qn_project_get_masonry (const QnProject *project, QnMasonries *list, GError **er
     if (!qn_masonries_take (list, &masonry)) {
       qn_masonry_clear (&masonry);
       qn_masonries_clear (list);
-      g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY,
-                           _ ("not enough memory"));
-      return FALSE;
+      return qn_io_fail (error, QN_IO_ERROR_NO_MEMORY, "%s", _ ("not enough memory"));
     }
   }
   return TRUE;

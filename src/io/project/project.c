@@ -65,11 +65,8 @@ gboolean
 qn_project_copy (const QnProject *project, QnProject *copy, GError **error)
 {
   *copy = (QnProject){ 0 };
-  if (qn_model_copy (&project->model, &copy->model, NULL) != QN_OK) {
-    g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY,
-                         _ ("not enough memory"));
-    return FALSE;
-  }
+  if (qn_model_copy (&project->model, &copy->model, NULL) != QN_OK)
+    return qn_io_fail (error, QN_IO_ERROR_NO_MEMORY, "%s", _ ("not enough memory"));
   copy->extras = cJSON_Duplicate (project->extras, 1);
   copy->name = g_strdup (project->name);
   copy->path = g_strdup (project->path);

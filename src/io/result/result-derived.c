@@ -105,10 +105,10 @@ differ (Walk *walk, gsize outer, gsize stated, gsize found)
   g_autofree char *path = qn_json_dup_path (&walk->stated, MAX (outer, stated));
   g_autofree char *states = dup_token (&walk->stated, stated);
   g_autofree char *instead = dup_token (&walk->found, found);
-  g_set_error (walk->error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-               _ ("%s: %s: this contradicts the rest of the result: %s instead of %s"),
-               walk->stated.name, path, states, instead);
-  return FALSE;
+  return qn_io_fail (
+    walk->error, QN_IO_ERROR_INVALID,
+    _ ("%s: %s: this contradicts the rest of the result: %s instead of %s"),
+    walk->stated.name, path, states, instead);
 }
 
 /* "contacts[3].hinge" without the numbers. */

@@ -22,7 +22,11 @@ typedef enum {
 
 GQuark qn_io_error_quark (void);
 
-/* Sets *error to "<file>: <what>: <reason of error_number>", domain QN_IO_ERROR, code FILE, or NO_MEMORY
- * for ENOMEM. `what` is a translated phrase such as "cannot be read". */
-void qn_io_error_set_errno (GError **error, const char *file, const char *what,
-                            int error_number);
+/* Sets *error (nullable) of the domain QN_IO_ERROR; returns FALSE. */
+gboolean qn_io_fail (GError **error, QnIoError code, const char *format, ...)
+  G_GNUC_PRINTF (3, 4);
+
+/* The same with "<file>: <what>: <reason of error_number>" and the code FILE, or NO_MEMORY for ENOMEM.
+ * `what` is a translated phrase such as "cannot be read". */
+gboolean qn_io_error_set_errno (GError **error, const char *file, const char *what,
+                                int error_number);

@@ -101,14 +101,6 @@ qn_find_vehicle_load (const QnModel *model)
 }
 
 static gboolean
-refuse_problem (char *problem, GError **error)
-{
-  g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, problem);
-  g_free (problem);
-  return FALSE;
-}
-
-static gboolean
 add_lines (QnEnvelope *e, const QnEnvelopeSettings *settings, GError **error)
 {
   char **names = settings->vehicles;
@@ -120,9 +112,8 @@ add_lines (QnEnvelope *e, const QnEnvelopeSettings *settings, GError **error)
     if (vehicle == QN_NONE) {
       g_auto (GStrv) known = qn_dup_vehicle_names (NULL);
       g_autofree char *list = g_strjoinv (", ", known);
-      return refuse_problem (
-        g_strdup_printf (_ ("%s: no such vehicle; built in are %s"), names[i], list),
-        error);
+      return qn_io_fail (error, QN_IO_ERROR_OVERRIDE,
+                         _ ("%s: no such vehicle; built in are %s"), names[i], list);
     }
     for (int way = 0; way < 2; way++)
       if (settings->ways == QN_WAYS_BOTH
@@ -152,10 +143,9 @@ place_positions (QnEnvelope *e, const QnEnvelopeSettings *settings, GError **err
   to = isnan (settings->to) ? to : settings->to;
   double count = floor ((to - from) / settings->step + 1e-9) + 1;
   if (!(settings->step > 0) || !(count >= 1) || count > MOST_POSITIONS)
-    return refuse_problem (
-      g_strdup_printf (_ ("from, to and step give no positions, or more than %d"),
-                       MOST_POSITIONS),
-      error);
+    return qn_io_fail (error, QN_IO_ERROR_OVERRIDE,
+                       _ ("from, to and step give no positions, or more than %d"),
+                       MOST_POSITIONS);
   e->count = (gsize) qn_to_integer (count, 1, MOST_POSITIONS);
   e->x = g_new (double, e->count);
   for (gsize i = 0; i < e->count; i++)
@@ -174,11 +164,12 @@ qn_envelope_init (QnEnvelope *e, const QnModel *model, const QnEnvelopeSettings 
 {
   QnDiag diag = { 0 };
   *e = (QnEnvelope){ .load = qn_find_vehicle_load (model) };
-  gboolean ok =
-    e->load != G_MAXSIZE
-    || refuse_problem (g_strdup (_ ("there is no vehicle among the live loads")), error);
+  gboolean ok = e->load != G_MAXSIZE
+                || qn_io_fail (error, QN_IO_ERROR_OVERRIDE, "%s",
+                               _ ("there is no vehicle among the live loads"));
   if (ok && qn_model_copy (model, &e->model, &diag) != QN_OK)
-    ok = refuse_problem (g_strdup (_ (qn_problem_text (diag.problem))), error);
+    ok =
+      qn_io_fail (error, QN_IO_ERROR_OVERRIDE, "%s", _ (qn_problem_text (diag.problem)));
   if (ok && settings->method != QN_ENVELOPE_PATH)
     e->model.analysis.procedure = QN_PROCEDURE_LIMIT;
   if (ok && settings->method == QN_ENVELOPE_NON_ASSOCIATIVE)

@@ -49,10 +49,10 @@ put_copy (const char *folder, const char *name, const char *bytes, gsize length,
     return FALSE;
   if (present_length == length && memcmp (present, bytes, length) == 0)
     return TRUE;
-  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s: %s", path,
-               _ ("the folder belongs to another study, or to another state of this one: "
-                  "choose another folder"));
-  return FALSE;
+  return qn_io_fail (
+    error, QN_IO_ERROR_INVALID, "%s: %s", path,
+    _ ("the folder belongs to another study, or to another state of this one: "
+       "choose another folder"));
 }
 
 /* Copies of the records that the project names, under the same names. */
@@ -70,10 +70,8 @@ put_records (const char *folder, const QnStudy *study, GError **error)
     g_autofree char *bytes = qn_file_read (from, &length, error);
     if (bytes == NULL)
       return FALSE;
-    if (g_mkdir_with_parents (parent, 0777) != 0) {
-      qn_io_error_set_errno (error, parent, _ ("cannot be written"), errno);
-      return FALSE;
-    }
+    if (g_mkdir_with_parents (parent, 0777) != 0)
+      return qn_io_error_set_errno (error, parent, _ ("cannot be written"), errno);
     if (!put_copy (folder, motion->record, bytes, length, error))
       return FALSE;
   }
@@ -83,10 +81,8 @@ put_records (const char *folder, const QnStudy *study, GError **error)
 gboolean
 qn_folder_prepare (const char *folder, const QnStudy *study, GError **error)
 {
-  if (g_mkdir_with_parents (folder, 0777) != 0) {
-    qn_io_error_set_errno (error, folder, _ ("cannot be written"), errno);
-    return FALSE;
-  }
+  if (g_mkdir_with_parents (folder, 0777) != 0)
+    return qn_io_error_set_errno (error, folder, _ ("cannot be written"), errno);
   return put_copy (folder, MODEL_NAME, study->project.text, study->project.text_length,
                    error)
          && put_copy (folder, STUDY_NAME, study->text, study->length, error)

@@ -94,11 +94,9 @@ bury (Run *run, QnWorker *worker, const char *reason, GError **error)
   for (guint i = 0; i < queued; i++)
     queue[i] = worker->queue[i];
   g_autofree char *how = qn_worker_end (worker, reason != NULL);
-  if (!ready) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE, "%s: %s", run->settings->program,
-                 how != NULL ? how : _ ("cannot be started"));
-    return FALSE;
-  }
+  if (!ready)
+    return qn_io_fail (error, QN_IO_ERROR_FILE, "%s: %s", run->settings->program,
+                       how != NULL ? how : _ ("cannot be started"));
   for (guint i = 1; i < queued; i++)
     g_array_append_val (run->returned, queue[i]);
   if (queued == 0)
@@ -172,10 +170,8 @@ wait_for_workers (Run *run, gboolean *busy, GError **error)
   }
   if (!*busy)
     return TRUE;
-  if (poll (polls, jobs, INTERVAL_MS) < 0 && errno != EINTR) {
-    qn_io_error_set_errno (error, run->folder, _ ("cannot be read"), errno);
-    return FALSE;
-  }
+  if (poll (polls, jobs, INTERVAL_MS) < 0 && errno != EINTR)
+    return qn_io_error_set_errno (error, run->folder, _ ("cannot be read"), errno);
   for (guint i = 0; i < jobs; i++)
     if ((polls[i].revents != 0 && !hear (run, &run->workers[i], error))
         || !check_time (run, &run->workers[i], error))
@@ -225,8 +221,7 @@ make_results_folder (const Run *run, GError **error)
   g_autofree char *path = g_build_filename (run->folder, "results", NULL);
   if (!run->settings->keep || g_mkdir_with_parents (path, 0777) == 0)
     return TRUE;
-  qn_io_error_set_errno (error, path, _ ("cannot be written"), errno);
-  return FALSE;
+  return qn_io_error_set_errno (error, path, _ ("cannot be written"), errno);
 }
 
 gboolean

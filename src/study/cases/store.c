@@ -31,12 +31,11 @@ static gboolean
 fail (const QnStore *store, GError **error)
 {
   int code = sqlite3_errcode (store->db);
-  g_set_error (error, QN_IO_ERROR,
-               code == SQLITE_NOMEM    ? QN_IO_ERROR_NO_MEMORY
-               : code == SQLITE_NOTADB ? QN_IO_ERROR_INVALID
-                                       : QN_IO_ERROR_FILE,
-               "%s: %s", store->path, sqlite3_errmsg (store->db));
-  return FALSE;
+  return qn_io_fail (error,
+                     code == SQLITE_NOMEM    ? QN_IO_ERROR_NO_MEMORY
+                     : code == SQLITE_NOTADB ? QN_IO_ERROR_INVALID
+                                             : QN_IO_ERROR_FILE,
+                     "%s: %s", store->path, sqlite3_errmsg (store->db));
 }
 
 static gboolean
@@ -91,8 +90,7 @@ is_empty (QnStore *store, gboolean *empty, GError **error)
 static gboolean
 refuse (const QnStore *store, const char *why, GError **error)
 {
-  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s: %s", store->path, why);
-  return FALSE;
+  return qn_io_fail (error, QN_IO_ERROR_INVALID, "%s: %s", store->path, why);
 }
 
 /* Whether the database is of this study; makes the tables of an empty one. */

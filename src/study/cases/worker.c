@@ -128,11 +128,9 @@ qn_worker_start (QnWorker *worker, const char *program, const char *folder, gboo
   if (!g_spawn_async_with_pipes (NULL, (char **) arguments, variables,
                                  G_SPAWN_DO_NOT_REAP_CHILD | G_SPAWN_CLOEXEC_PIPES,
                                  set_up_child, &parent, &worker->pid, &worker->input,
-                                 &worker->output, NULL, &cause)) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE, "%s: %s: %s", program,
-                 _ ("cannot be started"), cause->message);
-    return FALSE;
-  }
+                                 &worker->output, NULL, &cause))
+    return qn_io_fail (error, QN_IO_ERROR_FILE, "%s: %s: %s", program,
+                       _ ("cannot be started"), cause->message);
   worker->received = g_string_new (NULL);
   return TRUE;
 }

@@ -70,10 +70,8 @@ mark_active (const char *jobs, guint8 *active, guint slices, GError **error)
     g_autofree char *answer = ask_scheduler (command, &refusal, error);
     if (answer == NULL)
       return FALSE;
-    if (refusal != NULL && strstr (refusal, "Invalid job id") == NULL) {
-      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE, "squeue: %s", refusal);
-      return FALSE;
-    }
+    if (refusal != NULL && strstr (refusal, "Invalid job id") == NULL)
+      return qn_io_fail (error, QN_IO_ERROR_FILE, "squeue: %s", refusal);
     g_auto (GStrv) lines = g_strsplit (refusal == NULL ? answer : "", "\n", -1);
     for (gsize k = 0; lines[k] != NULL; k++) {
       guint64 task = g_ascii_strtoull (lines[k], NULL, 10);
@@ -132,8 +130,7 @@ hand_over (QnStore *store, const char *folder, const char *jobs, guint slices,
     return FALSE;
   if (refusal != NULL) {
     g_free (answer);
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_FILE, "sbatch: %s", refusal);
-    return FALSE;
+    return qn_io_fail (error, QN_IO_ERROR_FILE, "sbatch: %s", refusal);
   }
   submission->job = g_strchomp (answer);
   submission->job[strcspn (submission->job, ";")] =
@@ -181,11 +178,9 @@ submit (QnStore *store, gsize count, const char *folder, const QnSlurmSettings *
   if (!mark_active (known, active, former, error))
     return FALSE;
   submission->active = count_marks (active, former);
-  if (former != slices && submission->active > 0) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s: %s", folder,
-                 _ ("tasks of another array size still wait or run"));
-    return FALSE;
-  }
+  if (former != slices && submission->active > 0)
+    return qn_io_fail (error, QN_IO_ERROR_INVALID, "%s: %s", folder,
+                       _ ("tasks of another array size still wait or run"));
   if (!find_wanted (store, count, slices, active, wanted, submission, error))
     return FALSE;
   if (submission->tasks == 0)

@@ -136,11 +136,9 @@ qn_envelope_export (const QnEnvelope *envelope, QnEnvelopePlace shown, const cha
   QnModel moved;
   QnDiag diag = { 0 };
   QnEnvelopeFigure figure = { envelope, &moved, .shown = shown, .phase = 1 };
-  if (qn_envelope_move (envelope, shown, &moved, &diag) != QN_OK) {
-    g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY,
-                         _ (qn_problem_text (diag.problem)));
-    return FALSE;
-  }
+  if (qn_envelope_move (envelope, shown, &moved, &diag) != QN_OK)
+    return qn_io_fail (error, QN_IO_ERROR_NO_MEMORY, "%s",
+                       _ (qn_problem_text (diag.problem)));
   bool ok = qn_page_export (path, output, metadata, qn_envelope_draw, &figure, error);
   qn_model_clear (&moved);
   return ok;
