@@ -39,43 +39,6 @@ may_be_short (const char *digits17)
   return tail <= 12 || tail >= 88;
 }
 
-/* Most decimals that are tried without printing. */
-#define MOST_DECIMALS 9
-
-/* Most of 15 digits, with which no two decimal numbers are the same double. */
-#define LARGEST_DIGITS 1e15
-
-/* Numbers of few decimals, as people type them: number = digits / 10^k. Powers of ten and the
- * digits are exact, and a division is rounded as reading the decimal is, so that equality says
- * that the text reads back as the number. FALSE where there are more decimals. */
-static gboolean
-write_short_decimal (double number, char text[QN_NUMBER_TEXT_SIZE])
-{
-  static const double powers[] = { 1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9 };
-  double size = fabs (number);
-  if (!(size >= 1e-4 && size < LARGEST_DIGITS / powers[MOST_DECIMALS]))
-    return FALSE; /* printed with an exponent, or too long */
-  for (int decimals = 1; decimals <= MOST_DECIMALS; decimals++) {
-    double digits = nearbyint (size * powers[decimals]);
-    if (digits / powers[decimals] != size)
-      continue;
-    char *out = text + QN_NUMBER_TEXT_SIZE;
-    *--out = '\0';
-    guint64 left = (guint64) qn_to_integer (digits, 0, G_MAXINT64);
-    for (int i = 0; i < decimals || left > 0 || i == decimals; i++) {
-      if (i == decimals)
-        *--out = '.';
-      *--out = (char) ('0' + left % 10);
-      left /= 10;
-    }
-    if (number < 0)
-      *--out = '-';
-    memmove (text, out, strlen (out) + 1);
-    return TRUE;
-  }
-  return FALSE;
-}
-
 const char *
 qn_number_text (double number, char text[QN_NUMBER_TEXT_SIZE])
 {
@@ -89,8 +52,6 @@ qn_number_text (double number, char text[QN_NUMBER_TEXT_SIZE])
     return text;
   }
 
-  if (write_short_decimal (number, text))
-    return text;
   static const char *const shorter[] = { "%.15g", "%.16g" };
   char exact[QN_NUMBER_TEXT_SIZE];
   g_ascii_formatd (exact, sizeof exact, "%.17g", number);
