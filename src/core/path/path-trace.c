@@ -354,7 +354,8 @@ find_velocity (const QnPathTrace *trace, double *velocity)
   const double *from = first ? trace->highest.u : trace->measure.last_u;
   const double *to = first ? trace->lower.u : eq->committed.u;
 
-  if (trace->stop == QN_STOP_FALL && !trace->events.below)
+  if (trace->stop == QN_STOP_FALL
+      && (!trace->events.below || qn_path_trace_is_linear (trace)))
     return;
   for (int32_t i = 0; i < eq->assembly.unknown_count; i++)
     velocity[i] = to[i] - from[i];
