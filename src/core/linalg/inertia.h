@@ -20,8 +20,7 @@
  * beyond rounding always factorises into positive pivots, and one with positive pivots is within
  * rounding of such a matrix (Higham, Accuracy and Stability of Numerical Algorithms, 10.1). Where
  * there are negative pivots, rounding is that of |L| |D| |L'|, whose diagonal is measured: where it
- * is too large, other orders of elimination are tried, and small matrices as a dense one with
- * exchanges (Bunch & Kaufman 1977).
+ * is too large, small matrices are factorised as dense ones with exchanges (Bunch & Kaufman 1977).
  */
 #pragma once
 
