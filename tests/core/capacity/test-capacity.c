@@ -226,6 +226,12 @@ test_refuse (void)
                    QN_PROBLEM_CAPACITY_MOTION);
   test_model_init_block_on_plane (&model, 1, 1);
   test_model_add_weight_loads (&model, 1);
+  model.live_loads[0].kind = QN_LOAD_FORCE;
+  model.live_loads[0].block = 1;
+  g_assert_cmpint (refusal (&model, multipliers, along, 1), ==,
+                   QN_PROBLEM_CAPACITY_LOADS);
+  test_model_init_block_on_plane (&model, 1, 1);
+  test_model_add_weight_loads (&model, 1);
   model.gravity = 0; /* no mass can be told from a weight */
   g_assert_cmpint (refusal (&model, multipliers, along, 1), ==, QN_PROBLEM_NOT_POSITIVE);
 }

@@ -334,6 +334,19 @@ test_refuse (void)
   init_block (&run);
   add_force (&run.model, true, 1, qn_vec2 (0, 3), qn_vec2 (0, 1));
   g_assert_cmpint (refusal (&run, turns, true), ==, QN_PROBLEM_CAPACITY_LOADS);
+  /* Against the weights, turning, and weights of two directions that leave none. */
+  init_block (&run);
+  add_force (&run.model, true, 1, qn_vec2 (0, 3), qn_vec2 (-1, 0));
+  g_assert_cmpint (refusal (&run, turns, true), ==, QN_PROBLEM_CAPACITY_LOADS);
+  init_block (&run);
+  add_force (&run.model, true, 1, qn_vec2 (0, 3), qn_vec2 (1, 0));
+  run.model.live_loads[1].moment = 1;
+  g_assert_cmpint (refusal (&run, turns, true), ==, QN_PROBLEM_CAPACITY_LOADS);
+  init_block (&run);
+  QnLoad *against = qn_model_add_live_load (&run.model);
+  *against = run.model.live_loads[0];
+  against->vector.x = -1;
+  g_assert_cmpint (refusal (&run, turns, true), ==, QN_PROBLEM_CAPACITY_LOADS);
 }
 
 QN_TESTS

@@ -22,6 +22,7 @@ drop_steps (QnResult *r, size_t from, size_t to)
     { r->step_forces, 2 * r->pair_count * sizeof (double) },
     { r->step_states, r->pair_count },
     { r->step_damage, r->pair_count * sizeof (double) },
+    { r->ties, r->tie_count * sizeof *r->ties },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (arrays); i++) {
     char *items = arrays[i].items;
@@ -600,10 +601,178 @@ test_member_in_time (void)
   }
 }
 
+/* A block of 1 x 0.5 m that slides: friction 0.4 of its weight of 5 kN. */
+static void
+init_sliding (TestRun *run)
+{
+  test_model_init_block_on_plane (&run->model, 1, 0.5);
+  run->model.laws[0].friction = 0.4;
+  test_model_add_weight_loads (&run->model, 1);
+  test_run_solve (run);
+  g_assert_cmpint (run->result.outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_cmpfloat_with_epsilon (run->result.collapse_multiplier, 0.4, 1e-9);
+  g_assert_cmpint (test_run_count_faults (run), ==, 0);
+}
+
+/* Every number that a result states is one: not a number and infinity are told, wherever they stand. */
+static void
+test_numbers (void)
+{
+  g_auto (TestRun) run = { 0 };
+  init_sliding (&run);
+  QnResult *r = &run.result;
+  r->first_limit_multiplier = r->collapse_multiplier;
+  r->has_first_limit_multiplier = true;
+  double *const numbers[] = {
+    &r->collapse_multiplier,         &r->first_limit_multiplier,
+    &r->steps[0].multiplier,         &r->steps[r->step_count - 1].time,
+    &r->pairs[0].normal_force,       &r->pairs[1].shear_force,
+    &r->displacements[QN_DOF_COUNT], &r->mechanism[QN_DOF_COUNT]
+  };
+  for (guint i = 0; i < G_N_ELEMENTS (numbers); i++)
+    for (int infinite = 0; infinite < 2; infinite++) {
+      const double right = *numbers[i];
+      g_assert_false (tells (&run, QN_CLAIM_NUMBERS));
+      *numbers[i] = infinite ? INFINITY : NAN;
+      g_assert_true (tells (&run, QN_CLAIM_NUMBERS));
+      *numbers[i] = right;
+    }
+}
+
+/* What each outcome needs: a collapse its motion, a snap its multiplier, a rest a history, an unstable dead load
+ * no step. Without a step there is no multiplier, no event, no stability. */
+static void
+test_outcomes (void)
+{
+  g_auto (TestRun) run = { 0 };
+  init_sliding (&run);
+  QnResult *r = &run.result;
+  double *mechanism = r->mechanism;
+  g_assert_false (tells (&run, QN_CLAIM_OUTCOME));
+  r->mechanism = NULL;
+  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
+  r->mechanism = mechanism;
+  static const QnOutcome wrong[] = { QN_OUTCOME_TARGET_REACHED,     QN_OUTCOME_SNAP,
+                                     QN_OUTCOME_DEAD_LOAD_UNSTABLE, QN_OUTCOME_REST,
+                                     QN_OUTCOME_UNBOUNDED,          QN_OUTCOME_COUNT };
+  for (guint i = 0; i < G_N_ELEMENTS (wrong); i++) {
+    r->outcome = wrong[i];
+    g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
+  }
+  r->outcome = QN_OUTCOME_SNAP;
+  r->has_first_limit_multiplier = true;
+  r->first_limit_multiplier = r->collapse_multiplier;
+  r->steps[r->step_count - 1].event = QN_EVENT_SNAP;
+  g_assert_false (tells (&run, QN_CLAIM_OUTCOME));
+  r->stability = QN_STABILITY_KEPT;
+  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
+  r->stability = QN_STABILITY_UNKNOWN;
+
+  const size_t steps = r->step_count, events = r->event_count;
+  r->outcome = QN_OUTCOME_NOT_CONVERGED;
+  r->step_count = r->event_count = r->solution_count = 0;
+  r->has_collapse_multiplier = r->has_first_limit_multiplier = false;
+  r->mechanism = NULL;
+  g_assert_false (tells (&run, QN_CLAIM_OUTCOME));
+  r->has_collapse_multiplier = true;
+  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
+  r->has_collapse_multiplier = false;
+  r->has_first_limit_multiplier = true;
+  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
+  r->has_first_limit_multiplier = false;
+  r->event_count = events;
+  g_assert_cmpuint (events, >, 0);
+  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
+  r->event_count = 0;
+  r->stability = QN_STABILITY_LOST;
+  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
+  r->stability = QN_STABILITY_UNKNOWN;
+  r->outcome = QN_OUTCOME_COLLAPSE;
+  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
+  r->mechanism = mechanism;
+  r->step_count = steps;
+}
+
+/* A joint with a dilatancy of 0.2 that slides rises by a fifth of the slip; beyond the end of dilation it rises no
+ * more. The check holds the motion at collapse to that. */
+static void
+test_ends_of_dilation (void)
+{
+  for (int ends = 0; ends < 2; ends++) {
+    g_auto (TestRun) run = { 0 };
+    QnModel *model = &run.model;
+    test_model_init_block_on_plane (model, 1, 0.5);
+    model->laws[0].friction = 0.4;
+    model->laws[0].dilatancy = 0.2;
+    model->laws[0].dilation_end = ends ? 1e-4 : 0;
+    test_model_add_weight_loads (model, 1);
+    add_move (model, 1, QN_DOF_UX, 1e-3, 4);
+    qn_model_add_stage (model, "to collapse")->sets = 1;
+    test_run_solve (&run);
+    QnResult *r = &run.result;
+    double *motion = r->mechanism + QN_DOF_COUNT;
+    g_assert_cmpint (r->outcome, ==, QN_OUTCOME_COLLAPSE);
+    g_assert_cmpfloat_with_epsilon (r->collapse_multiplier, 0.4, 1e-6);
+    g_assert_false (r->mechanism_uncertain);
+    g_assert_cmpfloat_with_epsilon (motion[QN_DOF_UY] / motion[QN_DOF_UX], ends ? 0 : 0.2,
+                                    1e-3);
+    g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+    motion[QN_DOF_UY] = (ends ? 0.2 : 0) * motion[QN_DOF_UX];
+    g_assert_true (tells (&run, QN_CLAIM_OVERLAP) || tells (&run, QN_CLAIM_FLOW));
+  }
+}
+
+/* A tie that has yielded between two steps holds less than its length alone tells, if a motion led from the one to
+ * the other; never more than its strength, and it never pushes. */
+static void
+test_tie_stretched_on_the_way (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnModel *model = &run.model;
+  test_model_init_block_on_plane (model, 1, 1);
+  model->laws[0].kind = QN_LAW_ELASTIC;
+  QnTie *tie = qn_model_add_tie (model, "tie");
+  tie->ends[0] = (QnTieEnd){ 1, { -0.5, 0.5 } };
+  tie->ends[1] = (QnTieEnd){ QN_NONE, { -2.5, 0.5 } };
+  tie->area = 1e-4;
+  tie->elasticity = 2e11;
+  tie->yield = 2e7;
+  test_model_add_weight_loads (model, 1);
+  model->live_load_count = 0;
+  add_force (model, "live", 1e4, 0);
+  add_stage (model, 1, 3);
+  add_stage (model, 1, 0.4);
+  test_run_solve (&run);
+  QnResult *r = &run.result;
+  const size_t pulled = end_of (r, 1);
+  g_assert_cmpint (r->outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpfloat_with_epsilon (qn_result_step_ties (r, pulled)->force, 2e3, 1e-3);
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+
+  drop_steps (r, 1, end_of (r, 2));
+  g_assert_false (tells (&run, QN_CLAIM_TIES));
+  r->steps[1].relaxed = false;
+  g_assert_true (tells (&run, QN_CLAIM_TIES));
+  r->steps[1].relaxed = true;
+  QnTieResult *stated = &r->ties[1];
+  const double force = stated->force, wrong[] = { 2.1e3, -10 };
+  for (guint i = 0; i < G_N_ELEMENTS (wrong); i++) {
+    stated->force = wrong[i];
+    g_assert_true (tells (&run, QN_CLAIM_TIES));
+  }
+  stated->force = force;
+  g_assert_false (tells (&run, QN_CLAIM_TIES));
+}
+
 QN_TESTS
 {
-  g_test_add_func ("/result-check/member-in-time", test_member_in_time);
-  g_test_add_func ("/result-check/unequal-sides", test_unequal_sides);
+  g_test_add_func ("/core/result-check/numbers", test_numbers);
+  g_test_add_func ("/core/result-check/outcomes", test_outcomes);
+  g_test_add_func ("/core/result-check/ends-of-dilation", test_ends_of_dilation);
+  g_test_add_func ("/core/result-check/tie-stretched-on-the-way",
+                   test_tie_stretched_on_the_way);
+  g_test_add_func ("/core/result-check/member-in-time", test_member_in_time);
+  g_test_add_func ("/core/result-check/unequal-sides", test_unequal_sides);
   g_test_add_func ("/core/result-check/crushed-and-relieved-on-an-unknown-way",
                    test_crushed_and_relieved_on_an_unknown_way);
   g_test_add_func ("/core/result-check/crushed-a-little-on-an-unknown-way",
