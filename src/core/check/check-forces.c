@@ -752,8 +752,7 @@ check_ties (QnCheck *check, size_t step)
         && stated[i].state != qn_tie_state (tie, force, tolerance))
       qn_check_tell (check, QN_CLAIM_TIES, (QnId) step, QN_ENTITY_TIE, (QnId) i, force,
                      NAN);
-    if (rigid) /* for the balance */
-      response->force[0] = force;
+    response->force[0] = force; /* for the balance */
   }
 }
 
