@@ -177,9 +177,35 @@ test_wallet (void)
   g_assert_cmpfloat (modes.omega[3], >, 0);
 }
 
+/* Limit analysis and analyses in time end in no state to vibrate about. */
+static void
+test_without_state (void)
+{
+  static const struct {
+    QnProcedure procedure;
+    QnProblem problem;
+  } cases[] = { { QN_PROCEDURE_LIMIT, QN_PROBLEM_LIMIT_WITHOUT_STATE },
+                { QN_PROCEDURE_DYNAMIC, QN_PROBLEM_TIME_WITHOUT_STATE } };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_auto (TestRun) run = { 0 };
+    g_auto (QnModes) modes = { 0 };
+    QnDiag diag = { 0 };
+    test_model_init_block_on_plane (&run.model, 1, 1);
+    test_model_add_weight_loads (&run.model, 1);
+    test_run_prepare (&run);
+    run.model.analysis.procedure = cases[i].procedure;
+    g_assert_cmpint (qn_modal_run (&run.model, &run.contacts, QN_MODAL_LOADED, 1, NULL,
+                                   NULL, &modes, &run.result, &diag),
+                     ==, QN_ERROR_INVALID);
+    g_assert_cmpint (diag.problem, ==, cases[i].problem);
+    g_assert_cmpuint (modes.count, ==, 0);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/verify/modal/simply-supported", test_simply_supported);
+  g_test_add_func ("/verify/modal/without-state", test_without_state);
   g_test_add_func ("/verify/modal/one-block", test_one_block);
   g_test_add_func ("/verify/modal/dry-wall", test_dry_wall);
   g_test_add_func ("/verify/modal/wallet", test_wallet);

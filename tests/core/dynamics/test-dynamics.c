@@ -229,6 +229,47 @@ test_slide_rectangle (void)
   g_assert_cmpfloat (log2 (coarse / fine), >, 1.8);
 }
 
+/* A base that has settled under the dead load moves its block along as one that has not: the same sliding, lower
+ * by the settlement. */
+static void
+test_settled_base (void)
+{
+  g_auto (TestRun) still = { 0 };
+  g_auto (TestRun) lowered = { 0 };
+  TestRun *const runs[] = { &still, &lowered };
+  for (int settled = 0; settled < 2; settled++) {
+    TestRun *c = runs[settled];
+    init_case (c, 2, 0.2);
+    c->model.laws[0].friction = 0.3;
+    add_weight (c);
+    if (settled) {
+      QnLoad *load = qn_model_add_dead_load (&c->model);
+      load->kind = QN_LOAD_SETTLEMENT;
+      load->block = 0;
+      load->dof = QN_DOF_UY;
+      load->value = -0.02;
+    }
+    track (c, 1, QN_DOF_UX);
+    track (c, 1, QN_DOF_UY);
+    c->model.analysis.dynamic.duration = 0.3;
+    c->model.analysis.dynamic.time_step = 0.005;
+    QnGroundMotion *motion = qn_model_add_ground_motion (&c->model);
+    motion->kind = QN_SIGNAL_PULSE;
+    motion->direction = qn_vec2 (1, 0);
+    motion->pulse = (QnPulse){ QN_PULSE_RECTANGLE, 5, 0.2, 0.05 };
+    test_run_solve (c);
+    g_assert_cmpint (c->result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+    g_assert_cmpint (test_run_count_faults (c), ==, 0);
+  }
+  const size_t last = runs[0]->result.history.row_count - 1;
+  g_assert_cmpuint (runs[1]->result.history.row_count, ==, last + 1);
+  g_assert_cmpfloat (fabs (tracked (runs[0], last, 0)), >, 0.01);
+  g_assert_cmpfloat_with_epsilon (tracked (runs[1], last, 0), tracked (runs[0], last, 0),
+                                  1e-6);
+  g_assert_cmpfloat_with_epsilon (tracked (runs[1], last, 1),
+                                  tracked (runs[0], last, 1) - 0.02, 1e-6);
+}
+
 /* Factorisations of a hundred steps under a pulse, without those of the dead load. */
 static int
 count_factorizations (double amplitude, QnGeometry geometry, double damping)
@@ -735,6 +776,7 @@ QN_TESTS
   g_test_add_func ("/dynamics/joints", test_joints);
   g_test_add_func ("/dynamics/spring", test_spring);
   g_test_add_func ("/dynamics/slide-rectangle", test_slide_rectangle);
+  g_test_add_func ("/dynamics/settled-base", test_settled_base);
   g_test_add_func ("/dynamics/slide-sine", test_slide_sine);
   g_test_add_func ("/dynamics/rising-ground", test_rising_ground);
   g_test_add_func ("/dynamics/factorizations", test_factorizations);

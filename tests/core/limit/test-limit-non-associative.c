@@ -399,10 +399,30 @@ test_cancel (void)
   }
 }
 
+/* A live load a thousand times as large is carried a thousandth as often: whether the multiplier still changes with
+ * softer joints is told beside the multiplier itself. */
+static void
+test_larger_load (void)
+{
+  double lowest[2];
+  for (int larger = 0; larger < 2; larger++) {
+    QnModel model;
+    test_model_init_wall (&model, 6, 0);
+    model.live_loads[0].vector.x *= larger ? 1000 : 1;
+    QnLimitInterval interval = solve (&model);
+    g_assert_cmpint (interval.solution.outcome, ==, QN_OUTCOME_COLLAPSE);
+    lowest[larger] = interval.lowest;
+    qn_limit_interval_clear (&interval);
+  }
+  g_test_message ("%.8f, times 1000 %.8f", lowest[0], 1000 * lowest[1]);
+  g_assert_cmpfloat_with_epsilon (1000 * lowest[1] / lowest[0], 1, 1e-4);
+}
+
 QN_TESTS
 {
   g_test_add_func ("/limit-non-associative/published", test_published);
   g_test_add_func ("/limit-non-associative/invariance", test_invariance);
+  g_test_add_func ("/limit-non-associative/larger-load", test_larger_load);
   g_test_add_func ("/limit-non-associative/growth", test_growth);
   g_test_add_func ("/limit-non-associative/coupling", test_coupling);
   g_test_add_func ("/limit-non-associative/running-bond", test_running_bond);
