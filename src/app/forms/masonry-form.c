@@ -68,12 +68,6 @@ dup_openings (guint count)
                           count);
 }
 
-static const QnFieldInfo *
-row_info (guint row)
-{
-  return qn_masonry_field_info ((QnMasonryField) row);
-}
-
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
@@ -82,7 +76,6 @@ show (gpointer data, guint field, QnValue *value)
     &qn_canvas_get_masonry (form->base.canvas)->items[form->object];
   const QnArch *arch = qn_masonry_get_arch (masonry);
   const QnLeaf *leaf = &masonry->wall.leaves[0];
-  QnMasonryField number = (QnMasonryField) (field - FIELD_COUNT);
   gboolean wall = masonry->kind == QN_MASONRY_WALL;
   switch (field) {
   case TITLE:
@@ -124,9 +117,9 @@ show (gpointer data, guint field, QnValue *value)
     value->text = dup_openings ((guint) masonry->wall.opening_count);
     return wall;
   default:
-    if (!qn_masonry_has_field (masonry, number))
+    if (!qn_masonry_has_field (masonry, QN_NO_OPENING, field - FIELD_COUNT))
       return FALSE;
-    value->number = qn_masonry_get_field (masonry, number);
+    value->number = qn_masonry_get_field (masonry, QN_NO_OPENING, field - FIELD_COUNT);
     return TRUE;
   }
 }
@@ -168,8 +161,7 @@ change_masonry (QnMasonry *masonry, gpointer data, GError **error)
     return qn_portal_take_list (&masonry->portal, (QnPortalList) (change->field - SPANS),
                                 qn_settings_get_units (), change->value->text, error);
   default:
-    qn_masonry_set_field (masonry, (QnMasonryField) (change->field - FIELD_COUNT),
-                          number);
+    qn_masonry_set_field (masonry, QN_NO_OPENING, change->field - FIELD_COUNT, number);
     break;
   }
   return TRUE;
@@ -191,6 +183,7 @@ row_step (guint row)
   return _ ("Change %s");
 }
 
-const QnFormKind qn_masonry_form = QN_FORM_KIND (
-  "masonry-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
-  .row_info = row_info, .row_step = row_step, .row_count = QN_MASONRY_FIELD_COUNT);
+const QnFormKind qn_masonry_form =
+  QN_FORM_KIND ("masonry-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
+                .row_info = qn_masonry_field_info, .row_step = row_step,
+                .row_count = QN_MASONRY_FIELDS);

@@ -23,13 +23,6 @@ QN_FORM_FIELDS;
 static const QnSpan spans[] = { QN_SPAN_NONE, QN_SPAN_LINTEL, QN_SPAN_FLAT_ARCH,
                                 QN_SPAN_VOUSSOIRS };
 
-static const QnOpening *
-selected_opening (const Form *form)
-{
-  const QnMasonries *list = qn_canvas_get_masonry (form->base.canvas);
-  return &list->items[form->object].wall.openings[form->number];
-}
-
 static gboolean
 look (gpointer data)
 {
@@ -44,15 +37,16 @@ look (gpointer data)
 static const QnFieldInfo *
 row_info (guint row)
 {
-  return qn_opening_field_info ((QnOpeningField) row);
+  return qn_masonry_field_info (QN_MASONRY_FIELDS + row);
 }
 
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
   const Form *form = data;
-  const QnOpening *opening = selected_opening (form);
-  QnOpeningField number = (QnOpeningField) (field - FIELD_COUNT);
+  const QnMasonry *wall = &qn_canvas_get_masonry (form->base.canvas)->items[form->object];
+  const QnOpening *opening = &wall->wall.openings[form->number];
+  const guint number = QN_MASONRY_FIELDS + field - FIELD_COUNT;
   switch (field) {
   case TITLE:
     value->text = opening->name != NULL
@@ -71,9 +65,9 @@ show (gpointer data, guint field, QnValue *value)
     value->number = opening->sides;
     return opening->span == QN_SPAN_VOUSSOIRS;
   default:
-    if (!qn_opening_has_field (opening, number))
+    if (!qn_masonry_has_field (wall, form->number, number))
       return FALSE;
-    value->number = qn_opening_get_field (opening, number);
+    value->number = qn_masonry_get_field (wall, form->number, number);
     return TRUE;
   }
 }
@@ -92,7 +86,8 @@ change_opening (QnMasonry *masonry, gpointer data, GError **error)
   const Change *change = data;
   QnOpening *opening = &masonry->wall.openings[change->opening];
   if (change->field >= FIELD_COUNT)
-    qn_opening_set_field (opening, (QnOpeningField) (change->field - FIELD_COUNT),
+    qn_masonry_set_field (masonry, change->opening,
+                          QN_MASONRY_FIELDS + change->field - FIELD_COUNT,
                           change->number);
   else if (change->field == SIDES)
     opening->sides = (QnSides) change->number;
@@ -119,9 +114,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 static const char *
 row_step (guint row)
 {
-  return row <= QN_OPENING_BOTTOM ? _ ("Move Opening") : _ ("Change Opening");
+  return row < QN_OPENING_PLACE_FIELDS ? _ ("Move Opening") : _ ("Change Opening");
 }
 
 const QnFormKind qn_opening_form = QN_FORM_KIND (
   "opening-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
-  .row_info = row_info, .row_step = row_step, .row_count = QN_OPENING_FIELD_COUNT);
+  .row_info = row_info, .row_step = row_step, .row_count = QN_OPENING_FIELDS);

@@ -12,158 +12,194 @@
 /* The angle of a circular arch, from the plumb line to its joint at the springing, where its rise is. */
 typedef enum { TYPE_NUMBER, TYPE_COUNT, TYPE_SEED, TYPE_SPRINGING } Type;
 
-/* Where a field is: in the object, or in the leaf of a wall. */
+/* Objects that have a field, of those of its kind. */
+typedef enum {
+  ALWAYS,
+  OF_CIRCULAR,      /* arches */
+  OF_THREE_CENTRED, /* arches */
+  OF_ARCHES,        /* portals */
+  OF_STONES,        /* rubble, not cells of Voronoi */
+  OF_BONDS,         /* walls that are not listed course by course */
+  OF_RUNNING,       /* bond */
+  OF_HEADERS,       /* bonds with headers */
+  OF_SEGMENTAL,     /* heads of openings */
+  OF_SPANNED,       /* openings, by anything, */
+  OF_PIECES,        /* by voussoirs or a flat arch, */
+  OF_FLAT_ARCH,     /* by that alone, */
+  OF_LINTEL,        /* by a lintel */
+  OF_SILL
+} When;
+
 typedef struct Field {
   QnFieldInfo info;
-  int kind; /* QnMasonryKind, or -1 for all */
+  int kind; /* QnMasonryKind, or one of those below */
+  When when;
   Type type;
-  gboolean leaf;
-  gsize offset;
+  gsize offset; /* in the object, the leaf or the opening */
 } Field;
 
-#define ALL (-1)
-#define SIZE(text, key, kind, member)                                                    \
+enum { ALL = -1, OPENING = -2, LEAF = -3 /* of a wall */ };
+
+#define FIELD(text, quantity, least, most, kind, when, type, of, member)                 \
   {                                                                                      \
-    { text, QN_QUANTITY_LENGTH, SMALL, LARGEST, FALSE, key }, kind, TYPE_NUMBER, FALSE,  \
-      G_STRUCT_OFFSET (QnMasonry, member)                                                \
+    { text, quantity, least, most }, kind, when, TYPE_##type,                            \
+      G_STRUCT_OFFSET (of, member)                                                       \
   }
-#define EXTRA(text, key, kind, member)                                                   \
-  {                                                                                      \
-    { text, QN_QUANTITY_LENGTH, 0.0, LARGEST, FALSE, key }, kind, TYPE_NUMBER, FALSE,    \
-      G_STRUCT_OFFSET (QnMasonry, member)                                                \
-  }
-#define PLACE(text, key, member)                                                         \
-  {                                                                                      \
-    { text, QN_QUANTITY_LENGTH, -LARGEST, LARGEST, FALSE, key }, ALL, TYPE_NUMBER,       \
-      FALSE, G_STRUCT_OFFSET (QnMasonry, member)                                         \
-  }
-#define NUMBER(text, key, kind, member, least)                                           \
-  {                                                                                      \
-    { text, QN_QUANTITY_NUMBER, least, 10000.0, TRUE, key }, kind, TYPE_COUNT, FALSE,    \
-      G_STRUCT_OFFSET (QnMasonry, member)                                                \
-  }
+#define LENGTH(text, least, kind, when, of, member)                                      \
+  FIELD (text, QN_QUANTITY_LENGTH, least, LARGEST, kind, when, NUMBER, of, member)
+#define SIZE(text, kind, member)  LENGTH (text, SMALL, kind, ALWAYS, QnMasonry, member)
+#define EXTRA(text, kind, member) LENGTH (text, 0.0, kind, ALWAYS, QnMasonry, member)
+#define PART(text, most, kind, when, of, member)                                         \
+  FIELD (text, QN_QUANTITY_NUMBER, 0.0, most, kind, when, NUMBER, of, member)
+#define NUMBER(text, kind, when, member, least)                                          \
+  FIELD (text, QN_QUANTITY_NUMBER, least, 10000.0, kind, when, COUNT, QnMasonry, member)
+#define SEED(text, kind, member)                                                         \
+  FIELD (text, QN_QUANTITY_NUMBER, 0.0, G_MAXUINT32, kind, ALWAYS, SEED, QnMasonry,      \
+         member)
 #define SPRINGING(kind, member)                                                          \
-  {                                                                                      \
-    { N_ ("Angle at the springing"), QN_QUANTITY_ANGLE, SMALL, M_PI_2, FALSE, "rise" },  \
-      kind, TYPE_SPRINGING, FALSE, G_STRUCT_OFFSET (QnMasonry, member)                   \
-  }
-#define LEAF(text, key, quantity, least, most, member)                                   \
-  {                                                                                      \
-    { text, quantity, least, most, FALSE, key }, QN_MASONRY_WALL, TYPE_NUMBER, TRUE,     \
-      G_STRUCT_OFFSET (QnLeaf, member)                                                   \
-  }
+  FIELD (N_ ("Angle at the springing"), QN_QUANTITY_ANGLE, SMALL, M_PI_2, kind,          \
+         OF_CIRCULAR, SPRINGING, QnMasonry, member)
 
 /* clang-format off */
-static const Field fields[QN_MASONRY_FIELD_COUNT] = {
-  [QN_MASONRY_ORIGIN_X] = PLACE (N_ ("Left edge"), "origin[0]", origin.x),
-  [QN_MASONRY_ORIGIN_Y] = PLACE (N_ ("Lower edge"), "origin[1]", origin.y),
-  [QN_MASONRY_ROTATION] = { { N_ ("Rotated by"), QN_QUANTITY_ANGLE, -10.0, 10.0, FALSE, "rotation" }, ALL, TYPE_NUMBER,
-                          FALSE, G_STRUCT_OFFSET (QnMasonry, rotation) },
-  [QN_MASONRY_LENGTH] = LEAF (N_ ("Length"), "length", QN_QUANTITY_LENGTH, SMALL, LARGEST, length),
-  [QN_MASONRY_HEIGHT] = SIZE (N_ ("Height"), "height", QN_MASONRY_WALL, wall.height),
-  [QN_MASONRY_UNIT_X] = LEAF (N_ ("Block length"), "unit[0]", QN_QUANTITY_LENGTH, SMALL, LARGEST, unit.x),
-  [QN_MASONRY_UNIT_Y] = LEAF (N_ ("Course height"), "unit[1]", QN_QUANTITY_LENGTH, SMALL, LARGEST, unit.y),
-  [QN_MASONRY_LAP] = LEAF (N_ ("Overlap, part of a block"), "lap", QN_QUANTITY_NUMBER, 0.0, 0.999, lap),
-  [QN_MASONRY_HEADER] = LEAF (N_ ("Header length (0: half)"), "header", QN_QUANTITY_LENGTH, 0.0, LARGEST, header),
-  [QN_MASONRY_ARCH_SPAN] = SIZE (N_ ("Span"), "span", QN_MASONRY_ARCH, arch.span),
-  [QN_MASONRY_ARCH_RISE] = SIZE (N_ ("Rise"), "rise", QN_MASONRY_ARCH, arch.rise),
-  [QN_MASONRY_ARCH_SPRINGING] = SPRINGING (QN_MASONRY_ARCH, arch),
-  [QN_MASONRY_ARCH_RING] = SIZE (N_ ("Ring thickness"), "ring", QN_MASONRY_ARCH, arch.ring),
-  [QN_MASONRY_ARCH_VOUSSOIRS] = NUMBER (N_ ("Voussoirs"), "voussoirs", QN_MASONRY_ARCH, arch.voussoirs, 2.0),
-  [QN_MASONRY_ARCH_SPRINGER] = EXTRA (N_ ("Springer height"), "springer", QN_MASONRY_ARCH, arch.springer),
-  [QN_MASONRY_ARCH_RINGS] = NUMBER (N_ ("Rings"), "rings", QN_MASONRY_ARCH, arch.rings, 1.0),
-  [QN_MASONRY_ARCH_HAUNCH] = EXTRA (N_ ("Radius at the ends (0: usual)"), "haunch", QN_MASONRY_ARCH, arch.haunch),
-  [QN_MASONRY_COLUMN_HEIGHT] = SIZE (N_ ("Height"), "height", QN_MASONRY_COLUMN, column.height),
-  [QN_MASONRY_COLUMN_BOTTOM] = SIZE (N_ ("Width at the foot"), "width[0]", QN_MASONRY_COLUMN, column.bottom),
-  [QN_MASONRY_COLUMN_TOP] = SIZE (N_ ("Width at the top"), "width[1]", QN_MASONRY_COLUMN, column.top),
-  [QN_MASONRY_COLUMN_DRUMS] = NUMBER (N_ ("Drums"), "drums", QN_MASONRY_COLUMN, column.drums, 1.0),
-  [QN_MASONRY_PLINTH_WIDTH] = EXTRA (N_ ("Plinth width"), "plinth[0]", QN_MASONRY_COLUMN, column.plinth_width),
-  [QN_MASONRY_PLINTH_HEIGHT] = EXTRA (N_ ("Plinth height"), "plinth[1]", QN_MASONRY_COLUMN, column.plinth_height),
-  [QN_MASONRY_CAPITAL_WIDTH] = EXTRA (N_ ("Capital width"), "capital[0]", QN_MASONRY_COLUMN, column.capital_width),
-  [QN_MASONRY_CAPITAL_HEIGHT] = EXTRA (N_ ("Capital height"), "capital[1]", QN_MASONRY_COLUMN, column.capital_height),
-  [QN_MASONRY_BUTTRESS_HEIGHT] = SIZE (N_ ("Height"), "height", QN_MASONRY_BUTTRESS, buttress.height),
-  [QN_MASONRY_BUTTRESS_BOTTOM] = SIZE (N_ ("Width at the foot"), "width[0]", QN_MASONRY_BUTTRESS, buttress.bottom),
-  [QN_MASONRY_BUTTRESS_TOP] = SIZE (N_ ("Width at the top"), "width[1]", QN_MASONRY_BUTTRESS, buttress.top),
-  [QN_MASONRY_BUTTRESS_COURSES] = NUMBER (N_ ("Courses"), "courses", QN_MASONRY_BUTTRESS, buttress.courses, 1.0),
-  [QN_MASONRY_PORTAL_BAYS] = NUMBER (N_ ("Bays"), "bays", QN_MASONRY_PORTAL, portal.bays, 1.0),
-  [QN_MASONRY_PORTAL_SPAN] = SIZE (N_ ("Span"), "span", QN_MASONRY_PORTAL, portal.span),
-  [QN_MASONRY_PORTAL_PIER_WIDTH] = SIZE (N_ ("Pier width"), "pier[0]", QN_MASONRY_PORTAL, portal.pier_width),
-  [QN_MASONRY_PORTAL_PIER_HEIGHT] = SIZE (N_ ("Pier height"), "pier[1]", QN_MASONRY_PORTAL, portal.pier_height),
-  [QN_MASONRY_PORTAL_COURSES] = NUMBER (N_ ("Courses per pier"), "courses", QN_MASONRY_PORTAL, portal.courses, 1.0),
-  [QN_MASONRY_PORTAL_LINTEL] = EXTRA (N_ ("Lintel height (0: arches)"), "lintel", QN_MASONRY_PORTAL, portal.lintel_height),
-  [QN_MASONRY_PORTAL_RISE] = SIZE (N_ ("Rise"), "arch.rise", QN_MASONRY_PORTAL, portal.arch.rise),
-  [QN_MASONRY_PORTAL_SPRINGING] = SPRINGING (QN_MASONRY_PORTAL, portal.arch),
-  [QN_MASONRY_PORTAL_RING] = SIZE (N_ ("Ring thickness"), "arch.ring", QN_MASONRY_PORTAL, portal.arch.ring),
-  [QN_MASONRY_PORTAL_VOUSSOIRS] = NUMBER (N_ ("Voussoirs"), "arch.voussoirs", QN_MASONRY_PORTAL, portal.arch.voussoirs, 2.0),
-  [QN_MASONRY_PORTAL_RINGS] = NUMBER (N_ ("Rings"), "arch.rings", QN_MASONRY_PORTAL, portal.arch.rings, 1.0),
-  [QN_MASONRY_PORTAL_HAUNCH] = EXTRA (N_ ("Radius at the ends (0: usual)"), "arch.haunch", QN_MASONRY_PORTAL, portal.arch.haunch),
-  [QN_MASONRY_PORTAL_BACKING] = EXTRA (N_ ("Height of the backing"), "backing", QN_MASONRY_PORTAL, portal.backing),
-  [QN_MASONRY_RUBBLE_WIDTH] = SIZE (N_ ("Width at the foot"), "width[0]", QN_MASONRY_RUBBLE, rubble.width),
-  [QN_MASONRY_RUBBLE_TOP] = SIZE (N_ ("Width at the top"), "width[1]", QN_MASONRY_RUBBLE, rubble.top),
-  [QN_MASONRY_RUBBLE_HEIGHT] = SIZE (N_ ("Height"), "height", QN_MASONRY_RUBBLE, rubble.height),
-  [QN_MASONRY_RUBBLE_STONE] = SIZE (N_ ("Size of stones"), "stone", QN_MASONRY_RUBBLE, rubble.stone),
-  [QN_MASONRY_RUBBLE_IRREGULARITY] = { { N_ ("Irregularity, 0 to 1"), QN_QUANTITY_NUMBER, 0.0, 1.0, FALSE, "irregularity" },
-                                     QN_MASONRY_RUBBLE, TYPE_NUMBER, FALSE,
-                                     G_STRUCT_OFFSET (QnMasonry, rubble.irregularity) },
-  [QN_MASONRY_RUBBLE_SEED] = { { N_ ("Seed"), QN_QUANTITY_NUMBER, 0.0, 4294967295.0, TRUE, "seed" }, QN_MASONRY_RUBBLE,
-                             TYPE_SEED, FALSE, G_STRUCT_OFFSET (QnMasonry, rubble.seed) },
-  [QN_MASONRY_THICKNESS] = SIZE (N_ ("Thickness"), "thickness", ALL, thickness),
-  [QN_MASONRY_UNIT_WEIGHT] = { { N_ ("Unit weight"), QN_QUANTITY_UNIT_WEIGHT, 0.0, 1e9, FALSE, "unit_weight" }, ALL, TYPE_NUMBER,
-                             FALSE, G_STRUCT_OFFSET (QnMasonry, unit_weight) },
-  [QN_MASONRY_FOUNDATION] = EXTRA (N_ ("Fixed base, depth"), "foundation", ALL, foundation),
-  [QN_MASONRY_PERTURBATION] = { { N_ ("Irregular joints, 0 to 0.4"), QN_QUANTITY_NUMBER, 0.0, 0.4, FALSE, "perturbation" }, ALL,
-                              TYPE_NUMBER, FALSE, G_STRUCT_OFFSET (QnMasonry, perturbation) },
-  [QN_MASONRY_PERTURBATION_SEED] = { { N_ ("Seed of the joints"), QN_QUANTITY_NUMBER, 0.0, 4294967295.0, TRUE, "perturbation_seed" }, ALL,
-                                   TYPE_SEED, FALSE, G_STRUCT_OFFSET (QnMasonry, perturbation_seed) },
+static const Field fields[] = {
+  LENGTH (N_ ("Left edge"), -LARGEST, ALL, ALWAYS, QnMasonry, origin.x),
+  LENGTH (N_ ("Lower edge"), -LARGEST, ALL, ALWAYS, QnMasonry, origin.y),
+  FIELD (N_ ("Rotated by"), QN_QUANTITY_ANGLE, -10.0, 10.0, ALL, ALWAYS, NUMBER, QnMasonry, rotation),
+  LENGTH (N_ ("Length"), SMALL, LEAF, OF_BONDS, QnLeaf, length),
+  LENGTH (N_ ("Height"), SMALL, QN_MASONRY_WALL, OF_BONDS, QnMasonry, wall.height),
+  LENGTH (N_ ("Block length"), SMALL, LEAF, ALWAYS, QnLeaf, unit.x),
+  LENGTH (N_ ("Course height"), SMALL, LEAF, ALWAYS, QnLeaf, unit.y),
+  PART (N_ ("Overlap, part of a block"), 0.999, LEAF, OF_RUNNING, QnLeaf, lap),
+  LENGTH (N_ ("Header length (0: half)"), 0.0, LEAF, OF_HEADERS, QnLeaf, header),
+  SIZE (N_ ("Span"), QN_MASONRY_ARCH, arch.span),
+  SIZE (N_ ("Rise"), QN_MASONRY_ARCH, arch.rise),
+  SPRINGING (QN_MASONRY_ARCH, arch),
+  SIZE (N_ ("Ring thickness"), QN_MASONRY_ARCH, arch.ring),
+  NUMBER (N_ ("Voussoirs"), QN_MASONRY_ARCH, ALWAYS, arch.voussoirs, 2.0),
+  EXTRA (N_ ("Springer height"), QN_MASONRY_ARCH, arch.springer),
+  NUMBER (N_ ("Rings"), QN_MASONRY_ARCH, ALWAYS, arch.rings, 1.0),
+  LENGTH (N_ ("Radius at the ends (0: usual)"), 0.0, QN_MASONRY_ARCH, OF_THREE_CENTRED, QnMasonry, arch.haunch),
+  SIZE (N_ ("Height"), QN_MASONRY_COLUMN, column.height),
+  SIZE (N_ ("Width at the foot"), QN_MASONRY_COLUMN, column.bottom),
+  SIZE (N_ ("Width at the top"), QN_MASONRY_COLUMN, column.top),
+  NUMBER (N_ ("Drums"), QN_MASONRY_COLUMN, ALWAYS, column.drums, 1.0),
+  EXTRA (N_ ("Plinth width"), QN_MASONRY_COLUMN, column.plinth_width),
+  EXTRA (N_ ("Plinth height"), QN_MASONRY_COLUMN, column.plinth_height),
+  EXTRA (N_ ("Capital width"), QN_MASONRY_COLUMN, column.capital_width),
+  EXTRA (N_ ("Capital height"), QN_MASONRY_COLUMN, column.capital_height),
+  SIZE (N_ ("Height"), QN_MASONRY_BUTTRESS, buttress.height),
+  SIZE (N_ ("Width at the foot"), QN_MASONRY_BUTTRESS, buttress.bottom),
+  SIZE (N_ ("Width at the top"), QN_MASONRY_BUTTRESS, buttress.top),
+  NUMBER (N_ ("Courses"), QN_MASONRY_BUTTRESS, ALWAYS, buttress.courses, 1.0),
+  NUMBER (N_ ("Bays"), QN_MASONRY_PORTAL, ALWAYS, portal.bays, 1.0),
+  SIZE (N_ ("Span"), QN_MASONRY_PORTAL, portal.span),
+  SIZE (N_ ("Pier width"), QN_MASONRY_PORTAL, portal.pier_width),
+  SIZE (N_ ("Pier height"), QN_MASONRY_PORTAL, portal.pier_height),
+  NUMBER (N_ ("Courses per pier"), QN_MASONRY_PORTAL, ALWAYS, portal.courses, 1.0),
+  EXTRA (N_ ("Lintel height (0: arches)"), QN_MASONRY_PORTAL, portal.lintel_height),
+  LENGTH (N_ ("Rise"), SMALL, QN_MASONRY_PORTAL, OF_ARCHES, QnMasonry, portal.arch.rise),
+  SPRINGING (QN_MASONRY_PORTAL, portal.arch),
+  LENGTH (N_ ("Ring thickness"), SMALL, QN_MASONRY_PORTAL, OF_ARCHES, QnMasonry, portal.arch.ring),
+  NUMBER (N_ ("Voussoirs"), QN_MASONRY_PORTAL, OF_ARCHES, portal.arch.voussoirs, 2.0),
+  NUMBER (N_ ("Rings"), QN_MASONRY_PORTAL, OF_ARCHES, portal.arch.rings, 1.0),
+  LENGTH (N_ ("Radius at the ends (0: usual)"), 0.0, QN_MASONRY_PORTAL, OF_THREE_CENTRED, QnMasonry, portal.arch.haunch),
+  LENGTH (N_ ("Height of the backing"), 0.0, QN_MASONRY_PORTAL, OF_ARCHES, QnMasonry, portal.backing),
+  SIZE (N_ ("Width at the foot"), QN_MASONRY_RUBBLE, rubble.width),
+  LENGTH (N_ ("Width at the top"), SMALL, QN_MASONRY_RUBBLE, OF_STONES, QnMasonry, rubble.top),
+  SIZE (N_ ("Height"), QN_MASONRY_RUBBLE, rubble.height),
+  SIZE (N_ ("Size of stones"), QN_MASONRY_RUBBLE, rubble.stone),
+  PART (N_ ("Irregularity, 0 to 1"), 1.0, QN_MASONRY_RUBBLE, OF_STONES, QnMasonry, rubble.irregularity),
+  SEED (N_ ("Seed"), QN_MASONRY_RUBBLE, rubble.seed),
+  SIZE (N_ ("Thickness"), ALL, thickness),
+  FIELD (N_ ("Unit weight"), QN_QUANTITY_UNIT_WEIGHT, 0.0, 1e9, ALL, ALWAYS, NUMBER, QnMasonry, unit_weight),
+  EXTRA (N_ ("Fixed base, depth"), ALL, foundation),
+  PART (N_ ("Irregular joints, 0 to 0.4"), 0.4, ALL, ALWAYS, QnMasonry, perturbation),
+  SEED (N_ ("Seed of the joints"), ALL, perturbation_seed),
+  LENGTH (N_ ("From the left"), -LARGEST, OPENING, ALWAYS, QnOpening, at.x),
+  LENGTH (N_ ("From the foot"), -LARGEST, OPENING, ALWAYS, QnOpening, at.y),
+  LENGTH (N_ ("Width"), SMALL, OPENING, ALWAYS, QnOpening, width),
+  LENGTH (N_ ("Height"), SMALL, OPENING, ALWAYS, QnOpening, height),
+  LENGTH (N_ ("Rise of the head"), SMALL, OPENING, OF_SEGMENTAL, QnOpening, rise),
+  LENGTH (N_ ("Depth of what spans it"), SMALL, OPENING, OF_SPANNED, QnOpening, depth),
+  LENGTH (N_ ("Bearing"), 0.0, OPENING, OF_LINTEL, QnOpening, bearing),
+  FIELD (N_ ("Voussoirs"), QN_QUANTITY_NUMBER, 1.0, 1000.0, OPENING, OF_PIECES, COUNT, QnOpening, voussoirs),
+  FIELD (N_ ("Inclination of the skewbacks"), QN_QUANTITY_ANGLE, 0.0, 1.5, OPENING, OF_FLAT_ARCH, NUMBER, QnOpening, skew),
+  LENGTH (N_ ("Sill height"), 0.0, OPENING, ALWAYS, QnOpening, sill_height),
+  LENGTH (N_ ("Sill bearing"), 0.0, OPENING, OF_SILL, QnOpening, sill_bearing),
 };
 /* clang-format on */
 
+G_STATIC_ASSERT (G_N_ELEMENTS (fields) == QN_MASONRY_FIELDS + QN_OPENING_FIELDS);
+
 const QnFieldInfo *
-qn_masonry_field_info (QnMasonryField field)
+qn_masonry_field_info (guint field)
 {
   return &fields[field].info;
 }
 
 gboolean
-qn_masonry_has_field (const QnMasonry *masonry, QnMasonryField field)
+qn_masonry_has_field (const QnMasonry *masonry, int opening, guint field)
 {
   const Field *f = &fields[field];
-  if (f->kind != ALL && f->kind != (int) masonry->kind)
-    return FALSE;
-  if (masonry->rubble.relaxed
-      && (field == QN_MASONRY_RUBBLE_TOP || field == QN_MASONRY_RUBBLE_IRREGULARITY))
-    return FALSE;
   const QnArch *arch = qn_masonry_get_arch (masonry);
-  if (f->type == TYPE_SPRINGING)
-    return arch != NULL && arch->shape == QN_ARCH_CIRCULAR;
-  if (field == QN_MASONRY_ARCH_HAUNCH || field == QN_MASONRY_PORTAL_HAUNCH)
-    return arch != NULL && arch->shape == QN_ARCH_THREE_CENTRED;
-  if (masonry->kind == QN_MASONRY_PORTAL && field >= QN_MASONRY_PORTAL_RISE
-      && field <= QN_MASONRY_PORTAL_BACKING)
-    return !(masonry->portal.lintel_height > 0.0);
-  if (masonry->kind != QN_MASONRY_WALL)
+  const int kind = f->kind == LEAF ? QN_MASONRY_WALL : f->kind;
+  const QnBond bond =
+    masonry->kind == QN_MASONRY_WALL ? masonry->wall.leaves[0].bond : QN_BOND_RUNNING;
+  const QnOpening none = { 0 };
+  const QnOpening *o =
+    opening != QN_NO_OPENING ? &masonry->wall.openings[opening] : &none;
+  const gboolean pieces = o->span == QN_SPAN_FLAT_ARCH || o->span == QN_SPAN_VOUSSOIRS;
+  if ((kind == OPENING) != (opening != QN_NO_OPENING)
+      || (kind >= 0 && kind != (int) masonry->kind))
+    return FALSE;
+  switch (f->when) {
+  case ALWAYS:
     return TRUE;
-  QnBond bond = masonry->wall.leaves[0].bond;
-  if (field == QN_MASONRY_LENGTH || field == QN_MASONRY_HEIGHT)
+  case OF_CIRCULAR:
+    return arch != NULL && arch->shape == QN_ARCH_CIRCULAR;
+  case OF_THREE_CENTRED:
+    return arch != NULL && arch->shape == QN_ARCH_THREE_CENTRED;
+  case OF_ARCHES:
+    return arch != NULL;
+  case OF_STONES:
+    return !masonry->rubble.relaxed;
+  case OF_BONDS:
     return bond != QN_BOND_CUSTOM;
-  if (field == QN_MASONRY_LAP)
+  case OF_RUNNING:
     return bond == QN_BOND_RUNNING;
-  if (field == QN_MASONRY_HEADER)
+  case OF_HEADERS:
     return bond == QN_BOND_HEADER || bond == QN_BOND_ENGLISH || bond == QN_BOND_FLEMISH;
-  return TRUE;
+  case OF_SEGMENTAL:
+    return o->head == QN_HEAD_SEGMENTAL;
+  case OF_SPANNED:
+    return pieces || o->span == QN_SPAN_LINTEL;
+  case OF_PIECES:
+    return pieces;
+  case OF_FLAT_ARCH:
+    return o->span == QN_SPAN_FLAT_ARCH;
+  case OF_LINTEL:
+    return o->span == QN_SPAN_LINTEL;
+  case OF_SILL:
+    return o->sill_height > 0.0;
+  }
+  return FALSE;
 }
 
 static gpointer
-address (QnMasonry *masonry, const Field *field)
+address (const QnMasonry *masonry, int opening, const Field *field)
 {
-  char *base = field->leaf ? (char *) &masonry->wall.leaves[0] : (char *) masonry;
-  return base + field->offset;
+  const void *base = opening != QN_NO_OPENING
+                       ? (const void *) &masonry->wall.openings[opening]
+                     : field->kind == LEAF ? (const void *) &masonry->wall.leaves[0]
+                                           : masonry;
+  return (char *) base + field->offset;
 }
 
-static double
-get_number (gconstpointer at, Type type)
+double
+qn_masonry_get_field (const QnMasonry *masonry, int opening, guint field)
 {
-  switch (type) {
+  const void *at = address (masonry, opening, &fields[field]);
+  switch (fields[field].type) {
   case TYPE_NUMBER:
     return *(const double *) at;
   case TYPE_COUNT:
@@ -206,26 +242,26 @@ qn_masonry_get_arch (const QnMasonry *masonry)
   return masonry->kind == QN_MASONRY_ARCH ? (QnArch *) &masonry->arch : NULL;
 }
 
-double
-qn_masonry_get_field (const QnMasonry *masonry, QnMasonryField field)
-{
-  return get_number (address ((QnMasonry *) masonry, &fields[field]), fields[field].type);
-}
-
 void
-qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value)
+qn_masonry_set_field (QnMasonry *masonry, int opening, guint field, double value)
 {
   const bool grid = masonry->kind == QN_MASONRY_WALL && masonry->wall.grid;
-  const bool divides = field == QN_MASONRY_UNIT_X || field == QN_MASONRY_UNIT_Y;
+  const Field *f = &fields[field];
+  gpointer at = address (masonry, opening, f);
+  const bool divides = f->kind == LEAF
+                       && (f->offset == G_STRUCT_OFFSET (QnLeaf, unit.x)
+                           || f->offset == G_STRUCT_OFFSET (QnLeaf, unit.y));
   const QnVec2 cells = grid ? qn_masonry_count_cells (masonry) : qn_vec2 (0, 0);
   const QnRubble before = masonry->rubble;
-  set_number (address (masonry, &fields[field]), fields[field].type, value);
+  set_number (at, f->type, value);
+  if (opening != QN_NO_OPENING)
+    return;
   if (grid)
     qn_masonry_divide_grid (masonry, divides ? qn_masonry_count_cells (masonry) : cells);
-  for (gsize i = 1; fields[field].leaf && i < masonry->wall.leaf_count; i++) {
+  for (gsize i = 1; f->kind == LEAF && i < masonry->wall.leaf_count; i++) {
     /* Leaves keep lengths of their own; blocks are alike. */
-    if (field != QN_MASONRY_LENGTH)
-      *(double *) ((char *) &masonry->wall.leaves[i] + fields[field].offset) = value;
+    if (f->offset != G_STRUCT_OFFSET (QnLeaf, length))
+      *(double *) ((char *) &masonry->wall.leaves[i] + f->offset) = value;
   }
   /* Numbers that others depend on take them along. */
   QnArch *arch = qn_masonry_get_arch (masonry);
@@ -246,11 +282,11 @@ qn_masonry_set_field (QnMasonry *masonry, QnMasonryField field, double value)
     masonry->rubble.height = before.height;
     qn_masonry_resize_voronoi (&masonry->rubble, size);
   }
-  if (field == QN_MASONRY_PLINTH_HEIGHT && column->plinth_width <= 0.0)
+  if (at == &column->plinth_height && column->plinth_width <= 0.0)
     column->plinth_width = 1.25 * column->bottom;
-  if (field == QN_MASONRY_CAPITAL_HEIGHT && column->capital_width <= 0.0)
+  if (at == &column->capital_height && column->capital_width <= 0.0)
     column->capital_width = 1.25 * column->top;
-  if (field == QN_MASONRY_UNIT_WEIGHT)
+  if (at == &masonry->unit_weight)
     masonry->density = -1.0;
 }
 
@@ -292,71 +328,4 @@ qn_portal_take_list (QnPortal *portal, QnPortalList list, QnUnits units, const c
     }
   memcpy (portal_list (portal, list), numbers, sizeof numbers);
   return TRUE;
-}
-
-/* ---- openings ---- */
-
-typedef struct OpeningField {
-  QnFieldInfo info;
-  gsize offset;
-  guint spans; /* a bit for each QnSpan that has it; 0: all */
-} OpeningField;
-
-#define LENGTH(text, key, least, member, spans)                                          \
-  {                                                                                      \
-    { text, QN_QUANTITY_LENGTH, least, LARGEST, FALSE, key },                            \
-      G_STRUCT_OFFSET (QnOpening, member), spans                                         \
-  }
-#define SPANS_PIECES (1u << QN_SPAN_FLAT_ARCH | 1u << QN_SPAN_VOUSSOIRS)
-#define SPANS_ANY    (SPANS_PIECES | 1u << QN_SPAN_LINTEL)
-
-/* clang-format off */
-static const OpeningField opening_fields[QN_OPENING_FIELD_COUNT] = {
-  [QN_OPENING_LEFT] = LENGTH (N_ ("From the left"), "at[0]", -LARGEST, at.x, 0),
-  [QN_OPENING_BOTTOM] = LENGTH (N_ ("From the foot"), "at[1]", -LARGEST, at.y, 0),
-  [QN_OPENING_WIDTH] = LENGTH (N_ ("Width"), "width", SMALL, width, 0),
-  [QN_OPENING_HEIGHT] = LENGTH (N_ ("Height"), "height", SMALL, height, 0),
-  [QN_OPENING_RISE] = LENGTH (N_ ("Rise of the head"), "rise", SMALL, rise, 0),
-  [QN_OPENING_DEPTH] = LENGTH (N_ ("Depth of what spans it"), "depth", SMALL, depth, SPANS_ANY),
-  [QN_OPENING_BEARING] = LENGTH (N_ ("Bearing"), "bearing", 0.0, bearing, 1u << QN_SPAN_LINTEL),
-  [QN_OPENING_VOUSSOIRS] = { { N_ ("Voussoirs"), QN_QUANTITY_NUMBER, 1.0, 1000.0, TRUE, "voussoirs" },
-                             G_STRUCT_OFFSET (QnOpening, voussoirs), SPANS_PIECES },
-  [QN_OPENING_SKEW] = { { N_ ("Inclination of the skewbacks"), QN_QUANTITY_ANGLE, 0.0, 1.5, FALSE, "skew" },
-                        G_STRUCT_OFFSET (QnOpening, skew), 1u << QN_SPAN_FLAT_ARCH },
-  [QN_OPENING_SILL_HEIGHT] = LENGTH (N_ ("Sill height"), "sill[0]", 0.0, sill_height, 0),
-  [QN_OPENING_SILL_BEARING] = LENGTH (N_ ("Sill bearing"), "sill[1]", 0.0, sill_bearing, 0),
-};
-/* clang-format on */
-
-const QnFieldInfo *
-qn_opening_field_info (QnOpeningField field)
-{
-  return &opening_fields[field].info;
-}
-
-gboolean
-qn_opening_has_field (const QnOpening *opening, QnOpeningField field)
-{
-  const guint spans = opening_fields[field].spans;
-  if (field == QN_OPENING_RISE)
-    return opening->head == QN_HEAD_SEGMENTAL;
-  if (field == QN_OPENING_SILL_BEARING)
-    return opening->sill_height > 0.0;
-  return spans == 0 || (spans >> opening->span & 1) != 0;
-}
-
-double
-qn_opening_get_field (const QnOpening *opening, QnOpeningField field)
-{
-  const OpeningField *f = &opening_fields[field];
-  return get_number ((const char *) opening + f->offset,
-                     f->info.whole ? TYPE_COUNT : TYPE_NUMBER);
-}
-
-void
-qn_opening_set_field (QnOpening *opening, QnOpeningField field, double value)
-{
-  const OpeningField *f = &opening_fields[field];
-  set_number ((char *) opening + f->offset, f->info.whole ? TYPE_COUNT : TYPE_NUMBER,
-              value);
 }

@@ -99,6 +99,19 @@ test_heads (void)
   }
 }
 
+/* Sets the field of this label. */
+static void
+set_field (QnMasonry *masonry, const char *label, double value)
+{
+  for (guint field = 0; field < QN_MASONRY_FIELDS; field++)
+    if (qn_masonry_has_field (masonry, QN_NO_OPENING, field)
+        && g_str_equal (qn_masonry_field_info (field)->label, label)) {
+      qn_masonry_set_field (masonry, QN_NO_OPENING, field, value);
+      return;
+    }
+  g_assert_not_reached ();
+}
+
 /* Handles and numbers resize cells, whose number stays; the size of a cell as a number divides anew. */
 static void
 test_cells (void)
@@ -110,12 +123,12 @@ test_cells (void)
                    qn_vec2 (4.37, 1), TRUE);
   qn_masonry_drag (&grid, QN_NO_OPENING, QN_HANDLE_LEFT, qn_vec2 (0, 1), qn_vec2 (1, 1),
                    TRUE);
-  qn_masonry_set_field (&grid, QN_MASONRY_HEIGHT, 3.1);
+  set_field (&grid, "Height", 3.1);
   const QnLeaf *leaf = &grid.wall.leaves[0];
   g_assert_cmpfloat_with_epsilon (leaf->length, 3.37, 1e-12);
   g_assert_cmpfloat_with_epsilon (leaf->unit.x, 3.37 / 12, 1e-12);
   g_assert_cmpfloat_with_epsilon (leaf->unit.y, 3.1 / 5, 1e-12);
-  qn_masonry_set_field (&grid, QN_MASONRY_UNIT_X, 0.5);
+  set_field (&grid, "Block length", 0.5);
   g_assert_cmpfloat_with_epsilon (leaf->unit.x, 3.37 / 7, 1e-12);
   g_assert_cmpfloat_with_epsilon (leaf->unit.y, 3.1 / 5, 1e-12);
 
@@ -126,7 +139,7 @@ test_cells (void)
   g_assert_cmpuint (qn_masonry_get_handles (&cells, QN_NO_OPENING, handles), ==, 2);
   qn_masonry_drag (&cells, QN_NO_OPENING, QN_HANDLE_RIGHT, qn_vec2 (3, 1), qn_vec2 (6, 1),
                    TRUE);
-  qn_masonry_set_field (&cells, QN_MASONRY_RUBBLE_HEIGHT, 4);
+  set_field (&cells, "Height", 4);
   g_assert_cmpfloat_with_epsilon (cells.rubble.width, 6, 1e-12);
   g_assert_cmpfloat_with_epsilon (cells.rubble.top, 6, 1e-12);
   g_assert_cmpfloat_with_epsilon (cells.rubble.stone, 0.4, 1e-12);
