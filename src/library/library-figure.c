@@ -1,6 +1,6 @@
 #include "core/base/word.h"
 #include "doc/document/underlay.h"
-#include "doc/view/report-item.h"
+#include "doc/view/report.h"
 #include "doc/view/sheet.h"
 #include "library/library-private.h"
 #include "render/movie/animation.h"
@@ -304,28 +304,25 @@ get_runs (const QuoinFigure *figure)
 static GBytes *
 encode_report (const QuoinFigure *figure, GError **cause)
 {
-  guint count = figure->results->len, read = 0;
-  g_autofree QnReportItem *items = g_new0 (QnReportItem, count + 1);
+  guint count = figure->results->len;
   g_autofree QnReportRun *runs = g_new0 (QnReportRun, count + 1);
   g_autofree QnSheetRun *given = get_runs (figure);
   gboolean done = TRUE;
   for (guint i = 0; i < count && done; i++) {
-    gsize length;
-    const QnSheetRun *run = &given[i];
-    g_autofree char *text = qn_result_dup_text (run->project, run->contacts, run->result,
-                                                QN_DETAIL_FORCES, &length);
-    done = qn_report_item_parse (&items[i], text, length, run->name, run->project,
-                                 run->contacts, cause);
-    read += done;
-    if (done)
-      runs[i] = qn_report_item_get_run (&items[i], run->project, run->contacts);
+    runs[i] = (QnReportRun){ .project = given[i].project,
+                             .contacts = given[i].contacts,
+                             .name = g_strdup (given[i].name) };
+    done = qn_report_run_take (&runs[i], given[i].result, cause);
   }
-  GBytes *bytes = done ? qn_report_encode_runs (
-                    &figure->model->project, &figure->model->contacts, &figure->plan,
-                    runs, count, QN_UNITS_REPORT, NULL, NULL, cause)
-                       : NULL;
-  for (guint i = 0; i < read; i++)
-    qn_report_item_clear (&items[i]);
+  const QnReport report = { .project = &figure->model->project,
+                            .contacts = &figure->model->contacts,
+                            .runs = runs,
+                            .run_count = count,
+                            .plan = figure->plan,
+                            .units = QN_UNITS_REPORT };
+  GBytes *bytes = done ? qn_report_encode (&report, cause) : NULL;
+  for (guint i = 0; i < count; i++)
+    qn_report_run_clear (&runs[i]);
   return bytes;
 }
 

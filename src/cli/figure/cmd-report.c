@@ -2,7 +2,7 @@
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
-#include "doc/view/report-item.h"
+#include "doc/view/report.h"
 #include "io/exchange/record.h"
 
 #include <glib/gi18n.h>
@@ -15,20 +15,16 @@ typedef struct ReportOptions {
   QnInputOptions input;
 } ReportOptions;
 
-/* One result, and the project it was computed of. */
-typedef struct Item {
-  QnInput *input;
-  QnReportItem report;
-} Item;
-
 static void
-load_item (Item *item, const char *model, const char *result,
-           const QnInputOptions *options)
+load_run (QnReportRun *run, const char *model, const char *result,
+          const QnInputOptions *options)
 {
-  QnInput *input = item->input = qn_input_load_with_result (model, result, options);
-  item->report.file = input->file;
-  item->report.name = g_path_get_basename (result);
-  qn_report_item_check (&item->report, &input->project, &input->contacts, result);
+  QnInput *input = qn_input_load_with_result (model, result, options);
+  *run = (QnReportRun){ .project = &input->project,
+                        .contacts = &input->contacts,
+                        .name = g_path_get_basename (result),
+                        .file = input->file };
+  qn_report_run_check (run, result);
   /* What shook the structure is shown where its records are still there. */
   if (input->project.model.analysis.procedure == QN_PROCEDURE_DYNAMIC)
     qn_project_read_records (&input->project, NULL, options->allow_outside, NULL);
@@ -36,16 +32,14 @@ load_item (Item *item, const char *model, const char *result,
 
 /* A project without results is solved. */
 static void
-solve_item (Item *item, const char *model, const QnInputOptions *options)
+solve_run (QnReportRun *run, const char *model, const QnInputOptions *options)
 {
-  gsize length;
-  QnInput *input = item->input = qn_input_load_or_solve (model, NULL, options);
-  g_autofree char *text = qn_result_dup_text (
-    &input->project, &input->contacts, &input->file.result, QN_DETAIL_FORCES, &length);
+  QnInput *input = qn_input_load_or_solve (model, NULL, options);
+  *run = (QnReportRun){ .project = &input->project,
+                        .contacts = &input->contacts,
+                        .name = g_strdup (_ ("Analysis of the project")) };
+  qn_cli_must (qn_report_run_take (run, &input->file.result, QN_TROUBLE));
   qn_result_clear (&input->file.result);
-  qn_cli_must (qn_report_item_parse (&item->report, text, length,
-                                     _ ("Analysis of the project"), &input->project,
-                                     &input->contacts, QN_TROUBLE));
 }
 
 /* Numbers of a report go with its words, as those of its pictures do. */
@@ -58,24 +52,19 @@ use_numbers_of_words (void)
 }
 
 static void
-write_report (const ReportOptions *options, const QnInput *input, const Item *items,
-              gsize count, const QnReportTemplate *plan)
+write_report (const ReportOptions *options, QnReport *report)
 {
   gsize length;
-  g_autofree QnReportRun *runs = g_new0 (QnReportRun, count + 1);
-  for (gsize i = 0; i < count; i++)
-    runs[i] = qn_report_item_get_run (&items[i].report, &items[i].input->project,
-                                      &items[i].input->contacts);
   QnTerminalProgress progress;
   qn_terminal_progress_begin (&progress, FALSE);
   use_numbers_of_words ();
-  g_autoptr (GBytes) bytes = qn_report_encode_runs (
-    &input->project, &input->contacts, plan, runs, count, QN_UNITS_REPORT,
-    qn_terminal_progress_update, &progress, QN_TROUBLE);
+  report->progress = qn_terminal_progress_update;
+  report->progress_data = &progress;
+  g_autoptr (GBytes) bytes = qn_report_encode (report, QN_TROUBLE);
   setlocale (LC_NUMERIC, "C");
   qn_terminal_progress_done (&progress);
   if (g_error_matches (qn_cli_trouble, G_IO_ERROR, G_IO_ERROR_CANCELLED))
-    qn_cli_cancelled (input->project.name);
+    qn_cli_cancelled (report->project->name);
   qn_cli_must (bytes != NULL);
   const void *data = g_bytes_get_data (bytes, &length);
   qn_cli_must (qn_file_replace (options->output, data, length, QN_TROUBLE));
@@ -100,15 +89,20 @@ static void
 make_report (const ReportOptions *options, const char *model)
 {
   guint count = options->results != NULL ? g_strv_length (options->results) : 0;
-  QnReportTemplate *plan = qn_cli_keep (g_new0 (QnReportTemplate, 1));
-  Item *items = qn_cli_keep (g_new0 (Item, count + 1));
+  QnReportRun *runs = qn_cli_keep (g_new0 (QnReportRun, count + 1));
   const QnInput *input = qn_input_load (model, &options->input);
-  plan_report (options, &input->project, plan);
+  QnReport *report = qn_cli_keep (g_new0 (QnReport, 1));
+  *report = (QnReport){ .project = &input->project,
+                        .contacts = &input->contacts,
+                        .runs = runs,
+                        .units = QN_UNITS_REPORT };
+  plan_report (options, &input->project, &report->plan);
   for (guint i = 0; i < count; i++)
-    load_item (&items[i], model, options->results[i], &options->input);
+    load_run (&runs[i], model, options->results[i], &options->input);
   if (count == 0)
-    solve_item (&items[count++], model, &options->input);
-  write_report (options, input, items, count, plan);
+    solve_run (&runs[count++], model, &options->input);
+  report->run_count = count;
+  write_report (options, report);
 }
 
 static void

@@ -152,7 +152,7 @@ qn_report_write_assumptions (QnPages *pages, const QnReport *report, GString *br
        _ ("Creep, moisture, temperature and decay, and how the answer scatters with the "
           "numbers given."));
   for (size_t i = 0; i < report->run_count; i++)
-    if (report->runs[i].faults == NULL)
+    if (report->runs[i].unchecked != NULL)
       g_string_append_printf (list, _ ("\n• %s, by the independent check: %s"),
                               report->runs[i].name, report->runs[i].unchecked);
   write_list (pages, _ ("What Was Not Checked"), list, brief);

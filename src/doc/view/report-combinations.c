@@ -6,7 +6,6 @@
 #include "io/project/combinations.h"
 #include "render/drawing/text.h"
 
-#include <gio/gio.h>
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>

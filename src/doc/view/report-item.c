@@ -8,72 +8,45 @@
 #include <string.h>
 
 void
-qn_report_item_clear (QnReportItem *item)
+qn_report_run_clear (QnReportRun *run)
 {
-  qn_result_file_clear (&item->file);
-  g_free (item->unchecked);
-  g_free (item->name);
+  qn_result_file_clear (&run->file);
+  g_free (run->unchecked);
+  g_free (run->name);
 }
 
 void
-qn_report_item_check (QnReportItem *item, const QnProject *project,
-                      const QnContacts *contacts, const char *path)
+qn_report_run_check (QnReportRun *run, const char *path)
 {
   g_autoptr (GError) error = NULL;
-  if (item->file.result.history.width > 0)
-    item->unchecked =
+  if (run->file.result.history.width > 0)
+    run->unchecked =
       g_strdup (_ ("an analysis in time ends in motion, not in balance; its energy is "
                    "checked on the command line"));
-  else if (!qn_result_file_find_faults (&item->file, path, project, contacts,
-                                        &item->faults, &error))
-    item->unchecked = g_strdup (error->message);
-  else if (item->file.result.step_count == 0)
-    item->unchecked = g_strdup_printf ("%s: %s", project->name,
-                                       _ ("the result holds no equilibrium to check"));
-}
-
-QnReportRun
-qn_report_item_get_run (const QnReportItem *item, const QnProject *project,
-                        const QnContacts *contacts)
-{
-  return (QnReportRun){
-    .name = item->name,
-    .project = project,
-    .contacts = contacts,
-    .file = &item->file,
-    .faults = item->unchecked == NULL ? &item->faults : NULL,
-    .unchecked = item->unchecked,
-  };
+  else if (!qn_result_file_find_faults (&run->file, path, run->project, run->contacts,
+                                        &run->faults, &error))
+    run->unchecked = g_strdup (error->message);
+  else if (run->file.result.step_count == 0)
+    run->unchecked = g_strdup_printf ("%s: %s", run->project->name,
+                                      _ ("the result holds no equilibrium to check"));
 }
 
 gboolean
-qn_report_item_parse (QnReportItem *item, const char *text, gsize length,
-                      const char *name, const QnProject *project,
-                      const QnContacts *contacts, GError **error)
+qn_report_run_parse (QnReportRun *run, const char *text, gsize length, GError **error)
 {
-  if (!qn_result_file_parse (text, length, name, &item->file, error))
+  if (!qn_result_file_parse (text, length, run->name, &run->file, error))
     return FALSE;
-  item->name = g_strdup (name);
-  qn_report_item_check (item, project, contacts, name);
+  qn_report_run_check (run, run->name);
   return TRUE;
 }
 
-GBytes *
-qn_report_encode_runs (const QnProject *project, const QnContacts *contacts,
-                       const QnReportTemplate *plan, const QnReportRun *runs,
-                       size_t count, QnUnits units, QnProgressFunc progress,
-                       void *progress_data, GError **error)
+gboolean
+qn_report_run_take (QnReportRun *run, const QnResult *result, GError **error)
 {
-  const QnReport report = { .project = project,
-                            .contacts = contacts,
-                            .runs = runs,
-                            .run_count = count,
-                            .plan = *plan,
-                            .units = units,
-                            .generator = "quoin " QN_VERSION,
-                            .progress = progress,
-                            .progress_data = progress_data };
-  return qn_report_encode (&report, error);
+  gsize length;
+  g_autofree char *text =
+    qn_result_dup_text (run->project, run->contacts, result, QN_DETAIL_FORCES, &length);
+  return qn_report_run_parse (run, text, length, error);
 }
 
 /* ---- on a document, in a thread ---- */
@@ -100,34 +73,34 @@ report_work_free (gpointer data)
   g_free (work);
 }
 
-/* The report as a file; the runs are read in `items`. */
+/* The report as a file; its runs are read. */
 static GBytes *
-encode (ReportWork *work, QnReportItem *items, QnProject *projects,
+encode (const ReportWork *work, QnReportRun *runs, QnProject *projects,
         GCancellable *cancellable, GError **error)
 {
   QnContacts contacts = { 0 };
   GBytes *bytes = NULL;
   gboolean done = TRUE;
-  g_autofree QnReportRun *runs = g_new0 (QnReportRun, work->runs->len + 1);
   for (guint i = 0; i < work->runs->len && done; i++) {
     const QnRun *run = work->runs->pdata[i];
     gsize length;
     const char *text = g_bytes_get_data (work->texts->pdata[i], &length);
     projects[i] = work->project;
     projects[i].model = run->model;
-    done = qn_report_item_parse (&items[i], text, length, run->name, &projects[i],
-                                 &run->contacts, error);
-    if (done)
-      runs[i] = qn_report_item_get_run (&items[i], &projects[i], &run->contacts);
+    runs[i] = (QnReportRun){ .project = &projects[i],
+                             .contacts = &run->contacts,
+                             .name = g_strdup (run->name) };
+    done = qn_report_run_parse (&runs[i], text, length, error);
   }
   if (done && qn_contacts_detect (&work->project.model, &contacts, NULL) != QN_OK) {
     g_set_error_literal (error, G_IO_ERROR, G_IO_ERROR_FAILED, _ ("not enough memory"));
     done = FALSE;
   }
+  const QnReport report = { &work->project,   &contacts,  runs,
+                            work->runs->len,  work->plan, work->units,
+                            qn_job_may_go_on, cancellable };
   if (done)
-    bytes = qn_report_encode_runs (&work->project, &contacts, &work->plan, runs,
-                                   work->runs->len, work->units, qn_job_may_go_on,
-                                   cancellable, error);
+    bytes = qn_report_encode (&report, error);
   qn_contacts_clear (&contacts);
   return bytes;
 }
@@ -135,17 +108,17 @@ encode (ReportWork *work, QnReportItem *items, QnProject *projects,
 static void
 write_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
 {
-  ReportWork *work = data;
+  const ReportWork *work = data;
   GError *error = NULL;
-  g_autofree QnReportItem *items = g_new0 (QnReportItem, work->runs->len + 1);
+  g_autofree QnReportRun *runs = g_new0 (QnReportRun, work->runs->len + 1);
   g_autofree QnProject *projects = g_new0 (QnProject, work->runs->len + 1);
-  g_autoptr (GBytes) bytes = encode (work, items, projects, cancellable, &error);
+  g_autoptr (GBytes) bytes = encode (work, runs, projects, cancellable, &error);
   gsize length = 0;
   const void *content = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
   if (content != NULL)
     qn_file_replace (work->path, content, length, &error);
   for (guint i = 0; i < work->runs->len; i++)
-    qn_report_item_clear (&items[i]);
+    qn_report_run_clear (&runs[i]);
   if (error != NULL)
     g_task_return_error (task, error);
   else

@@ -73,7 +73,7 @@ write_faces (QnPages *pages, const QnReport *report)
 bool
 qn_report_has_forces (const QnReportRun *run)
 {
-  const QnResult *result = &run->file->result;
+  const QnResult *result = &run->file.result;
   return result->step_count > 0 && result->pairs != NULL
          && result->pair_count == run->contacts->pair_count;
 }
@@ -124,7 +124,7 @@ qn_report_write_joints (QnPages *pages, const QnReport *report, const QnReportRu
     [M] = QN_QUANTITY_MOMENT,      [E] = QN_QUANTITY_LENGTH,
   };
   const QnModel *model = &run->project->model;
-  const QnResult *result = &run->file->result;
+  const QnResult *result = &run->file.result;
   const QnContacts *contacts = run->contacts;
   size_t step = result->step_count - 1, touch_count;
   g_autofree QnPairResult *pairs = qn_step_pairs (contacts, result, step);

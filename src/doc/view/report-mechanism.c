@@ -11,9 +11,8 @@ write_bodies (QnPages *pages, const QnReportRun *run, GError **error)
 {
   const QnModel *model = &run->project->model;
   QnFigure figure;
-  g_autofree char *words =
-    qn_explain_mechanism (model, run->contacts, &run->file->result);
-  qn_figure_init (&figure, model, run->contacts, &run->file->result, QN_VIEW_MECHANISM);
+  g_autofree char *words = qn_explain_mechanism (model, run->contacts, &run->file.result);
+  qn_figure_init (&figure, model, run->contacts, &run->file.result, QN_VIEW_MECHANISM);
   figure.options.field = QN_FIELD_BODIES;
   figure.title = _ ("Bodies of the mechanism");
   if (words != NULL)
@@ -60,8 +59,8 @@ qn_report_write_mechanism (QnPages *pages, const QnReportRun *run, QnUnits units
       && qn_capacity_settings_apply (&settings, run->project, FALSE, &answer, &points,
                                      &wrong)
       && qn_capacity_init_kinematic (&answer.capacity, model, run->contacts,
-                                     &run->file->result, answer.control,
-                                     answer.tie_strain, &diag)
+                                     &run->file.result, answer.control, answer.tie_strain,
+                                     &diag)
            != QN_OK)
     refused = qn_explain_diag (model, &diag);
   if (wrong != NULL || refused != NULL) {

@@ -18,7 +18,7 @@
 bool
 qn_report_choose_picture (QnFigure *figure, const QnReportRun *run)
 {
-  const QnResult *result = &run->file->result;
+  const QnResult *result = &run->file.result;
   if (result->mechanism == NULL && result->step_count == 0)
     return false;
   qn_figure_init (figure, &run->project->model, run->contacts, result,
@@ -31,7 +31,7 @@ static bool
 take_curve (const QnReportRun *run, QnCurve *curve)
 {
   const QnModel *model = &run->project->model;
-  const QnResult *result = &run->file->result;
+  const QnResult *result = &run->file.result;
   QnCurveMotion motion = qn_result_curve_motion (model, result);
   if (motion.body == QN_NONE || result->step_count < 2 || result->limit.given)
     return false;
@@ -67,7 +67,7 @@ show_field (Pictures *p, QnView view, QnField field, int step, const char *title
   if (name_figure (p, title))
     return true;
   qn_figure_init (&figure, &p->run->project->model, p->run->contacts,
-                  &p->run->file->result, view);
+                  &p->run->file.result, view);
   figure.options.field = field;
   if (step >= 0)
     figure.options.step = step;
@@ -115,7 +115,7 @@ static QnCrack
 find_crack (const QnReportRun *run, size_t step)
 {
   g_autoptr (GArray) cracks =
-    qn_result_cracks (&run->project->model, run->contacts, &run->file->result, step);
+    qn_result_cracks (&run->project->model, run->contacts, &run->file.result, step);
   return cracks->len > 0 ? g_array_index (cracks, QnCrack, 0) : (QnCrack){ 0 };
 }
 
@@ -153,7 +153,7 @@ static void
 write_settlement (QnPages *pages, const QnReportRun *run, const QnLoad *settlement,
                   const QnCrack *cracks, QnUnits units)
 {
-  const QnResult *result = &run->file->result;
+  const QnResult *result = &run->file.result;
   const QnModel *model = &run->project->model;
   g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
   QnCurveMotion motion = qn_result_curve_motion (model, result);
@@ -203,7 +203,7 @@ write_joints (QnPages *pages, const QnReportRun *run, size_t step, QnUnits units
 {
   const QnModel *model = &run->project->model;
   g_autoptr (GArray) cracks =
-    qn_result_cracks (model, run->contacts, &run->file->result, step);
+    qn_result_cracks (model, run->contacts, &run->file.result, step);
   g_autoptr (GArray) lines = qn_cracks_by_line (run->contacts, cracks, NULL);
   g_autofree char *joints =
     g_strdup_printf (ngettext ("%u joint has opened:",
@@ -222,7 +222,7 @@ write_joints (QnPages *pages, const QnReportRun *run, size_t step, QnUnits units
 static void
 write_cracks (QnPages *pages, const QnReportRun *run, QnUnits given)
 {
-  const QnResult *result = &run->file->result;
+  const QnResult *result = &run->file.result;
   QnUnits units = qn_units_of_motion (given);
   if (result->step_count == 0 || result->limit.given)
     return;
@@ -265,7 +265,7 @@ static void
 write_stages (QnPages *pages, const QnReportRun *run)
 {
   const QnModel *model = &run->project->model;
-  const QnResult *result = &run->file->result;
+  const QnResult *result = &run->file.result;
   g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
   for (int32_t i = 1; i <= result->stage && (size_t) i <= model->stage_count; i++) {
     QnStageFigures figures;
@@ -291,7 +291,7 @@ static void
 write_tie_forces (QnPages *pages, const QnReportRun *run, QnUnits units)
 {
   const QnModel *model = &run->project->model;
-  const QnResult *result = &run->file->result;
+  const QnResult *result = &run->file.result;
   g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
   if (model->tie_count == 0 || result->tie_count != model->tie_count)
     return;
@@ -318,7 +318,7 @@ static bool
 show_history (Pictures *p)
 {
   const QnModel *model = &p->run->project->model;
-  const QnResult *result = &p->run->file->result;
+  const QnResult *result = &p->run->file.result;
   for (size_t i = 0; i < model->ground_count; i++) {
     QnGroundPreview ground;
     qn_ground_preview_init (&ground, model, i, QN_GROUND_ACCELERATION);
@@ -344,7 +344,7 @@ show_history (Pictures *p)
 static bool
 show_pictures (Pictures *p)
 {
-  const QnResult *result = &p->run->file->result;
+  const QnResult *result = &p->run->file.result;
   const bool mode = result->vibration.mode > 0 || result->stability == QN_STABILITY_LOST;
   QnCurve curve;
   if (result->mechanism != NULL
@@ -375,11 +375,11 @@ qn_report_write_result (QnPages *pages, const QnReportRun *run, QnUnits units,
                         GError **error)
 {
   const QnModel *model = &run->project->model;
-  const QnResult *result = &run->file->result;
+  const QnResult *result = &run->file.result;
   g_autofree char *title = g_strdup_printf (_ ("Result: %s"), run->name);
   qn_pages_heading (pages, title);
   g_autofree char *overrides =
-    run->file->overrides != NULL ? g_strjoinv (", ", run->file->overrides) : NULL;
+    run->file.overrides != NULL ? g_strjoinv (", ", run->file.overrides) : NULL;
   if (overrides != NULL) {
     qn_report_say (pages, _ ("Computed with %s."), overrides);
   }
@@ -417,15 +417,15 @@ qn_report_write_certificate (QnPages *pages, const QnReport *report)
   for (size_t i = 0; i < report->run_count; i++) {
     const QnReportRun *run = &report->runs[i];
     g_autofree char *text = NULL;
-    if (run->faults == NULL) {
+    if (run->unchecked != NULL) {
       text = g_strdup_printf (_ ("%s: not checked: %s"), run->name, run->unchecked);
     } else {
-      const QnLastForces *last = &run->faults->last;
+      const QnLastForces *last = &run->faults.last;
       g_autofree char *multiplier = qn_label_number ("%.6g", last->multiplier);
       g_autofree char *balance = qn_label_number ("%.1e", last->out_of_balance);
       g_autofree char *excess = qn_label_number ("%.1e", last->yield_violation);
       text = g_strdup_printf (
-        run->faults->count == 0
+        run->faults.count == 0
           ? _ ("%s: passed at a load multiplier of %s; out of balance by %s of "
                "the largest force, strength exceeded by %s of the largest "
                "contact force.")
@@ -472,7 +472,7 @@ qn_report_write_comparison (QnPages *pages, const QnReport *report, GError **err
                  _ ("Multiplier"), _ ("First limit"), _ ("Lower bound"),
                  _ ("Upper bound"), _ ("Associative bound"));
   for (size_t i = 0; i < report->run_count; i++) {
-    const QnResult *r = &report->runs[i].file->result;
+    const QnResult *r = &report->runs[i].file.result;
     qn_report_row (
       cells, QN_UNITS_SI, "wwnnnnn", report->runs[i].name, qn_explain_outcome_label (r),
       "%.6g", r->has_collapse_multiplier ? r->collapse_multiplier : (double) NAN, "%.6g",

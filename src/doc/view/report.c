@@ -10,6 +10,9 @@
 #include <math.h>
 #include <string.h>
 
+/* What made it. */
+#define QN_GENERATOR "quoin " QN_VERSION
+
 const char *
 qn_report_procedure (const QnModel *model)
 {
@@ -89,11 +92,11 @@ dup_date (void)
 static gboolean
 same_run (const QnReportRun *a, const QnReportRun *b)
 {
-  const QnResult *x = &a->file->result, *y = &b->file->result;
+  const QnResult *x = &a->file.result, *y = &b->file.result;
   gsize rows = QN_DOF_COUNT * qn_result_body_count (x);
   const char *const none[] = { NULL };
-  char **p = a->file->overrides, **q = b->file->overrides;
-  return g_strcmp0 (a->file->model_sha256, b->file->model_sha256) == 0
+  char **p = a->file.overrides, **q = b->file.overrides;
+  return g_strcmp0 (a->file.model_sha256, b->file.model_sha256) == 0
          && g_strv_equal (p != NULL ? (const char *const *) p : none,
                           q != NULL ? (const char *const *) q : none)
          && x->outcome == y->outcome && x->step_count == y->step_count
@@ -122,9 +125,9 @@ static char *
 dup_basis (const QnReportRun *run)
 {
   const QnModel *model = &run->project->model;
-  const char *check = run->faults == NULL       ? _ ("not checked")
-                      : run->faults->count == 0 ? _ ("the independent check is passed")
-                                                : _ ("the independent check fails");
+  const char *check = run->unchecked != NULL   ? _ ("not checked")
+                      : run->faults.count == 0 ? _ ("the independent check is passed")
+                                               : _ ("the independent check fails");
   return g_strdup_printf (
     _ ("It rests on %s in %s geometry, on the laws and the pairs of the "
        "joints as given; %s."),
@@ -152,7 +155,7 @@ static Proof
 find_proof (const QnReportRun *run, double demand)
 {
   const QnModel *model = &run->project->model;
-  const QnResult *r = &run->file->result;
+  const QnResult *r = &run->file.result;
   const QnPathEvent *buckling = qn_result_find_buckling (r);
   Proof proof = { .ends = r->outcome != QN_OUTCOME_TARGET_REACHED
                           && r->outcome != QN_OUTCOME_NOT_CONVERGED
@@ -179,7 +182,7 @@ find_proof (const QnReportRun *run, double demand)
   if (r->vibration.mode > 0 || r->stability != QN_STABILITY_UNKNOWN
       || r->history.width > 0 || qn_result_settlement (model, r) != NULL)
     proof.doubt = _ ("the question is another one, without such a multiplier");
-  else if (run->faults == NULL || run->faults->count > 0)
+  else if (run->unchecked != NULL || run->faults.count > 0)
     proof.doubt = _ ("the independent check is not passed");
   else if (r->outcome == QN_OUTCOME_UNBOUNDED)
     proof.doubt = _ ("no collapse was found");
@@ -217,7 +220,7 @@ dup_verdict (const QnReportRun *run, double demand)
 static void
 write_answer (QnPages *pages, const QnReportRun *run, double demand, bool named)
 {
-  const QnResult *result = &run->file->result;
+  const QnResult *result = &run->file.result;
   g_autofree char *text = qn_explain_outcome (&run->project->model, result);
   g_autofree char *line = named ? g_strdup_printf ("%s: %s", run->name, text) : NULL;
   g_autofree char *interval = qn_outcome_dup_interval (&run->project->model, result);
@@ -265,8 +268,7 @@ write_title (QnPages *pages, const QnReport *report, GError **error)
     qn_report_write_assumptions (pages, report, foot);
   g_autofree char *name = g_path_get_basename (report->project->name);
   g_autofree char *date = dup_date ();
-  g_string_append_printf (foot, _ ("%s, made by %s on %s"), name, report->generator,
-                          date);
+  g_string_append_printf (foot, _ ("%s, made by %s on %s"), name, QN_GENERATOR, date);
   if (report->project->sha256 != NULL)
     g_string_append_printf (foot, "\nSHA-256 %s", report->project->sha256);
   qn_pages_foot (pages, foot->str);
@@ -283,7 +285,7 @@ write_files (QnPages *pages, const QnReport *report)
                  _ ("SHA-256 of the project"), project, "–",
                  report->project->sha256 != NULL ? report->project->sha256 : "–");
   for (size_t i = 0; i < report->run_count; i++) {
-    const QnResultFile *file = report->runs[i].file;
+    const QnResultFile *file = &report->runs[i].file;
     qn_report_row (cells, report->units, "www", report->runs[i].name,
                    file->generator != NULL ? file->generator : "–",
                    file->model_sha256 != NULL ? file->model_sha256 : "–");
@@ -353,11 +355,11 @@ qn_report_encode (const QnReport *given, GError **error)
   g_autofree char *name = g_path_get_basename (report->project->name);
   qn_metadata_init (&metadata);
   metadata.title = qn_project_title (report->project);
-  metadata.generator = report->generator;
+  metadata.generator = QN_GENERATOR;
   metadata.model = name;
   metadata.model_sha256 = report->project->sha256;
   g_autofree char *footer =
-    g_strdup_printf ("%s · %s", qn_project_title (report->project), report->generator);
+    g_strdup_printf ("%s · %s", qn_project_title (report->project), QN_GENERATOR);
   QnPages *pages = qn_pages_new (report->plan.paper, footer, &metadata);
   bool done = write_all (pages, report, error);
   g_autoptr (GBytes) bytes = qn_pages_finish (pages, done ? error : NULL);

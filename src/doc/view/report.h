@@ -10,15 +10,30 @@
 #include "io/result/result-file.h"
 #include "render/figure/pages.h"
 
-/* One result with the project as it was computed, overrides included; all borrowed. */
+#include <gio/gio.h>
+
+/* One result with the project as it was computed, overrides included; zeroed before it is filled. */
 typedef struct QnReportRun {
-  const char *name; /* of the result file */
-  const QnProject *project;
+  const QnProject *project; /* borrowed, as the contacts are */
   const QnContacts *contacts;
-  const QnResultFile *file;
-  const QnResultFaults *faults; /* NULL: not checked, for the reason in `unchecked` */
-  const char *unchecked;
+  char *name; /* of the result file; owned, as is what follows */
+  QnResultFile file;
+  QnResultFaults faults;
+  char *unchecked; /* why it is not checked; NULL: it is */
 } QnReportRun;
+
+/* Checks `file`, which was read from `path`, against its project. */
+void qn_report_run_check (QnReportRun *run, const char *path);
+
+/* What a file with this text would hold, or one of this result, read and checked: neither the check nor the
+ * report sees more of an analysis than its file. Name, project and contacts are there already. */
+gboolean qn_report_run_parse (QnReportRun *run, const char *text, gsize length,
+                              GError **error);
+gboolean qn_report_run_take (QnReportRun *run, const QnResult *result, GError **error);
+void qn_report_run_clear (QnReportRun *run);
+
+/* The units that reports of the command line have. */
+#define QN_UNITS_REPORT ((QnUnits){ QN_LENGTH_M, QN_FORCE_KN, QN_STRESS_MPA })
 
 typedef struct QnReport {
   const QnProject *project;
@@ -27,7 +42,6 @@ typedef struct QnReport {
   size_t run_count;
   QnReportTemplate plan; /* borrowed */
   QnUnits units;
-  const char *generator;   /* "quoin 0.1.0" */
   QnProgressFunc progress; /* of the combinations, which are analysed here; NULL: none */
   void *progress_data;
 } QnReport;
