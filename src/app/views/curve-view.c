@@ -60,7 +60,7 @@ take_live_curve (View *self, QnJob *job)
   QnCurve *curve = &self->series[0].whole;
   self->live = TRUE;
   self->live_end = qn_job_get_followed (job, &self->block, &self->dof);
-  self->model = qn_job_get_model (job);
+  self->model = &qn_job_get_run (job)->model;
   self->series_count = 1;
   *curve = (QnCurve){
     .limit_point = -1, .collapse_point = -1, .dot = -1, .in_time = self->live_end > 0.0

@@ -300,7 +300,7 @@ find_facts (QnWindow *self)
   const QnModel *model = qn_document_get_model (document);
   const QnRun *run = qn_document_get_run (document);
   QnJob *job = qn_document_get_job (document);
-  gboolean busy = job != NULL && !qn_job_is_live (job);
+  gboolean busy = job != NULL && !qn_job_get_run (job)->live;
   gboolean own = qn_window_page_has (self, "undo");
   guint blocks = 0, beams = 0;
   QnId object;

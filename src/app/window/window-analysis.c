@@ -165,7 +165,7 @@ on_job_changed (QnWindow *self)
 {
   QnJob *job = qn_document_get_job (self->document);
   /* A live analysis is over before one could read how far it is. */
-  gboolean running = job != NULL && !qn_job_is_live (job);
+  gboolean running = job != NULL && !qn_job_get_run (job)->live;
   gboolean was_running = self->was_running;
   self->was_running = job != NULL;
   gtk_widget_set_visible (self->progress_box, running);

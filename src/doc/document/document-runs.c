@@ -47,7 +47,7 @@ on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
     return; /* replaced or dropped meanwhile */
 
   self->job_diag = *qn_job_get_diag (job);
-  self->was_live = qn_job_is_live (job);
+  self->was_live = qn_job_get_run (job)->live;
   g_signal_handlers_disconnect_by_data (job, self);
   g_clear_object (&self->job);
   if (run != NULL) {
@@ -71,33 +71,27 @@ on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
 }
 
-/* A job for the model, by that method; NULL: after an edit. NULL with an error. */
-static QnJob *
-make_job (QnDocument *self, const QnModel *model, const char *method, GError **error)
-{
-  if (model->block_count == 0 && model->beam_count == 0) {
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("There is nothing to analyse: draw a wall first"));
-    return NULL;
-  }
-  QnJob *job = qn_job_new (model, method != NULL ? method : _ ("After an edit"),
-                           qn_document_get_fingerprint (self), error);
-  if (job != NULL)
-    qn_job_set_live (job, method == NULL);
-  return job;
-}
-
-/* Takes over the job. */
+/* Starts an analysis of the model, as its kind, modes and `live` say, that leaves a run of this name. */
 static gboolean
-start (QnDocument *self, QnJob *job)
+start (QnDocument *self, const QnModel *model, const char *name, const QnRun *as,
+       GError **error)
 {
+  if (model->block_count == 0 && model->beam_count == 0)
+    return qn_edit_refuse_nothing (error,
+                                   _ ("There is nothing to analyse: draw a wall first"));
+  QnJob *job = qn_job_new (model, name, qn_document_get_fingerprint (self), error);
   if (job == NULL)
     return FALSE;
+  QnRun *run = qn_job_get_run (job);
+  run->kind = as->kind;
+  run->mode_count = as->mode_count;
+  run->loaded = as->loaded;
+  run->live = as->live;
   qn_document_drop_job (self);
   g_clear_error (&self->job_error);
   self->job = job;
   g_free (self->job_text);
-  self->job_text = qn_job_is_live (job) ? NULL : g_strdup (self->text->text);
+  self->job_text = run->live ? NULL : g_strdup (self->text->text);
   g_signal_connect (job, "progress", G_CALLBACK (on_job_progress), self);
   qn_job_start (job, on_job_done, g_object_ref (self));
   qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
@@ -107,12 +101,11 @@ start (QnDocument *self, QnJob *job)
 gboolean
 qn_document_analyse (QnDocument *self, GError **error)
 {
-  const QnModel *model = &self->project.model;
-  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC
+  const QnAnalysisSettings *own = &self->project.model.analysis;
+  if (own->procedure == QN_PROCEDURE_DYNAMIC
       && !qn_project_read_records (&self->project, self->folder, FALSE, error))
     return FALSE;
-  return start (self,
-                make_job (self, model, qn_explain_procedure (&model->analysis), error));
+  return qn_document_analyse_with (self, own->procedure, own->flow, error);
 }
 
 gboolean
@@ -123,7 +116,7 @@ qn_document_analyse_live (QnDocument *self, GError **error)
                            _ ("An analysis in time does not follow every edit: run it"));
   QnModel model = self->project.model;
   model.analysis.flow = QN_FLOW_NON_ASSOCIATIVE; /* its bound comes with it */
-  return start (self, make_job (self, &model, NULL, error));
+  return start (self, &model, _ ("After an edit"), &(QnRun){ .live = TRUE }, error);
 }
 
 gboolean
@@ -133,18 +126,16 @@ qn_document_analyse_with (QnDocument *self, QnProcedure procedure, QnFlow flow,
   QnModel model = self->project.model;
   model.analysis.procedure = procedure;
   model.analysis.flow = flow;
-  return start (self,
-                make_job (self, &model, qn_explain_procedure (&model.analysis), error));
+  return start (self, &model, qn_explain_procedure (&model.analysis),
+                &(QnRun){ .kind = QN_RUN_ANALYSIS }, error);
 }
 
 gboolean
 qn_document_find_modes (QnDocument *self, guint count, gboolean loaded, GError **error)
 {
-  QnJob *job = make_job (self, &self->project.model,
-                         loaded ? _ ("modes under load") : _ ("modes"), error);
-  if (job != NULL)
-    qn_job_set_modes (job, count, loaded);
-  return start (self, job);
+  const QnRun as = { .kind = QN_RUN_MODE, .mode_count = count, .loaded = loaded };
+  return start (self, &self->project.model, loaded ? _ ("modes under load") : _ ("modes"),
+                &as, error);
 }
 
 gboolean
@@ -152,10 +143,8 @@ qn_document_find_stability (QnDocument *self, GError **error)
 {
   QnModel model = self->project.model;
   model.analysis.geometry = QN_GEOMETRY_NONLINEAR;
-  QnJob *job = make_job (self, &model, _ ("stability"), error);
-  if (job != NULL)
-    qn_job_set_stability (job);
-  return start (self, job);
+  return start (self, &model, _ ("stability"), &(QnRun){ .kind = QN_RUN_STABILITY },
+                error);
 }
 
 gboolean

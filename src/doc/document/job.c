@@ -23,10 +23,8 @@ struct _QnJob {
   QnRun *run; /* filled by the thread; the job's until it is finished */
   QnDiag diag;
   GPtrArray *others; /* further runs, of QnRun; as the first one's */
-  guint mode_count;
-  gboolean loaded;
   guint tick;
-  gboolean running, live;
+  gboolean running;
   GArray *shown; /* copy of `curve` for the main thread */
 
   GThread *thread; /* joined before its run is handed out */
@@ -110,40 +108,10 @@ qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
   return g_steal_pointer (&self);
 }
 
-void
-qn_job_set_live (QnJob *self, gboolean live)
-{
-  g_return_if_fail (QN_IS_JOB (self) && self->thread == NULL);
-  self->live = live;
-  self->run->live = live;
-}
-
-void
-qn_job_set_modes (QnJob *self, guint count, gboolean loaded)
-{
-  g_return_if_fail (QN_IS_JOB (self) && self->thread == NULL && count > 0);
-  self->run->kind = QN_RUN_MODE;
-  self->mode_count = count;
-  self->loaded = loaded;
-}
-
-void
-qn_job_set_stability (QnJob *self)
-{
-  g_return_if_fail (QN_IS_JOB (self) && self->thread == NULL);
-  self->run->kind = QN_RUN_STABILITY;
-}
-
 GPtrArray *
 qn_job_take_others (QnJob *self)
 {
   return g_steal_pointer (&self->others);
-}
-
-gboolean
-qn_job_is_live (QnJob *self)
-{
-  return self->live;
 }
 
 /* Every point of a history that lies far enough from the last one. */
@@ -189,12 +157,11 @@ on_solver_progress (const QnProgress *progress, void *user_data)
 
 /* Makes a run show one of the modes. */
 static QnStatus
-take_mode (QnRun *run, const QnModes *modes, gsize number, gboolean loaded, QnDiag *diag)
+take_mode (QnRun *run, const QnModes *modes, gsize number, QnDiag *diag)
 {
   run->mode = (guint) number + 1;
   run->mode_count = (guint) modes->count;
   run->omega = modes->omega[number];
-  run->loaded = loaded;
   return qn_modes_show (modes, number, &run->model, &run->result, diag);
 }
 
@@ -217,14 +184,15 @@ copy_state (const QnResult *from, QnResult *to, QnDiag *diag)
 static QnStatus
 split_modes (QnJob *self, const QnModes *modes)
 {
-  QnStatus status = take_mode (self->run, modes, 0, self->loaded, &self->diag);
+  QnStatus status = take_mode (self->run, modes, 0, &self->diag);
   self->others = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
   for (gsize i = 1; i < modes->count && status == QN_OK; i++) {
     QnRun *run = qn_run_new_beside (self->run, self->run->name);
     g_ptr_array_add (self->others, run);
+    run->loaded = self->run->loaded;
     status = copy_state (&self->run->result, &run->result, &self->diag);
     if (status == QN_OK)
-      status = take_mode (run, modes, i, self->loaded, &self->diag);
+      status = take_mode (run, modes, i, &self->diag);
   }
   return status;
 }
@@ -235,8 +203,8 @@ solve_modes (QnJob *self)
   QnRun *run = self->run;
   QnModes modes;
   QnStatus status = qn_modal_run (
-    &run->model, &run->contacts, self->loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD,
-    self->mode_count, on_solver_progress, self, &modes, &run->result, &self->diag);
+    &run->model, &run->contacts, run->loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD,
+    run->mode_count, on_solver_progress, self, &modes, &run->result, &self->diag);
   if (status == QN_OK && modes.count > 0)
     status = split_modes (self, &modes);
   if (status == QN_OK && run->result.outcome == QN_OUTCOME_CANCELLED)
@@ -246,32 +214,18 @@ solve_modes (QnJob *self)
 }
 
 static QnStatus
-solve_kind (QnJob *self)
-{
-  QnRun *run = self->run;
-  switch (run->kind) {
-  case QN_RUN_MODE:
-    return solve_modes (self);
-  case QN_RUN_STABILITY:
-    return qn_stability_run (&run->model, &run->contacts, on_solver_progress, self,
-                             &run->result, &self->diag);
-  case QN_RUN_ANALYSIS:
-  case QN_RUN_KIND_COUNT:
-    break;
-  }
-  return qn_analysis_run (&run->model, &run->contacts, on_solver_progress, self,
-                          &run->result, &self->diag);
-}
-
-static QnStatus
 solve (QnJob *self)
 {
   QnRun *run = self->run;
   QnStatus status = qn_contacts_detect (&run->model, &run->contacts, &self->diag);
-  /* Free structures vibrate too. */
-  if (status == QN_OK && run->kind != QN_RUN_MODE)
+  if (status == QN_OK && run->kind == QN_RUN_MODE) /* free structures vibrate too */
+    return solve_modes (self);
+  if (status == QN_OK)
     status = qn_contacts_require_sound (&run->model, &run->contacts, &self->diag);
-  return status == QN_OK ? solve_kind (self) : status;
+  if (status != QN_OK)
+    return status;
+  return (run->kind == QN_RUN_STABILITY ? qn_stability_run : qn_analysis_run) (
+    &run->model, &run->contacts, on_solver_progress, self, &run->result, &self->diag);
 }
 
 static gpointer
@@ -389,10 +343,10 @@ qn_job_get_curve (QnJob *self, gsize *count)
   return (const QnVec2 *) (const void *) self->shown->data;
 }
 
-const QnModel *
-qn_job_get_model (QnJob *self)
+QnRun *
+qn_job_get_run (QnJob *self)
 {
-  return &self->run->model;
+  return self->run;
 }
 
 double

@@ -21,15 +21,6 @@ G_DECLARE_FINAL_TYPE (QnJob, qn_job, QN, JOB, GObject)
 QnJob *qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
                    GError **error);
 
-/* Marks the run to be replaced by the next marked job's; call before the start. */
-void qn_job_set_live (QnJob *job, gboolean live);
-gboolean qn_job_is_live (QnJob *job);
-
-/* Asks for the lowest modes of small vibrations, `count` of them, or for the load under which the
- * structure loses its stability; before it is started. */
-void qn_job_set_modes (QnJob *job, guint count, gboolean loaded);
-void qn_job_set_stability (QnJob *job);
-
 /* Starts the thread. `callback` is called once, on the starting thread's main context, when
  * the analysis has ended in whatever way. A job is started only once. */
 void qn_job_start (QnJob *job, GAsyncReadyCallback callback, gpointer user_data);
@@ -57,8 +48,9 @@ QnProgress qn_job_get_progress (QnJob *job);
  * of qn_job_get_followed(). The job owns the array, valid until control returns to the main loop. */
 const QnVec2 *qn_job_get_curve (QnJob *job, gsize *count);
 
-/* The analysed model. */
-const QnModel *qn_job_get_model (QnJob *job);
+/* The run to be, with the analysed model. Before the start its kind may be set, for modes with `mode_count`
+ * and `loaded`, and `live`. */
+QnRun *qn_job_get_run (QnJob *job);
 
 /* Of an analysis in time: the block whose displacement the live curve shows. Returns when it ends at
  * the latest, s; 0 for other analyses. */

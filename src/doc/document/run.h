@@ -18,7 +18,6 @@ typedef enum {
   QN_RUN_ANALYSIS,  /* what the settings of the analysis say */
   QN_RUN_STABILITY, /* where the path loses its stability (core/path/stability.h) */
   QN_RUN_MODE, /* one mode of small vibrations (core/modal/modal.h), as the mechanism */
-  QN_RUN_KIND_COUNT
 } QnRunKind;
 
 typedef struct QnRun {

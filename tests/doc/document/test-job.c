@@ -227,7 +227,8 @@ test_modes (void)
 {
   g_autoptr (QnJob) job = make_job ("11-vibrating-beam.quoin");
   Outcome outcome = { 0 };
-  qn_job_set_modes (job, 3, FALSE);
+  qn_job_get_run (job)->kind = QN_RUN_MODE;
+  qn_job_get_run (job)->mode_count = 3;
   qn_job_start (job, on_done, &outcome);
   wait_for (&outcome);
   g_assert_no_error (outcome.error);
@@ -258,7 +259,7 @@ test_stability (void)
 {
   g_autoptr (QnJob) job = make_job ("21-column-pinned.quoin");
   g_auto (Outcome) outcome = { 0 };
-  qn_job_set_stability (job);
+  qn_job_get_run (job)->kind = QN_RUN_STABILITY;
   qn_job_start (job, on_done, &outcome);
   wait_for (&outcome);
   g_assert_no_error (outcome.error);
