@@ -5,7 +5,7 @@
 #include "doc/edit/edit-place.h"
 #include <glib/gi18n.h>
 
-enum { TURN = QN_EXTENT_COUNT, FACTS, ARRANGE };
+enum { TURN = QN_EXTENT_COUNT, FACTS };
 
 static const QnFormField fields[] = {
   [QN_EXTENT_X] = { .id = "x", .step = N_ ("Move") },
@@ -15,7 +15,6 @@ static const QnFormField fields[] = {
   [QN_EXTENT_ANGLE] = { .id = "angle", .step = N_ ("Rotate") },
   [TURN] = { .id = "turn", .step = N_ ("Rotate") },
   [FACTS] = { .id = "facts" },
-  [ARRANGE] = { .id = "arrange" },
 };
 
 static gboolean
@@ -74,7 +73,7 @@ show (gpointer data, guint field, QnValue *value)
     value->text = dup_facts (&extent);
     return set.blocks.count > 0;
   default:
-    return set.blocks.count + set.beams.count > 1;
+    return FALSE;
   }
 }
 

@@ -326,32 +326,7 @@ select_faces_like (QnWindow *self, GVariant *parameter)
                                                                     : QN_LIKE_LAW);
 }
 
-/* ---- in line, at equal distances; supports, joints, loads of context menus ---- */
-
-static void
-align (QnWindow *self, GVariant *parameter)
-{
-  QnAlign align;
-  QnCanvasDraft draft;
-  if (qn_align_parse (g_variant_get_string (parameter, NULL), &align)
-      && qn_canvas_begin_edit (self->canvas, &draft))
-    qn_canvas_end_edit (self->canvas, &draft, _ ("Align"), NULL,
-                        qn_edit_align (&draft.project, qn_canvas_get_parts (self->canvas),
-                                       align, &draft.error));
-}
-
-static void
-distribute (QnWindow *self, GVariant *parameter)
-{
-  QnSpreadMode spread;
-  QnCanvasDraft draft;
-  if (qn_spread_parse (g_variant_get_string (parameter, NULL), &spread)
-      && qn_canvas_begin_edit (self->canvas, &draft))
-    qn_canvas_end_edit (self->canvas, &draft, _ ("Distribute"), NULL,
-                        qn_edit_spread (&draft.project,
-                                        qn_canvas_get_parts (self->canvas), spread,
-                                        &draft.error));
-}
+/* ---- supports, joints, loads of context menus ---- */
 
 static void
 hold (QnWindow *self, GVariant *parameter)
@@ -547,8 +522,6 @@ const QnWindowAction qn_window_edit_actions[] = {
   { "join-bodies", NULL, join_bodies, QN_NEEDS_RUN },
   { "array", "(iddd)", array, QN_NEEDS_PARTS },
   { "nudge", "(dd)", nudge, QN_NEEDS_MOVABLE },
-  { "align", "s", align, QN_NEEDS_PARTS },
-  { "distribute", "s", distribute, QN_NEEDS_PARTS },
   { "support", "s", hold, QN_NEEDS_BLOCKS },
   { "joint-law", "s", set_joint_law, QN_NEEDS_FACE },
   { "copy-text", "s", copy_text, 0 },

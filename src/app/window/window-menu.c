@@ -15,21 +15,19 @@ get (GtkBuilder *builder, const char *id)
   return G_MENU (gtk_builder_get_object (builder, id));
 }
 
-/* Turning and aligning, for blocks and beams alike. */
+/* For blocks and beams alike. */
 static void
-insert_arrange (GtkBuilder *builder, GMenu *shape, int position)
+insert_turns (GtkBuilder *builder, GMenu *shape, int position)
 {
   g_menu_insert_submenu (shape, position, _ ("Mirror and Ro_tate"),
                          G_MENU_MODEL (get (builder, "turns")));
-  g_menu_insert_submenu (shape, position + 1, _ ("Ali_gn and Distribute"),
-                         G_MENU_MODEL (get (builder, "arrange")));
 }
 
 static void
 complete_block_menu (GtkBuilder *builder, const QnBlock *block)
 {
   GMenu *shape = get (builder, "block-shape");
-  insert_arrange (builder, shape, 2);
+  insert_turns (builder, shape, 2);
   if (block->masonry != QN_NONE || block->wall != QN_NONE)
     g_menu_append (shape, _ ("De_tach Wall into Free Blocks"), "win.detach");
 }
@@ -72,7 +70,7 @@ make_for_selection (QnWindow *self)
     complete_block_menu (builder, &model->blocks[ids[0]]);
   } else if (beams > 0) {
     id = "beam";
-    insert_arrange (builder, get (builder, "beam-shape"), 2);
+    insert_turns (builder, get (builder, "beam-shape"), 2);
   }
   GMenu *menu = g_object_ref (get (builder, id));
   if (!g_str_equal (id, "paper")) {

@@ -33,20 +33,6 @@ set_extent (QnProject *draft, gpointer data, GError **error)
   return qn_edit_set_extent (draft, p->set, (QnExtentField) p->how, p->value, error);
 }
 
-static gboolean
-align (QnProject *draft, gpointer data, GError **error)
-{
-  const Place *p = data;
-  return qn_edit_align (draft, p->set, (QnAlign) p->how, error);
-}
-
-static gboolean
-spread (QnProject *draft, gpointer data, GError **error)
-{
-  const Place *p = data;
-  return qn_edit_spread (draft, p->set, (QnSpreadMode) p->how, error);
-}
-
 static void
 edit_place (QnDocument *document, QnProjectEditFunc func, Place place)
 {
@@ -132,45 +118,6 @@ test_numbers (void)
   refuse_place (document, set_extent, (Place){ ALL, QN_EXTENT_WIDTH, 0.0 });
 }
 
-static void
-test_align (void)
-{
-  const struct {
-    QnAlign how;
-    double x, y; /* lower left corner of b */
-  } cases[] = {
-    { QN_ALIGN_LEFT, 0, 2 }, { QN_ALIGN_CENTER, 4.25, 2 }, { QN_ALIGN_RIGHT, 8.5, 2 },
-    { QN_ALIGN_TOP, 3, 2 },  { QN_ALIGN_MIDDLE, 3, 1 },    { QN_ALIGN_BOTTOM, 3, 0 },
-  };
-  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
-    g_autoptr (QnDocument) document = open_text (project);
-    edit_place (document, align, (Place){ ALL, cases[i].how, 0 });
-    check_box (document, 1, cases[i].x, cases[i].y, cases[i].x + 1, cases[i].y + 1);
-    g_assert_true (qn_document_undo (document));
-    check_box (document, 1, 3, 2, 4, 3);
-    refuse_place (document, align, (Place){ ONE (0), cases[i].how, 0 });
-  }
-}
-
-/* a ends at 2, c begins at 9, b is 1 m wide: gaps of 3 m; middles at 1, 5.125 and 9.25. */
-static void
-test_spread (void)
-{
-  g_autoptr (QnDocument) document = open_text (project);
-  edit_place (document, spread, (Place){ ALL, QN_SPREAD_GAPS_X, 0 });
-  check_box (document, 1, 5, 2, 6, 3);
-  check_box (document, 2, 9, 1, 9.5, 3);
-  edit_place (document, spread, (Place){ ALL, QN_SPREAD_CENTERS_X, 0 });
-  check_box (document, 1, 4.625, 2, 5.625, 3);
-  /* Upwards c lies between the others: its middle goes to 1.5, its gaps become -0.5 m. */
-  edit_place (document, spread, (Place){ ALL, QN_SPREAD_CENTERS_Y, 0 });
-  check_box (document, 2, 9, 0.5, 9.5, 2.5);
-  edit_place (document, spread, (Place){ ALL, QN_SPREAD_GAPS_Y, 0 });
-  check_box (document, 2, 9, 0.5, 9.5, 2.5);
-  refuse_place (document, spread,
-                (Place){ { { ids, 2 }, { NULL, 0 } }, QN_SPREAD_GAPS_X, 0 });
-}
-
 static gboolean
 add_walls (QnProject *draft, gpointer data, GError **error)
 {
@@ -208,7 +155,7 @@ test_walls (void)
   g_assert_cmpuint (count, >, 10);
   QnPartSet set = { { walls, count }, { NULL, 0 } };
   g_assert_false (qn_extent_can_scale (model, set));
-  edit_place (document, align, (Place){ set, QN_ALIGN_TOP, 0 });
+  edit_place (document, set_extent, (Place){ set, QN_EXTENT_Y, 1.0 });
   model = qn_document_get_model (document);
   QnBox first = QN_BOX_EMPTY;
   guint parametric = 0;
@@ -224,25 +171,9 @@ test_walls (void)
   g_assert_cmpfloat_with_epsilon (first.max.y, 2.0, 1e-9);
 }
 
-static void
-test_names (void)
-{
-  QnAlign how;
-  QnSpreadMode spread_how;
-  g_assert_true (qn_align_parse ("bottom", &how));
-  g_assert_cmpint (how, ==, QN_ALIGN_BOTTOM);
-  g_assert_false (qn_align_parse ("nonsense", &how));
-  g_assert_true (qn_spread_parse ("gaps-y", &spread_how));
-  g_assert_cmpint (spread_how, ==, QN_SPREAD_GAPS_Y);
-  g_assert_false (qn_spread_parse ("", &spread_how));
-}
-
 QN_TESTS
 {
   g_test_add_func ("/doc/edit-place/extents", test_extents);
   g_test_add_func ("/doc/edit-place/numbers", test_numbers);
-  g_test_add_func ("/doc/edit-place/align", test_align);
-  g_test_add_func ("/doc/edit-place/spread", test_spread);
   g_test_add_func ("/doc/edit-place/walls", test_walls);
-  g_test_add_func ("/doc/edit-place/names", test_names);
 }
