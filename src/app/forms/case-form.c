@@ -97,7 +97,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   QnModel *model = &draft->model;
   switch (field) {
   case NAME:
-    return qn_edit_rename_load_case (model, form->selected + 1, value->text, error);
+    return qn_edit_rename_load_list (model, TRUE, form->selected + 1, value->text, error);
   case ACTION:
     take_name (value, qn_combinations_dup_actions (),
                model->load_cases[form->selected].action);
@@ -107,7 +107,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return TRUE;
   case ADD:
     form->wanted = (int) model->load_case_count;
-    return qn_edit_add_load_case (model, error);
+    return qn_edit_add_load_list (model, TRUE, error);
   case REMOVE:
     return qn_edit_delete_load_case (model, form->selected + 1, error);
   default:

@@ -524,9 +524,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     qn_tool_edge_load_choose (form->base.canvas);
     return TRUE;
   case NAME:
-    return qn_edit_rename_load_set (model, form->shown, value->text, error);
+    return qn_edit_rename_load_list (model, FALSE, form->shown, value->text, error);
   case ADD_SET:
-    if (!qn_edit_add_load_set (model, error))
+    if (!qn_edit_add_load_list (model, FALSE, error))
       return FALSE;
     show_list (form, (int32_t) model->load_set_count);
     return TRUE;

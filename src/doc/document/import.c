@@ -31,36 +31,15 @@ qn_import_is_picture (const char *path)
   return has_ending (path, endings);
 }
 
-/* Names of a model's blocks; they live as long as the blocks. */
-static GHashTable *
-names_of (const QnModel *model)
-{
-  GHashTable *names = g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
-  for (gsize i = 0; i < model->block_count; i++)
-    g_hash_table_add (names, g_strdup (model->blocks[i].name));
-  return names;
-}
-
-/* The name itself, or with the first number behind it that makes it new. */
-static char *
-dup_new_name (GHashTable *taken, const char *name)
-{
-  char *free_name = g_strdup (name);
-  for (guint i = 2; g_hash_table_contains (taken, free_name); i++) {
-    g_free (free_name);
-    free_name = g_strdup_printf ("%s-%u", name, i);
-  }
-  g_hash_table_add (taken, g_strdup (free_name));
-  return free_name;
-}
-
 static gboolean
 add_blocks (QnModel *model, const QnModel *imported, GError **error)
 {
-  g_autoptr (GHashTable) taken = names_of (model);
   for (gsize i = 0; i < imported->block_count; i++) {
     const QnBlock *from = &imported->blocks[i];
-    g_autofree char *name = dup_new_name (taken, from->name);
+    g_autofree char *name =
+      qn_model_find_block (model, from->name) == QN_NONE
+        ? g_strdup (from->name)
+        : qn_edit_dup_new_name (model, qn_model_find_block, from->name, "-", 2);
     QnBlock *block =
       qn_model_add_block (model, name, qn_model_block_vertices (imported, (QnId) i),
                           (gsize) from->vertex_count);

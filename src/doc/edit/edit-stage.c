@@ -9,25 +9,36 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- sets ---- */
+/* ---- sets and cases ---- */
 
 gboolean
-qn_edit_add_load_set (QnModel *model, GError **error)
+qn_edit_add_load_list (QnModel *model, gboolean cases, GError **error)
 {
-  g_autofree char *name = qn_edit_dup_new_name (model, qn_model_find_load_set, _ ("set"),
-                                                " ", model->load_set_count + 1);
-  if (model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
-    return qn_edit_refuse (error, _ ("The largest number of load sets is reached"));
-  return qn_model_add_load_set (model, name) != QN_NONE || qn_edit_no_memory (error);
+  const gsize count = cases ? model->load_case_count : model->load_set_count;
+  g_autofree char *name =
+    qn_edit_dup_new_name (model, cases ? qn_model_find_load_case : qn_model_find_load_set,
+                          cases ? _ ("case") : _ ("set"), " ", count + 1);
+  if (cases ? count >= QN_MAX_LOAD_CASES : count + 1 >= QN_MAX_LOAD_SETS)
+    return qn_edit_refuse (error, cases
+                                    ? _ ("The largest number of load cases is reached")
+                                    : _ ("The largest number of load sets is reached"));
+  return (cases ? qn_model_add_load_case : qn_model_add_load_set) (model, name) != QN_NONE
+         || qn_edit_no_memory (error);
 }
 
 gboolean
-qn_edit_rename_load_set (QnModel *model, int32_t set, const char *name, GError **error)
+qn_edit_rename_load_list (QnModel *model, gboolean cases, int32_t number,
+                          const char *name, GError **error)
 {
-  if (*name == '\0' || qn_model_find_load_set (model, name) != QN_NONE
-      || g_str_equal (name, "dead"))
-    return qn_edit_refuse (error, _ ("A set of loads needs a name of its own"));
-  return qn_edit_take_name (&model->load_sets[set - 1], name, error);
+  if (*name == '\0'
+      || (cases ? qn_model_find_load_case : qn_model_find_load_set) (model, name)
+           != QN_NONE
+      || (!cases && g_str_equal (name, "dead")))
+    return qn_edit_refuse (error, cases ? _ ("A load case needs a name of its own")
+                                        : _ ("A set of loads needs a name of its own"));
+  return qn_edit_take_name (cases ? &model->load_cases[number - 1].name
+                                  : &model->load_sets[number - 1],
+                            name, error);
 }
 
 static uint32_t
@@ -63,27 +74,6 @@ qn_edit_delete_load_set (QnModel *model, int32_t set, GError **error)
   qn_edit_drop (model->load_sets, &model->load_set_count, sizeof *model->load_sets,
                 (gsize) set - 1);
   return TRUE;
-}
-
-/* ---- cases ---- */
-
-gboolean
-qn_edit_add_load_case (QnModel *model, GError **error)
-{
-  if (model->load_case_count >= QN_MAX_LOAD_CASES)
-    return qn_edit_refuse (error, _ ("The largest number of load cases is reached"));
-  g_autofree char *name = qn_edit_dup_new_name (
-    model, qn_model_find_load_case, _ ("case"), " ", model->load_case_count + 1);
-  return qn_model_add_load_case (model, name) != QN_NONE || qn_edit_no_memory (error);
-}
-
-gboolean
-qn_edit_rename_load_case (QnModel *model, int32_t number, const char *name,
-                          GError **error)
-{
-  if (*name == '\0' || qn_model_find_load_case (model, name) != QN_NONE)
-    return qn_edit_refuse (error, _ ("A load case needs a name of its own"));
-  return qn_edit_take_name (&model->load_cases[number - 1].name, name, error);
 }
 
 gboolean

@@ -9,18 +9,13 @@
 
 /* ---- lists of loads ---- */
 
-/* Adds an empty set under a free name ("set 1", …); its number is that of the last. */
-gboolean qn_edit_add_load_set (QnModel *model, GError **error);
-gboolean qn_edit_rename_load_set (QnModel *model, int32_t set, const char *name,
-                                  GError **error);
-/* Also removes its loads, and stages that drive only this set. */
+/* Adds an empty set, or a case of factor 1, under a free name ("set 1", "case 1", …); its number, counted
+ * from 1, is that of the last. */
+gboolean qn_edit_add_load_list (QnModel *model, gboolean cases, GError **error);
+gboolean qn_edit_rename_load_list (QnModel *model, gboolean cases, int32_t number,
+                                   const char *name, GError **error);
+/* The loads of a set go with it, and stages that drive only this set; those of a case stay without one. */
 gboolean qn_edit_delete_load_set (QnModel *model, int32_t set, GError **error);
-
-/* Adds a load case of factor 1 under a free name ("case 1", …). Cases are counted from 1. */
-gboolean qn_edit_add_load_case (QnModel *model, GError **error);
-gboolean qn_edit_rename_load_case (QnModel *model, int32_t number, const char *name,
-                                   GError **error);
-/* Its loads stay, without a case. */
 gboolean qn_edit_delete_load_case (QnModel *model, int32_t number, GError **error);
 
 /* A new load of a kind on edges: on the top of the first of the blocks, or above or beside all of them;

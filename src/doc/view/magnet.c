@@ -1,18 +1,20 @@
 #include "doc/view/magnet.h"
 
-/* Best candidate of one kind so far. */
+#define KINDS (QN_MAGNET_GRID + 1)
+
+/* The nearest hit of every kind so far, in their order, and how far it is. */
 typedef struct Best {
-  double distance;
-  QnMagnetHit hit;
+  double distance[KINDS];
+  QnMagnetHit hit[KINDS];
 } Best;
 
 static void
 offer (Best *best, QnMagnetKind kind, QnVec2 from, QnVec2 point, QnVec2 a, QnVec2 b)
 {
   double distance = qn_vec2_length (qn_vec2_sub (from, point));
-  if (distance <= best->distance) {
-    best->distance = distance;
-    best->hit = (QnMagnetHit){ kind, point, a, b };
+  if (distance <= best->distance[kind]) {
+    best->distance[kind] = distance;
+    best->hit[kind] = (QnMagnetHit){ kind, point, a, b };
   }
 }
 
@@ -26,27 +28,26 @@ nearest_on_segment (QnVec2 p, QnVec2 a, QnVec2 b)
 }
 
 static void
-offer_block (const QnModel *model, QnId block, QnVec2 p, Best *corner, Best *middle,
-             Best *edge)
+offer_block (const QnModel *model, QnId block, QnVec2 p, Best *best)
 {
   const QnVec2 *v = qn_model_block_vertices (model, block);
   QnId count = model->blocks[block].vertex_count;
   for (QnId i = 0; i < count; i++) {
     QnVec2 a = v[i], b = v[(i + 1) % count];
-    offer (corner, QN_MAGNET_CORNER, p, a, a, a);
-    offer (middle, QN_MAGNET_MIDDLE, p, qn_vec2_lerp (a, b, 0.5), a, b);
-    offer (edge, QN_MAGNET_EDGE, p, nearest_on_segment (p, a, b), a, b);
+    offer (best, QN_MAGNET_CORNER, p, a, a, a);
+    offer (best, QN_MAGNET_MIDDLE, p, qn_vec2_lerp (a, b, 0.5), a, b);
+    offer (best, QN_MAGNET_EDGE, p, nearest_on_segment (p, a, b), a, b);
   }
 }
 
 static void
-offer_courses (const QnWall *wall, QnVec2 p, Best *course)
+offer_courses (const QnWall *wall, QnVec2 p, Best *best)
 {
   double row = round ((p.y - wall->origin.y) / wall->unit.y);
   if (row < 0.0 || row > wall->course_count)
     return;
   double y = wall->origin.y + row * wall->unit.y;
-  offer (course, QN_MAGNET_COURSE, p, qn_vec2 (p.x, y), qn_vec2 (wall->origin.x, y),
+  offer (best, QN_MAGNET_COURSE, p, qn_vec2 (p.x, y), qn_vec2 (wall->origin.x, y),
          qn_vec2 (p.x, y));
 }
 
@@ -57,33 +58,31 @@ qn_magnet_find (const QnMagnet *magnet, const QnModel *model, QnVec2 p, const in
   if (!magnet->enabled)
     return nothing;
 
-  Best start = { magnet->reach, nothing };
-  Best node = start, corner = start, middle = start, edge = start, course = start,
-       grid = start;
+  Best best = { 0 };
+  for (int kind = 0; kind < KINDS; kind++)
+    best.distance[kind] = magnet->reach;
   for (size_t i = 0; i < model->node_count; i++) {
     QnVec2 at = model->nodes[i].at;
     QnId block = model->nodes[i].block;
     bool goes = skip != NULL && block != QN_NONE && skip[block];
     if (model->nodes[i].beam == QN_NONE && !goes)
-      offer (&node, QN_MAGNET_NODE, p, at, at, at);
+      offer (&best, QN_MAGNET_NODE, p, at, at, at);
   }
   for (size_t i = 0; i < model->block_count; i++) {
     if (skip == NULL || !skip[i])
-      offer_block (model, (QnId) i, p, &corner, &middle, &edge);
+      offer_block (model, (QnId) i, p, &best);
   }
   for (size_t i = 0; i < model->wall_count; i++)
-    offer_courses (&model->walls[i], p, &course);
+    offer_courses (&model->walls[i], p, &best);
   if (magnet->grid > 0.0) {
     QnVec2 crossing = qn_vec2 (round (p.x / magnet->grid) * magnet->grid,
                                round (p.y / magnet->grid) * magnet->grid);
-    offer (&grid, QN_MAGNET_GRID, p, crossing, crossing, crossing);
+    offer (&best, QN_MAGNET_GRID, p, crossing, crossing, crossing);
   }
 
-  const Best *order[] = { &node, &corner, &middle, &edge, &course, &grid };
-  for (size_t i = 0; i < QN_N_ELEMENTS (order); i++) {
-    if (order[i]->hit.kind != QN_MAGNET_NOTHING)
-      return order[i]->hit;
-  }
+  for (int kind = 0; kind < KINDS; kind++)
+    if (best.hit[kind].kind != QN_MAGNET_NOTHING)
+      return best.hit[kind];
   return nothing;
 }
 

@@ -25,13 +25,13 @@ static gboolean
 add_set (QnModel *model, gpointer data, GError **error)
 {
   (void) data;
-  return qn_edit_add_load_set (model, error);
+  return qn_edit_add_load_list (model, FALSE, error);
 }
 
 static gboolean
 rename_set (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_rename_load_set (model, 1, data, error);
+  return qn_edit_rename_load_list (model, FALSE, 1, data, error);
 }
 
 static gboolean
