@@ -92,6 +92,9 @@ qn_capacity_dup_basis (const QnCapacityState *state, QnCapacityCheck check)
     name, state->period, rests, state->softer);
 }
 
+/* %, from where on a difference is more than 0.00. */
+#define LEAST_SHOWN 0.005
+
 /* What virtual work found, and how the collapse that was found differs. */
 static void
 tell_mechanism (GString *text, const QnCapacityAnswer *answer)
@@ -108,9 +111,12 @@ tell_mechanism (GString *text, const QnCapacityAnswer *answer)
                     _ ("\nties break at d* %.4g m and take more than half of the largest "
                        "a* with them: SLV is there at most (C8.7.1.2.1.6)"),
                     c->broken);
-  if (isfinite (c->found))
+  const double apart = 100 * (c->activation / c->found - 1);
+  if (isfinite (c->found) && fabs (apart) < LEAST_SHOWN)
+    qn_text_append (text, _ ("\nfull model: multiplier %.5f, that of alpha0"), c->found);
+  else if (isfinite (c->found))
     qn_text_append (text, _ ("\nfull model: multiplier %.5f, alpha0 differs by %+.2f %%"),
-                    c->found, 100 * (c->activation / c->found - 1));
+                    c->found, apart);
   if (!answer->has_spectrum)
     return;
   g_autofree char *sld = dup_ratio (linear->sld), *slv = dup_ratio (linear->slv);
