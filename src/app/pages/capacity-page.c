@@ -4,6 +4,7 @@
 
 #include "app/forms/bound-form.h"
 #include "app/forms/form.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/help.h"
 #include "app/widgets/plot-view.h"
@@ -33,10 +34,12 @@ static const char *const units[] = { NULL, "g", "m/s2", "cm/s2" };
 typedef struct Form {
   QnBoundForm base;
   QnDocument *document;
+  GSimpleActionGroup *actions;
   QnCapacitySettings
     entered; /* numbers, the control block, and in `spectrum` the path of a file */
   int kind, soil, unit;
   QnRecord points;           /* of that file */
+  char *read;                /* what they were read from: path and unit; NULL: nothing */
   QnCapacityAnswer answer;   /* of the model as it was when the curve was found */
   char *block, *title;       /* names of then */
   char *reason;              /* why its path ended before multiplier 0, or NULL */
@@ -105,9 +108,17 @@ static gboolean
 check (Form *form)
 {
   QnCapacitySettings settings = settings_of (form, form->entered.spectrum);
+  g_autofree char *source =
+    form->kind == FROM_FILE
+      ? g_strdup_printf ("%s\n%d", form->entered.spectrum, form->unit)
+      : NULL;
   g_autoptr (GError) error = NULL;
   settings.control = NULL; /* told once a curve is to be found */
-  qn_record_clear (&form->points);
+  if (g_strcmp0 (source, form->read) != 0) {
+    qn_record_clear (&form->points);
+    g_free (form->read);
+    form->read = g_steal_pointer (&source);
+  }
   if (!qn_capacity_settings_apply (&settings, qn_document_get_project (form->document),
                                    TRUE, &form->answer, &form->points, &error)) {
     form->answer.has_spectrum = FALSE;
@@ -189,8 +200,9 @@ on_found (GObject *source, GAsyncResult *result, gpointer data)
 }
 
 static void
-find (Form *form)
+find (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
+  Form *form = data;
   const QnModel *model = qn_document_get_model (form->document);
   QnId control = form->entered.control != NULL
                    ? qn_model_find_block (model, form->entered.control)
@@ -213,6 +225,12 @@ find (Form *form)
   say (form, NULL);
 }
 
+static void
+cancel (GSimpleAction *action, GVariant *parameter, gpointer form)
+{
+  g_cancellable_cancel (((Form *) form)->cancellable);
+}
+
 /* ---- files ---- */
 
 static void
@@ -225,6 +243,7 @@ on_points_chosen (gpointer data, const char *path, const GError *error)
   }
   g_autofree char *before = form->entered.spectrum;
   form->entered.spectrum = g_strdup (path);
+  g_clear_pointer (&form->read, g_free); /* it may have changed */
   g_clear_pointer (&form->message, g_free);
   if (check (form))
     store (form);
@@ -379,8 +398,10 @@ show (gpointer data, guint field, QnValue *value)
       fill_table (data);
     return form->found && form->answer.has_spectrum;
   case CANCEL:
+    qn_actions_enable (form->actions, "cancel", busy);
     return busy;
   case FIND:
+    qn_actions_enable (form->actions, "run", !busy);
     return !busy;
   case EXPORT_PICTURE:
   case EXPORT_TABLE:
@@ -436,12 +457,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case EXPORT_PICTURE:
   case EXPORT_TABLE:
     ask (form, field);
-    return TRUE;
-  case FIND:
-    find (form);
-    return TRUE;
-  case CANCEL:
-    g_cancellable_cancel (form->cancellable);
     return TRUE;
   default:
     break;
@@ -533,6 +548,7 @@ clear (gpointer data)
   clear_curve (form);
   qn_record_clear (&form->points);
   qn_capacity_settings_clear (&form->entered);
+  g_free (form->read);
   g_free (form->stored);
   g_free (form->digest);
   g_free (form->message);
@@ -544,9 +560,15 @@ qn_capacity_page_new (QnDocument *document)
 {
   static const QnFormKind kind = QN_FORM_KIND ("capacity-page", Form);
   static const QnPlotHand hand = { .text_share = TEXT_SHARE, .make = make_plot };
+  static const GActionEntry entries[] = { { .name = "run", .activate = find },
+                                          { .name = "cancel", .activate = cancel } };
   Form *form = qn_bound_form_new (&kind, NULL);
   form->base.clear = clear;
   form->document = g_object_ref (document);
+  form->actions = qn_actions_insert (form->base.root, "capacity", entries,
+                                     G_N_ELEMENTS (entries), form);
+  g_object_set_data_full (G_OBJECT (form->base.root), QN_PAGE_ACTIONS,
+                          g_object_ref (form->actions), g_object_unref);
   g_object_set_data (G_OBJECT (form->base.root), FORM, form);
   qn_plot_view_init (form->base.widgets[PLOT], &hand, form);
   qn_watch (form->base.root, document, "changed", G_CALLBACK (on_model_changed), form);

@@ -236,12 +236,15 @@ static void
 on_page_changed (QnWindow *self)
 {
   const char *page = gtk_stack_get_visible_child_name (self->pages);
-  const char *const labels[] = { _ ("So_lve"), _ ("_Find Envelope"), _ ("_Run Study") };
+  const char *const labels[] = { _ ("So_lve"), _ ("_Find Envelope"), _ ("_Compute Curve"),
+                                 _ ("_Run Study") };
   const char *const hints[] = { _ ("Solve"), _ ("Find the worst position of the load"),
+                                _ ("Capacity curve against a spectrum"),
                                 _ ("Compute the cases of the study") };
   const int what = !qn_window_page_has (self, "run")   ? 0
                    : g_strcmp0 (page, "envelope") == 0 ? 1
-                                                       : 2;
+                   : g_strcmp0 (page, "capacity") == 0 ? 2
+                                                       : 3;
   gtk_button_set_label (self->run_button, labels[what]);
   g_autofree char *hint = qn_action_dup_tooltip (hints[what], "win.run-shown");
   gtk_widget_set_tooltip_text (GTK_WIDGET (self->run_button), hint);

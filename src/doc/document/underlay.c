@@ -232,6 +232,9 @@ qn_underlay_rectify (QnUnderlay *underlay, const QnVec2 shown[4], double width,
 void
 qn_underlay_show_as_taken (QnUnderlay *underlay)
 {
+  const double part = fabs (underlay->points[1].x - underlay->points[0].x);
+  if (part > 0)
+    underlay->width /= part;
   underlay->rectified = false;
   underlay->height = 0;
   underlay->angle = 0;

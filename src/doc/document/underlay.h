@@ -55,7 +55,7 @@ bool qn_underlay_match (QnUnderlay *underlay, const QnVec2 shown[2],
 bool qn_underlay_rectify (QnUnderlay *underlay, const QnVec2 shown[4], double width,
                           double height);
 
-/* Shows the photo as it was taken again, the whole as wide as the rectangle was. */
+/* Shows the photo as it was taken again, so wide that the foot of the rectangle on it keeps its length. */
 void qn_underlay_show_as_taken (QnUnderlay *underlay);
 
 /* Lays a picture behind the drawing, in place of the one that is there: over the width of the

@@ -172,7 +172,6 @@ qn_capacity_settings_apply (const QnCapacitySettings *s, const QnProject *projec
 {
   QnSpectrum *spectrum = &answer->spectrum;
   const char *soil = s->soil != NULL ? s->soil : "";
-  *points = (QnRecord){ 0 };
   answer->confidence = s->confidence > 0 ? s->confidence : 1;
   answer->kinematic = s->mechanism;
   answer->tie_strain = s->tie_strain;
@@ -199,7 +198,7 @@ qn_capacity_settings_apply (const QnCapacitySettings *s, const QnProject *projec
   if (!is_of_code (s->spectrum)) {
     if (s->ag != 0 || s->soil != NULL)
       return refuse (_ ("ag and soil belong to the spectra type1 and type2"), error);
-    if (!read_spectrum (s, project, allow_outside, points, error))
+    if (points->count == 0 && !read_spectrum (s, project, allow_outside, points, error))
       return FALSE;
     spectrum->kind = QN_SPECTRUM_POINTS;
     spectrum->points = points->points;

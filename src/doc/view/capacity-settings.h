@@ -47,7 +47,7 @@ gboolean qn_capacity_read_spectrum (const char *path, const char *unit, QnRecord
                                     GError **error);
 
 /* What an answer is to be held against: damping 0.05 and confidence 1 where they are not said. `points`, to be
- * cleared, are those of a file. FALSE with QN_IO_ERROR_OVERRIDE where settings are missing or contradict, and
+ * cleared, are those of a file, which is read where there are none yet. FALSE with QN_IO_ERROR_OVERRIDE where settings are missing or contradict, and
  * errors of the file, or where no block has the name of `control`. */
 gboolean qn_capacity_settings_apply (const QnCapacitySettings *settings,
                                      const QnProject *project, gboolean allow_outside,
