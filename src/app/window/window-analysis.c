@@ -89,75 +89,47 @@ show_run (QnWindow *self)
 
 /* ---- several analyses one after the other ---- */
 
-static const QnQueuedAnalysis queue[] = {
-  { QN_PROCEDURE_LIMIT, QN_FLOW_ASSOCIATIVE },
-  { QN_PROCEDURE_LIMIT, QN_FLOW_NON_ASSOCIATIVE },
-};
-
-static void
-clear_queue (QnWindow *self)
-{
-  self->next_analysis = self->last_analysis = NULL;
-}
-
-/* Of several methods that which follows a path, with a curve and steps: limit analysis has neither. */
-static QnProcedure
-path_procedure (QnWindow *self)
-{
-  QnProcedure own = qn_document_get_model (self->document)->analysis.procedure;
-  return own == QN_PROCEDURE_LIMIT ? QN_PROCEDURE_LOAD : own;
-}
-
-/* Starts the next of those to be compared that is not there yet; behind the last they are shown. */
+/* Starts the next method of those to be compared whose run is not there yet: one that follows a path, with a
+ * curve and steps, and both limit analyses, which have neither. Behind the last they are shown. */
 static void
 start_next (QnWindow *self)
 {
-  if (self->next_analysis == NULL)
-    return;
-  const QnRun *run = qn_document_get_run (self->document);
-  if (qn_document_get_job_error (self->document) != NULL || run == NULL
-      || run->result.outcome == QN_OUTCOME_CANCELLED) {
-    clear_queue (self);
+  const QnProcedure own = qn_document_get_model (self->document)->analysis.procedure;
+  const struct {
+    QnProcedure procedure;
+    QnFlow flow;
+  } all[] = {
+    { own == QN_PROCEDURE_LIMIT ? QN_PROCEDURE_LOAD : own, QN_FLOW_ASSOCIATIVE },
+    { QN_PROCEDURE_LIMIT, QN_FLOW_ASSOCIATIVE },
+    { QN_PROCEDURE_LIMIT, QN_FLOW_NON_ASSOCIATIVE },
+  };
+  g_autoptr (GError) error = NULL;
+  for (guint i; (i = self->next_method++) < G_N_ELEMENTS (all);) {
+    if (qn_document_find_run (self->document, all[i].procedure, all[i].flow, FALSE)
+        != NULL)
+      continue;
+    if (!qn_document_analyse_with (self->document, all[i].procedure, all[i].flow,
+                                   &error)) {
+      self->next_method = QN_NO_METHOD;
+      qn_window_show_error (self, error->message);
+    }
     return;
   }
-  while (self->next_analysis != self->last_analysis
-         && qn_document_find_run (self->document, self->next_analysis->procedure,
-                                  self->next_analysis->flow, FALSE)
-              != NULL)
-    self->next_analysis++;
-  if (self->next_analysis == self->last_analysis) {
-    clear_queue (self);
-    QnRun *path = qn_document_find_run (self->document, path_procedure (self),
-                                        QN_FLOW_ASSOCIATIVE, FALSE);
-    gtk_stack_set_visible_child_name (self->side_stack, "result");
-    if (path != NULL)
-      qn_document_set_run (self->document, path);
-    return;
-  }
-  const QnQueuedAnalysis *next = self->next_analysis++;
-  qn_document_analyse_with (self->document, next->procedure, next->flow, NULL);
+  QnRun *path =
+    qn_document_find_run (self->document, all[0].procedure, all[0].flow, FALSE);
+  self->next_method = QN_NO_METHOD;
+  gtk_stack_set_visible_child_name (self->side_stack, "result");
+  if (path != NULL)
+    qn_document_set_run (self->document, path);
 }
 
 /* HybriDFEM and both limit analyses of the same model. */
 static void
 run_all (QnWindow *self, GVariant *parameter)
 {
-  QnRun *path = qn_document_find_run (self->document, path_procedure (self),
-                                      QN_FLOW_ASSOCIATIVE, FALSE);
-  g_autoptr (GError) error = NULL;
   gtk_widget_set_visible (self->info_bar, FALSE);
-  if (path == NULL
-      && !qn_document_analyse_with (self->document, path_procedure (self),
-                                    QN_FLOW_ASSOCIATIVE, &error)) {
-    qn_window_show_error (self, error->message);
-    return;
-  }
-  self->next_analysis = queue;
-  self->last_analysis = queue + G_N_ELEMENTS (queue);
-  if (path != NULL) {
-    qn_document_set_run (self->document, path);
-    start_next (self);
-  }
+  self->next_method = 0;
+  start_next (self);
 }
 
 static void
@@ -182,8 +154,14 @@ on_job_changed (QnWindow *self)
   gtk_progress_bar_set_fraction (self->progress_bar, 0.0);
   update_live_label (self);
   qn_window_update_actions (self);
-  if (!running && was_running)
+  const QnRun *run = qn_document_get_run (self->document);
+  if (running || !was_running || self->next_method == QN_NO_METHOD)
+    return;
+  if (qn_document_get_job_error (self->document) == NULL && run != NULL
+      && run->result.outcome != QN_OUTCOME_CANCELLED)
     start_next (self);
+  else
+    self->next_method = QN_NO_METHOD;
 }
 
 /* "2.35 of 10 s · 12 s left"; the second part once something can be said. */
@@ -316,7 +294,7 @@ on_document_changed (QnWindow *self)
   GSettings *settings = qn_settings_get ();
   gsize count = qn_document_get_model (self->document)->block_count;
   g_clear_handle_id (&self->live_timeout, g_source_remove);
-  clear_queue (self);
+  self->next_method = QN_NO_METHOD;
   update_live_label (self);
   if (g_settings_get_boolean (settings, "live") && count > 0
       && count <= (gsize) g_settings_get_int (settings, "live-limit"))
@@ -334,6 +312,7 @@ qn_window_connect_analysis (QnWindow *self)
                            self, G_CONNECT_SWAPPED);
   g_signal_connect_object (qn_settings_get (), "changed::live",
                            G_CALLBACK (on_document_changed), self, G_CONNECT_SWAPPED);
+  self->next_method = QN_NO_METHOD;
   on_job_changed (self);
 }
 

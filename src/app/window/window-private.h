@@ -7,11 +7,8 @@
 #include "doc/view/recipe.h"
 #include "doc/view/report.h"
 
-/* An analysis that waits for another to end. */
-typedef struct QnQueuedAnalysis {
-  QnProcedure procedure;
-  QnFlow flow;
-} QnQueuedAnalysis;
+/* No method waits for another to end. */
+#define QN_NO_METHOD G_MAXUINT
 
 typedef enum QnClosing {
   QN_CLOSING_NOT,
@@ -74,7 +71,7 @@ struct _QnWindow {
   QnRecovery *recovery;
   GtkWidget *page_window; /* the pages' own, or NULL: they are under the drawing */
   guint live_timeout, message_timeout;
-  const QnQueuedAnalysis *next_analysis, *last_analysis; /* or NULL */
+  guint next_method;    /* of all that are run one after the other, or QN_NO_METHOD */
   gboolean was_running; /* an analysis, when the document last told */
   QnClosing closing;
   char *after_save;              /* action that waits until there is a file, or NULL */
