@@ -1,5 +1,6 @@
 #include "app/widgets/help.h"
 
+#include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
 #include <glib/gi18n.h>
 #include <string.h>
@@ -7,7 +8,7 @@
 #define RESOURCES "/io/github/quoin/Quoin/help/"
 #define PAGE_KEY  "quoin-help-page"
 
-/* px of a page that the list of pages leaves. */
+/* px of a page that the list of pages leaves, as in help.ui. */
 #define LEAST_PAGE 360
 
 /* In the order of the manual's own list, docs/manual/README.md. */
@@ -133,16 +134,11 @@ insert_row (GtkTextBuffer *buffer, const char *line)
 static GtkWidget *
 make_page (const char *text, const char *title)
 {
-  GtkWidget *view = gtk_text_view_new ();
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("help-page");
+  GtkTextView *view = GTK_TEXT_VIEW (gtk_builder_get_object (builder, "view"));
+  GtkTextBuffer *buffer = gtk_text_view_get_buffer (view);
   gtk_accessible_update_property (GTK_ACCESSIBLE (view), GTK_ACCESSIBLE_PROPERTY_LABEL,
                                   title, -1);
-  GtkTextBuffer *buffer = gtk_text_view_get_buffer (GTK_TEXT_VIEW (view));
-  gtk_text_buffer_create_tag (buffer, "h1", "scale", 1.6, "weight", PANGO_WEIGHT_BOLD,
-                              NULL);
-  gtk_text_buffer_create_tag (buffer, "h2", "scale", 1.2, "weight", PANGO_WEIGHT_BOLD,
-                              NULL);
-  gtk_text_buffer_create_tag (buffer, "bold", "weight", PANGO_WEIGHT_BOLD, NULL);
-  gtk_text_buffer_create_tag (buffer, "code", "family", "monospace", "scale", 0.9, NULL);
   /* Lines of a paragraph belong together; an empty line, or a line of another kind, ends
    * it. */
   g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
@@ -177,18 +173,7 @@ make_page (const char *text, const char *title)
       g_string_truncate (paragraph, 0);
     }
   }
-  gtk_text_view_set_editable (GTK_TEXT_VIEW (view), FALSE);
-  gtk_text_view_set_cursor_visible (GTK_TEXT_VIEW (view), FALSE);
-  gtk_text_view_set_wrap_mode (GTK_TEXT_VIEW (view), GTK_WRAP_WORD_CHAR);
-  gtk_text_view_set_left_margin (GTK_TEXT_VIEW (view), 24);
-  gtk_text_view_set_right_margin (GTK_TEXT_VIEW (view), 24);
-  gtk_text_view_set_top_margin (GTK_TEXT_VIEW (view), 18);
-  gtk_text_view_set_bottom_margin (GTK_TEXT_VIEW (view), 18);
-  gtk_text_view_set_pixels_inside_wrap (GTK_TEXT_VIEW (view), 3);
-  GtkWidget *scroller = gtk_scrolled_window_new ();
-  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), view);
-  gtk_widget_set_hexpand (scroller, TRUE);
-  return scroller;
+  return qn_builder_take_widget (builder, "page");
 }
 
 /* ---- Yelp ---- */
@@ -211,25 +196,17 @@ void
 qn_help_show (GtkWindow *parent, const char *page)
 {
   if (!is_installed ()) {
-    GtkWidget *stack = gtk_stack_new ();
+    g_autoptr (GtkBuilder) builder = qn_builder_new ("help");
+    GtkStack *stack = GTK_STACK (gtk_builder_get_object (builder, "stack"));
+    GtkWidget *sidebar = qn_builder_get_widget (builder, "sidebar");
+    GtkWidget *box = qn_builder_take_widget (builder, "content");
     for (gsize i = 0; i < G_N_ELEMENTS (pages); i++) {
       g_autofree char *text = dup_page_text (pages[i]);
       g_autofree char *title = g_strndup (text + 2, strcspn (text + 2, "\n"));
-      gtk_stack_add_titled (GTK_STACK (stack), make_page (text, title), pages[i], title);
+      gtk_stack_add_titled (stack, make_page (text, title), pages[i], title);
     }
     if (page != NULL)
-      gtk_stack_set_visible_child_name (GTK_STACK (stack), page);
-    GtkWidget *sidebar = gtk_stack_sidebar_new ();
-    gtk_stack_sidebar_set_stack (GTK_STACK_SIDEBAR (sidebar), GTK_STACK (stack));
-    GtkWidget *box = gtk_paned_new (GTK_ORIENTATION_HORIZONTAL);
-    /* Where the list is too wide for a small window, the paned would cut off its beginning. */
-    GtkWidget *scroller = gtk_scrolled_window_new ();
-    gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), sidebar);
-    gtk_paned_set_start_child (GTK_PANED (box), scroller);
-    gtk_paned_set_resize_start_child (GTK_PANED (box), FALSE);
-    gtk_paned_set_end_child (GTK_PANED (box), stack);
-    gtk_paned_set_shrink_end_child (GTK_PANED (box), FALSE);
-    gtk_widget_set_size_request (stack, LEAST_PAGE, -1);
+      gtk_stack_set_visible_child_name (stack, page);
 
     /* One works while reading. */
     GtkWidget *window = qn_dialog_new (parent, _ ("Help"), 900, 720);
