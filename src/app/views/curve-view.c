@@ -1,5 +1,6 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/paper-area.h"
 #include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"
 #include "doc/document/run.h"
@@ -9,7 +10,7 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-#define LEAST_HEIGHT 190.0 /* px, with text of the usual size */
+#define LEAST_HEIGHT 190 /* px, with text of the usual size */
 
 /* The plot's text over that of the window: the panel is narrow. */
 #define TEXT_SHARE 0.9
@@ -351,11 +352,12 @@ qn_curve_view_new (QnViewState *state)
                                    .tell = tell };
   View *self = g_new0 (View, 1);
   QnDocument *document = qn_view_state_get_document (state);
-  GtkWidget *area = qn_plot_view_new ("curve", LEAST_HEIGHT, &hand, self);
+  GtkWidget *area = g_object_new (QN_TYPE_PAPER_AREA, "name", "curve", "content-height",
+                                  LEAST_HEIGHT, "hexpand", TRUE, NULL);
+  qn_plot_view_init (area, &hand, self);
   self->state = g_object_ref (state);
   self->area = area;
   g_object_set_data_full (G_OBJECT (area), "qn-view", self, free_view);
-  gtk_widget_set_hexpand (area, TRUE);
   qn_watch (area, state, "changed", G_CALLBACK (gtk_widget_queue_draw), area);
   qn_watch (area, qn_settings_get (), "changed", G_CALLBACK (gtk_widget_queue_draw),
             area);

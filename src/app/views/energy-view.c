@@ -1,13 +1,12 @@
 #include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"
 #include "doc/view/sheet.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
-
-#define HEIGHT 180.0 /* px, with text of the usual size */
 
 /* The plot's text over that of the window: the panel is narrow. */
 #define TEXT_SHARE 0.825
@@ -117,16 +116,6 @@ point (gpointer data, const QnVec2 *at)
   show_values (view);
 }
 
-static GtkLabel *
-add_label (GtkWidget *grid, int place)
-{
-  GtkWidget *label = gtk_label_new (NULL);
-  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
-  gtk_widget_set_hexpand (label, TRUE);
-  gtk_grid_attach (GTK_GRID (grid), label, place % 2, place / 2, 1, 1);
-  return GTK_LABEL (label);
-}
-
 GtkWidget *
 qn_energy_view_new (QnViewState *state)
 {
@@ -136,23 +125,18 @@ qn_energy_view_new (QnViewState *state)
                                    .cursor = shown_time,
                                    .go_to = go_to,
                                    .point = point };
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("energy-view");
   View *view = g_new0 (View, 1);
-  GtkWidget *grid = gtk_grid_new ();
   view->state = state;
   view->pointer = NAN;
-  view->root = gtk_box_new (GTK_ORIENTATION_VERTICAL, 4);
-  view->plot = qn_plot_view_new ("energy-plot", HEIGHT, &hand, view);
-  gtk_accessible_update_property (
-    GTK_ACCESSIBLE (view->plot), GTK_ACCESSIBLE_PROPERTY_LABEL, _ ("Energy over time"),
-    GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
-    _ ("The arrow keys go from step to step; the values are shown below"), -1);
-  gtk_grid_set_column_homogeneous (GTK_GRID (grid), TRUE);
-  for (int curve = 0; curve < QN_ENERGY_CURVES; curve++)
-    view->values[curve] = add_label (grid, curve);
-  view->time = add_label (grid, QN_ENERGY_CURVES);
-  gtk_box_append (GTK_BOX (view->root), view->plot);
-  gtk_box_append (GTK_BOX (view->root), grid);
-
+  view->root = qn_builder_take_widget (builder, "energies");
+  view->plot = qn_builder_get_widget (builder, "plot");
+  view->time = GTK_LABEL (qn_builder_get_widget (builder, "time"));
+  for (int curve = 0; curve < QN_ENERGY_CURVES; curve++) {
+    g_autofree char *id = g_strdup_printf ("value_%d", curve);
+    view->values[curve] = GTK_LABEL (qn_builder_get_widget (builder, id));
+  }
+  qn_plot_view_init (view->plot, &hand, view);
   qn_own (view->root, view);
   QnDocument *document = qn_view_state_get_document (state);
   qn_watch (view->root, document, "runs-changed", G_CALLBACK (update), view);

@@ -245,6 +245,9 @@ qn_plot_view_init (GtkWidget *area, const QnPlotHand *hand, gpointer data)
   gtk_widget_set_focusable (area, TRUE);
   gtk_widget_set_direction (area, GTK_TEXT_DIR_LTR);
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (area), draw, view, NULL);
+  const double height = gtk_drawing_area_get_content_height (GTK_DRAWING_AREA (area));
+  gtk_drawing_area_set_content_height (
+    GTK_DRAWING_AREA (area), (int) (height * qn_text_unit (area) / QN_TEXT_UNIT));
   GtkGesture *drag = gtk_gesture_drag_new (), *pan = gtk_gesture_drag_new ();
   GtkGesture *click = gtk_gesture_click_new ();
   gtk_gesture_single_set_button (GTK_GESTURE_SINGLE (pan), GDK_BUTTON_MIDDLE);
@@ -273,17 +276,6 @@ qn_plot_view_init (GtkWidget *area, const QnPlotHand *hand, gpointer data)
       gtk_widget_add_controller (area, controller);
     last = controller;
   }
-}
-
-GtkWidget *
-qn_plot_view_new (const char *name, double height, const QnPlotHand *hand, gpointer data)
-{
-  GtkWidget *area = g_object_new (QN_TYPE_PAPER_AREA, NULL);
-  gtk_widget_set_name (area, name);
-  gtk_drawing_area_set_content_height (
-    GTK_DRAWING_AREA (area), (int) (height * qn_text_unit (area) / QN_TEXT_UNIT));
-  qn_plot_view_init (area, hand, data);
-  return area;
 }
 
 void

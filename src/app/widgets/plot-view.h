@@ -24,11 +24,7 @@ typedef struct QnPlotHand {
   char *(*tell) (gpointer data, const QnVec2 *at);
 } QnPlotHand;
 
-/* A plot view of this name and height, px with text of the usual size. `data` stays alive as long as it. */
-GtkWidget *qn_plot_view_new (const char *name, double height, const QnPlotHand *hand,
-                             gpointer data);
-
-/* Makes a plot view of a QnPaperArea. `data` stays alive as long as `area`. */
+/* Makes a plot view of a QnPaperArea, whose height is for text of the usual size and grows with it. `data` stays alive as long as `area`. */
 void qn_plot_view_init (GtkWidget *area, const QnPlotHand *hand, gpointer data);
 
 /* Shows all of the plot. */
