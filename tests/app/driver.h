@@ -37,7 +37,7 @@ card_of (QnCanvas *canvas)
   return canvas->card;
 }
 
-static inline GtkWidget *
+static inline QnGlLayer *
 gl_layer_of (QnCanvas *canvas)
 {
   return canvas->gl_layer;

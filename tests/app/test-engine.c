@@ -19,7 +19,7 @@ expects_gl (void)
 static QnGlLayer *
 layer_of (QnWindow *window)
 {
-  return QN_GL_LAYER (gl_layer_of (canvas_of (window)));
+  return gl_layer_of (canvas_of (window));
 }
 
 static void

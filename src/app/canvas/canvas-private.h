@@ -16,7 +16,7 @@ struct _QnCanvas {
   QnScene *scene; /* NULL: to be built */
   GError *scene_error;
   QnSceneCache cache;
-  GtkWidget *gl_layer; /* large scenes by OpenGL */
+  QnGlLayer *gl_layer; /* large scenes by OpenGL */
   guint rest_timeout;  /* runs while the camera moves */
   QnCamera camera;
   gboolean wants_fit; /* at the next drawing */

@@ -6,9 +6,7 @@
 #include "render/backend/draw-gl.h"
 #include "render/backend/offscreen.h"
 
-struct _QnGlLayer {
-  GtkWidget parent_instance;
-
+struct QnGlLayer {
   GtkWidget *area; /* visible only while OpenGL draws */
   QnGl gl;
   QnGlRenderer *renderer; /* of the area's context */
@@ -21,8 +19,6 @@ struct _QnGlLayer {
   gboolean software;
   unsigned frames;
 };
-
-G_DEFINE_FINAL_TYPE (QnGlLayer, qn_gl_layer, GTK_TYPE_WIDGET)
 
 /* ---- the area ---- */
 
@@ -93,7 +89,7 @@ on_wake (gpointer data)
   self->wake = 0;
   gtk_widget_set_visible (self->area, self->wanted && !self->failed);
   /* What was never drawn does not ask for it. */
-  gtk_widget_queue_draw (gtk_widget_get_parent (GTK_WIDGET (self)));
+  gtk_widget_queue_draw (gtk_widget_get_parent (self->area));
   return G_SOURCE_REMOVE;
 }
 
@@ -157,45 +153,31 @@ qn_gl_layer_get_frames (QnGlLayer *self)
   return self->frames;
 }
 
-static void
-qn_gl_layer_size_allocate (GtkWidget *widget, int width, int height, int baseline)
+GtkWidget *
+qn_gl_layer_get_area (QnGlLayer *self)
 {
-  QnGlLayer *self = QN_GL_LAYER (widget);
-  if (gtk_widget_should_layout (self->area))
-    gtk_widget_allocate (self->area, width, height, baseline, NULL);
+  return self->area;
 }
 
-static void
-qn_gl_layer_dispose (GObject *object)
+void
+qn_gl_layer_free (QnGlLayer *self)
 {
-  QnGlLayer *self = QN_GL_LAYER (object);
   g_clear_handle_id (&self->wake, g_source_remove);
-  g_clear_pointer (&self->area, gtk_widget_unparent);
-  G_OBJECT_CLASS (qn_gl_layer_parent_class)->dispose (object);
+  gtk_widget_unparent (self->area);
+  g_free (self);
 }
 
-static void
-qn_gl_layer_class_init (QnGlLayerClass *klass)
+QnGlLayer *
+qn_gl_layer_new (GtkWidget *canvas)
 {
-  G_OBJECT_CLASS (klass)->dispose = qn_gl_layer_dispose;
-  GTK_WIDGET_CLASS (klass)->size_allocate = qn_gl_layer_size_allocate;
-}
-
-static void
-qn_gl_layer_init (QnGlLayer *self)
-{
+  QnGlLayer *self = g_new0 (QnGlLayer, 1);
   self->area = gtk_gl_area_new ();
   gtk_gl_area_set_required_version (GTK_GL_AREA (self->area), 3, 3);
   gtk_widget_set_visible (self->area, FALSE);
-  gtk_widget_set_parent (self->area, GTK_WIDGET (self));
+  gtk_widget_set_can_target (self->area, FALSE);
   g_signal_connect_after (self->area, "realize", G_CALLBACK (on_realize), self);
   g_signal_connect (self->area, "unrealize", G_CALLBACK (on_unrealize), self);
   g_signal_connect (self->area, "render", G_CALLBACK (on_render), self);
-  gtk_widget_set_can_target (GTK_WIDGET (self), FALSE);
-}
-
-GtkWidget *
-qn_gl_layer_new (void)
-{
-  return g_object_new (QN_TYPE_GL_LAYER, NULL);
+  gtk_widget_set_parent (self->area, canvas);
+  return self;
 }

@@ -8,14 +8,15 @@
 
 #include <gtk/gtk.h>
 
-#define QN_TYPE_GL_LAYER (qn_gl_layer_get_type ())
-G_DECLARE_FINAL_TYPE (QnGlLayer, qn_gl_layer, QN, GL_LAYER, GtkWidget)
+typedef struct QnGlLayer QnGlLayer;
 
 /* Values of the setting "engine". */
 typedef enum { QN_ENGINE_AUTOMATIC, QN_ENGINE_CAIRO, QN_ENGINE_OPENGL } QnEngine;
 
-/* Without a context until it is asked to draw. */
-GtkWidget *qn_gl_layer_new (void);
+/* Puts its area into the canvas, without a context until it is asked to draw; freeing takes it out. */
+QnGlLayer *qn_gl_layer_new (GtkWidget *canvas);
+void qn_gl_layer_free (QnGlLayer *self);
+GtkWidget *qn_gl_layer_get_area (QnGlLayer *self);
 
 /* Says what the next frame holds; true where OpenGL draws it. Otherwise Cairo has to, be it
  * for this one frame, while the context is being made. */
