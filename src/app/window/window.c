@@ -285,7 +285,7 @@ qn_window_show_work (QnWindow *self)
 static void
 show_warnings (QnWindow *self)
 {
-  const GPtrArray *warnings = qn_document_get_warnings (self->document);
+  const GPtrArray *warnings = qn_document_get_project (self->document)->warnings;
   if (warnings != NULL && warnings->len > 0)
     qn_window_show_error (self, g_ptr_array_index (warnings, 0));
 }

@@ -198,7 +198,8 @@ begin (QnDocument *self, QnProject *project, const char *path, GError **error)
   }
   qn_document_drop_job (self);
   g_clear_error (&self->job_error);
-  qn_history_clear (self->history);
+  qn_history_free (self->history);
+  self->history = qn_history_new ();
   g_clear_pointer (&self->run, qn_run_unref);
   g_ptr_array_set_size (self->runs, 0);
   self->run_number = 0;
@@ -377,12 +378,6 @@ gboolean
 qn_document_is_modified (QnDocument *self)
 {
   return self->never_saved || !qn_history_is_clean (self->history);
-}
-
-const GPtrArray *
-qn_document_get_warnings (QnDocument *self)
-{
-  return self->project.warnings;
 }
 
 const QnModel *

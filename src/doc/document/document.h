@@ -67,8 +67,6 @@ const char *qn_document_get_folder (QnDocument *document);
 const char *qn_document_get_text (QnDocument *document);
 char *qn_document_dup_display_name (QnDocument *document);
 gboolean qn_document_is_modified (QnDocument *document);
-/* Warnings of reading the file; array of char *. */
-const GPtrArray *qn_document_get_warnings (QnDocument *document);
 
 /* ---- the model ---- */
 

@@ -252,12 +252,3 @@ qn_history_is_clean (const QnEditHistory *history)
 {
   return history->clean == (gint64) history->position;
 }
-
-void
-qn_history_clear (QnEditHistory *history)
-{
-  g_ptr_array_set_size (history->steps, 0);
-  history->position = 0;
-  history->clean = 0;
-  history->broken = FALSE;
-}

@@ -44,9 +44,6 @@ const char *qn_history_get_name (const QnEditHistory *history, guint step);
 void qn_history_mark_clean (QnEditHistory *history);
 gboolean qn_history_is_clean (const QnEditHistory *history);
 
-/* Forgets all steps; the present state counts as clean. */
-void qn_history_clear (QnEditHistory *history);
-
 /* ---- in a file (history-file.c) ---- */
 
 /* The history as a JSON object, to be kept beside `text`, the present state. The caller frees

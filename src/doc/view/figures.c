@@ -166,14 +166,6 @@ qn_document_export_figure (QnDocument *document, const QnRecipe *recipe, const c
   return done;
 }
 
-static gboolean
-refuse_without_result (GError **error)
-{
-  g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
-                       _ ("This view shows a result, and there is none yet"));
-  return FALSE;
-}
-
 gboolean
 qn_view_state_get_figure_as (QnViewState *state, const QnRecipe *recipe, QnFigure *figure,
                              GError **error)
@@ -182,8 +174,11 @@ qn_view_state_get_figure_as (QnViewState *state, const QnRecipe *recipe, QnFigur
   const QnContacts *contacts;
   const QnResult *result;
   if (!qn_view_state_get_content_of (state, recipe->view.view, &model, &contacts,
-                                     &result))
-    return refuse_without_result (error);
+                                     &result)) {
+    g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
+                         _ ("This view shows a result, and there is none yet"));
+    return FALSE;
+  }
   QnViewOptions shown = qn_view_state_get_options (state);
   qn_recipe_fill (recipe, model, contacts, result, figure);
   figure->options.underlay = shown.underlay;
@@ -202,21 +197,6 @@ qn_view_state_export_as (QnViewState *state, const QnRecipe *recipe, const char 
     return FALSE;
   qn_document_get_metadata (qn_view_state_get_document (state), &metadata);
   return qn_figure_export (&figure, path, &recipe->output, &metadata, error);
-}
-
-gboolean
-qn_view_state_get_figure (QnViewState *state, QnFigure *figure, GError **error)
-{
-  const QnModel *model;
-  const QnContacts *contacts;
-  const QnResult *result;
-  if (!qn_view_state_get_content (state, &model, &contacts, &result))
-    return refuse_without_result (error);
-  QnViewOptions options = qn_view_state_get_options (state);
-  options.titles = true;
-  qn_figure_init (figure, model, contacts, result, options.view);
-  figure->options = options;
-  return TRUE;
 }
 
 void

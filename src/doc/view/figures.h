@@ -33,12 +33,8 @@ void qn_document_allow_figure (QnDocument *document, const QnRecipe *recipe);
 gboolean qn_document_export_figure (QnDocument *document, const QnRecipe *recipe,
                                     const char *path, GError **error);
 
-/* The figure of the present view, with the titles that figures have and windows do not.
- * Borrows from the state. False where the view needs a result and there is none. */
-gboolean qn_view_state_get_figure (QnViewState *state, QnFigure *figure, GError **error);
-
 /* The figure that a recipe asks for, of what the window shows: its current run, outdated or
- * not. */
+ * not. Borrows from the state. False where the view needs a result and there is none. */
 gboolean qn_view_state_get_figure_as (QnViewState *state, const QnRecipe *recipe,
                                       QnFigure *figure, GError **error);
 gboolean qn_view_state_export_as (QnViewState *state, const QnRecipe *recipe,

@@ -98,7 +98,7 @@ test_document (void)
   g_assert_true (qn_document_get_keeps_history (again));
   g_assert_cmpstr (qn_document_get_text (again), ==, digest);
   g_assert_false (qn_document_is_modified (again));
-  g_assert_cmpuint (qn_document_get_warnings (again)->len, ==, 0);
+  g_assert_cmpuint (qn_document_get_project (again)->warnings->len, ==, 0);
   qn_document_go_to (again, 0);
   g_assert_cmpstr (qn_document_get_text (again), ==, opened);
 
@@ -111,7 +111,7 @@ test_document (void)
   qn_document_load (again, path, &error);
   g_assert_no_error (error);
   g_assert_cmpuint (qn_history_get_count (qn_document_get_history (again)), ==, 0);
-  g_assert_cmpuint (qn_document_get_warnings (again)->len, ==, 1);
+  g_assert_cmpuint (qn_document_get_project (again)->warnings->len, ==, 1);
   g_unlink (path);
   g_rmdir (folder);
 }

@@ -51,14 +51,14 @@ test_needs_result (void)
   g_autoptr (QnDocument) document = open_example ("02-overturning-block.quoin");
   g_autoptr (QnViewState) state = qn_view_state_new (document);
   g_autoptr (GError) error = NULL;
+  g_autoptr (QnRecipe) mechanism = qn_recipe_new ("mechanism", QN_VIEW_MECHANISM);
   QnFigure figure;
-  qn_view_state_set_view (state, QN_VIEW_MECHANISM);
-  g_assert_false (qn_view_state_get_figure (state, &figure, &error));
+  g_assert_false (qn_view_state_get_figure_as (state, mechanism, &figure, &error));
   g_assert_error (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE);
   g_clear_error (&error);
 
   const QnRun *run = solve_example (document);
-  g_assert_true (qn_view_state_get_figure (state, &figure, &error));
+  g_assert_true (qn_view_state_get_figure_as (state, mechanism, &figure, &error));
   g_assert_true (figure.result == &run->result);
   g_assert_true (figure.options.titles);
 
