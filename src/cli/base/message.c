@@ -81,51 +81,27 @@ qn_cli_refuse_name (const char *value, const char *const *names, size_t count)
   qn_cli_usage_error ("%s: %s", value, reason);
 }
 
-static QnExit
-io_exit_code (QnIoError code)
-{
-  switch (code) {
-  case QN_IO_ERROR_INVALID:
-    return QN_EXIT_INVALID;
-  case QN_IO_ERROR_FILE:
-  case QN_IO_ERROR_OUTSIDE:
-    return QN_EXIT_FILE;
-  case QN_IO_ERROR_OVERRIDE:
-    return QN_EXIT_USAGE;
-  case QN_IO_ERROR_NO_MEMORY:
-    return QN_EXIT_INTERNAL;
-  }
-  return QN_EXIT_INTERNAL;
-}
-
-static QnExit
-render_exit_code (QnRenderError code)
-{
-  switch (code) {
-  case QN_RENDER_ERROR_USAGE:
-    return QN_EXIT_USAGE;
-  case QN_RENDER_ERROR_FILE:
-    return QN_EXIT_FILE;
-  case QN_RENDER_ERROR_CANCELLED:
-    return QN_EXIT_CANCELLED;
-  case QN_RENDER_ERROR_UNAVAILABLE:
-  case QN_RENDER_ERROR_FAILED:
-    return QN_EXIT_INTERNAL;
-  }
-  return QN_EXIT_INTERNAL;
-}
-
 /* The exit code that belongs to an error of the layers below. */
 static QnExit
 exit_code_of (const GError *error)
 {
-  if (error->domain == QN_IO_ERROR)
-    return io_exit_code ((QnIoError) error->code);
-  if (error->domain == QN_RENDER_ERROR)
-    return render_exit_code ((QnRenderError) error->code);
-  if (error->domain == G_FILE_ERROR || error->domain == G_IO_ERROR)
-    return QN_EXIT_FILE;
-  return QN_EXIT_INTERNAL;
+  static const QnExit of_io[] = {
+    [QN_IO_ERROR_INVALID] = QN_EXIT_INVALID,    [QN_IO_ERROR_FILE] = QN_EXIT_FILE,
+    [QN_IO_ERROR_OUTSIDE] = QN_EXIT_FILE,       [QN_IO_ERROR_OVERRIDE] = QN_EXIT_USAGE,
+    [QN_IO_ERROR_NO_MEMORY] = QN_EXIT_INTERNAL,
+  };
+  static const QnExit of_render[] = {
+    [QN_RENDER_ERROR_USAGE] = QN_EXIT_USAGE,
+    [QN_RENDER_ERROR_FILE] = QN_EXIT_FILE,
+    [QN_RENDER_ERROR_CANCELLED] = QN_EXIT_CANCELLED,
+    [QN_RENDER_ERROR_UNAVAILABLE] = QN_EXIT_INTERNAL,
+    [QN_RENDER_ERROR_FAILED] = QN_EXIT_INTERNAL,
+  };
+  return error->domain == QN_IO_ERROR       ? of_io[error->code]
+         : error->domain == QN_RENDER_ERROR ? of_render[error->code]
+         : error->domain == G_FILE_ERROR || error->domain == G_IO_ERROR
+           ? QN_EXIT_FILE
+           : QN_EXIT_INTERNAL;
 }
 
 void

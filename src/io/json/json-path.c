@@ -127,13 +127,12 @@ advance (const char *text, gsize from, gsize to, QnJsonPlace *place)
     place->column += ((guchar) text[from] & 0xc0) != 0x80; /* not inside a character */
 }
 
-void
-qn_json_position (const char *text, gsize offset, gsize *line, gsize *column)
+QnJsonPlace
+qn_json_position (const char *text, gsize offset)
 {
   QnJsonPlace place = { 1, 1 };
   advance (text, 0, offset, &place);
-  *line = place.line;
-  *column = place.column;
+  return place;
 }
 
 /* The element of an array that was found last, of each of the first steps of a path: what follows it is

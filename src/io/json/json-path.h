@@ -27,12 +27,13 @@ void qn_json_path_append_index (GString *path, gsize index);
  * append functions. */
 gboolean qn_json_path_is_within (const char *path, const char *ancestor);
 
-/* Line and column of a byte offset, both from 1; the column counts characters. */
-void qn_json_position (const char *text, gsize offset, gsize *line, gsize *column);
-
+/* Both from 1; the column counts characters. */
 typedef struct QnJsonPlace {
   gsize line, column;
 } QnJsonPlace;
+
+/* The place of a byte offset. */
+QnJsonPlace qn_json_position (const char *text, gsize offset);
 
 /* Places of the values that these paths (char *, see json-path.h) lead to. Where a path leads to
  * nothing, that of the innermost value on the way that does exist: a missing key is reported at its

@@ -47,17 +47,16 @@ fail_inside (QnJson *json, gsize at, const char *key, const char *message)
 {
   if (json->error != NULL)
     return FALSE;
-  gsize line, column;
   g_autoptr (GString) path = g_string_new (NULL);
   append_path (json, at, path);
   if (key != NULL)
     qn_json_path_append_key (path, key);
-  qn_json_position (json->text, at < json->count ? json->tokens[at].start : json->trouble,
-                    &line, &column);
+  const QnJsonPlace place = qn_json_position (
+    json->text, at < json->count ? json->tokens[at].start : json->trouble);
   json->error =
     g_error_new (QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                 "%s:%" G_GSIZE_FORMAT ":%" G_GSIZE_FORMAT ": %s%s%s", json->name, line,
-                 column, path->str, path->len > 0 ? ": " : "", message);
+                 "%s:%" G_GSIZE_FORMAT ":%" G_GSIZE_FORMAT ": %s%s%s", json->name,
+                 place.line, place.column, path->str, path->len > 0 ? ": " : "", message);
   return FALSE;
 }
 

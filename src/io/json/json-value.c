@@ -323,12 +323,20 @@ qn_json_value_vec2 (const QnJsonValue *place, QnVec2 *vector)
          && qn_json_value_number (&second, QN_RANGE_FINITE, &vector->y);
 }
 
+/* Whether there is a member to be read: not one that may be missing and is. */
+static gboolean
+is_read (const QnJsonValue *object, const char *key, QnNeed need, QnJsonValue *member)
+{
+  *member = qn_json_value_member (object, key);
+  return member->json != NULL || need == QN_REQUIRED;
+}
+
 gboolean
 qn_member_number (const QnJsonValue *object, const char *key, QnNeed need, QnRange range,
                   double *number)
 {
-  QnJsonValue member = qn_json_value_member (object, key);
-  return (member.json == NULL && need == QN_OPTIONAL)
+  QnJsonValue member;
+  return !is_read (object, key, need, &member)
          || qn_json_value_number (&member, range, number);
 }
 
@@ -336,44 +344,40 @@ gboolean
 qn_member_count (const QnJsonValue *object, const char *key, QnNeed need, int32_t max,
                  int32_t *count)
 {
-  QnJsonValue member = qn_json_value_member (object, key);
-  if (member.json == NULL && need == QN_OPTIONAL)
+  QnJsonValue member;
+  double number = 1;
+  if (!is_read (object, key, need, &member))
     return TRUE;
-  double number;
   if (!qn_json_value_number (&member, QN_RANGE_FINITE, &number))
     return FALSE;
-  if (number != floor (number) || number < 1 || number > max)
-    return qn_json_value_failf (&member, _ ("expected a whole number from 1 to %d"), max);
   *count = (int32_t) qn_to_integer (number, 1, max);
-  return TRUE;
+  return *count == number
+         || qn_json_value_failf (&member, _ ("expected a whole number from 1 to %d"),
+                                 max);
 }
 
 gboolean
 qn_member_bool (const QnJsonValue *object, const char *key, QnNeed need, bool *flag)
 {
-  QnJsonValue member = qn_json_value_member (object, key);
-  if (member.json == NULL && need == QN_OPTIONAL)
+  QnJsonValue member;
+  if (!is_read (object, key, need, &member))
     return TRUE;
-  if (!require_type (&member, cJSON_IsBool (member.json), N_ ("true or false")))
-    return FALSE;
   *flag = cJSON_IsTrue (member.json);
-  return TRUE;
+  return require_type (&member, cJSON_IsBool (member.json), N_ ("true or false"));
 }
 
 gboolean
 qn_member_vec2 (const QnJsonValue *object, const char *key, QnNeed need, QnVec2 *vector)
 {
-  QnJsonValue member = qn_json_value_member (object, key);
-  return (member.json == NULL && need == QN_OPTIONAL)
-         || qn_json_value_vec2 (&member, vector);
+  QnJsonValue member;
+  return !is_read (object, key, need, &member) || qn_json_value_vec2 (&member, vector);
 }
 
 gboolean
 qn_member_array (const QnJsonValue *object, const char *key, QnNeed need,
                  QnJsonValue *array)
 {
-  *array = qn_json_value_member (object, key);
-  return (array->json == NULL && need == QN_OPTIONAL) || qn_json_value_array (array);
+  return !is_read (object, key, need, array) || qn_json_value_array (array);
 }
 
 gboolean
@@ -395,13 +399,12 @@ gboolean
 qn_member_string (const QnJsonValue *object, const char *key, QnNeed need,
                   const char **string)
 {
-  QnJsonValue member = qn_json_value_member (object, key);
-  if (member.json == NULL && need == QN_OPTIONAL)
+  QnJsonValue member;
+  if (!is_read (object, key, need, &member))
     return TRUE;
-  if (!require_type (&member, cJSON_IsString (member.json), N_ ("a string")))
-    return FALSE;
-  *string = member.json->valuestring;
-  return TRUE;
+  if (cJSON_IsString (member.json))
+    *string = member.json->valuestring;
+  return require_type (&member, cJSON_IsString (member.json), N_ ("a string"));
 }
 
 static gboolean

@@ -17,7 +17,7 @@ expect (const char *path, const char *value)
   do {
     found = strstr (found + (found > text), value);
     g_assert_nonnull (found);
-    qn_json_position (text, (gsize) (found - text), &at.line, &at.column);
+    at = qn_json_position (text, (gsize) (found - text));
   } while (at.line != place.line || at.column != place.column);
 }
 
@@ -49,12 +49,11 @@ test_missing (void)
 static void
 test_position (void)
 {
-  gsize line, column;
-  qn_json_position (text, 0, &line, &column);
-  g_assert_cmpuint (line, ==, 1);
-  g_assert_cmpuint (column, ==, 1);
+  QnJsonPlace place = qn_json_position (text, 0);
+  g_assert_cmpuint (place.line, ==, 1);
+  g_assert_cmpuint (place.column, ==, 1);
 
-  QnJsonPlace place = qn_json_locate (text, strlen (text), "b");
+  place = qn_json_locate (text, strlen (text), "b");
   g_assert_cmpuint (place.line, ==, 2);
   g_assert_cmpuint (place.column, ==, 8);
 
