@@ -49,8 +49,7 @@ qn_capacity_settings_read (const QnProject *project, QnCapacitySettings *setting
 static gboolean
 refuse (const char *problem, GError **error)
 {
-  g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, problem);
-  return FALSE;
+  return qn_io_fail (error, QN_IO_ERROR_OVERRIDE, "%s", problem);
 }
 
 static gboolean
@@ -124,10 +123,9 @@ qn_capacity_read_spectrum (const char *path, const char *unit, QnRecord *points,
     return FALSE;
   for (gsize i = 0; i < points->count; i++)
     if (!(points->points[i].y > 0)) {
-      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                   _ ("%s: accelerations of a spectrum must be positive"), path);
       qn_record_clear (points);
-      return FALSE;
+      return qn_io_fail (error, QN_IO_ERROR_INVALID,
+                         _ ("%s: accelerations of a spectrum must be positive"), path);
     }
   return TRUE;
 }
@@ -180,12 +178,10 @@ qn_capacity_settings_apply (const QnCapacitySettings *s, const QnProject *projec
     s->control != NULL ? qn_model_find_block (&project->model, s->control) : QN_NONE;
   answer->has_spectrum = s->spectrum != NULL;
   *spectrum = (QnSpectrum){ .damping = s->damping > 0 ? s->damping : 0.05 };
-  if (s->control != NULL && answer->control == QN_NONE) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                 _ ("%s: --control: no block has the name %s"), project->name,
-                 s->control);
-    return FALSE;
-  }
+  if (s->control != NULL && answer->control == QN_NONE)
+    return qn_io_fail (error, QN_IO_ERROR_INVALID,
+                       _ ("%s: --control: no block has the name %s"), project->name,
+                       s->control);
   if (!(answer->confidence >= 1))
     return refuse (_ ("confidence is a factor of 1 or more"), error);
   if (!(spectrum->damping < 1))

@@ -245,10 +245,9 @@ qn_recipes_check_files (const GPtrArray *recipes, const char *const *names,
     if ((names != NULL && !g_strv_contains (names, recipe->name))
         || g_hash_table_add (taken, g_canonicalize_filename (recipe->file, "/")))
       continue;
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                 _ ("figure \"%s\": another figure is the same file, %s"), recipe->name,
-                 recipe->file);
-    return FALSE;
+    return qn_io_fail (error, QN_IO_ERROR_INVALID,
+                       _ ("figure \"%s\": another figure is the same file, %s"),
+                       recipe->name, recipe->file);
   }
   return TRUE;
 }

@@ -66,10 +66,8 @@ set_sections (QnReportTemplate *plan, const char *list, GError **error)
   memset (plan->sections, 0, sizeof plan->sections);
   for (char **name = names; *name != NULL; name++) {
     g_autofree char *problem = NULL;
-    if (!add_section (plan, *name, &problem)) {
-      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, "%s: %s", *name, problem);
-      return FALSE;
-    }
+    if (!add_section (plan, *name, &problem))
+      return qn_io_fail (error, QN_IO_ERROR_OVERRIDE, "%s: %s", *name, problem);
   }
   plan->every_joint = plan->sections[QN_REPORT_JOINTS];
   return TRUE;
@@ -91,10 +89,8 @@ qn_report_template_set (QnReportTemplate *plan, const char *option, const char *
       problem = _ ("demand is a positive number");
   } else
     problem = _ ("no such option");
-  if (problem == NULL)
-    return TRUE;
-  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_OVERRIDE, "%s: %s", value, problem);
-  return FALSE;
+  return problem == NULL
+         || qn_io_fail (error, QN_IO_ERROR_OVERRIDE, "%s: %s", value, problem);
 }
 
 gboolean

@@ -112,16 +112,11 @@ read_curve (QnCurve *curve, const QnSheetRun *run, const QnCurveSheet *sheet,
 {
   const QnModel *model = &run->project->model;
   QnCurveMotion motion = qn_result_curve_motion (model, run->result);
-  if (motion.body == QN_NONE) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, _ ("%s: no step to show"),
-                 run->project->name);
-    return FALSE;
-  }
-  if (!qn_curve_from_result (curve, model, run->result, motion)) {
-    g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_NO_MEMORY,
-                         _ ("not enough memory"));
-    return FALSE;
-  }
+  if (motion.body == QN_NONE)
+    return qn_io_fail (error, QN_IO_ERROR_INVALID, _ ("%s: no step to show"),
+                       run->project->name);
+  if (!qn_curve_from_result (curve, model, run->result, motion))
+    return qn_io_fail (error, QN_IO_ERROR_NO_MEMORY, "%s", _ ("not enough memory"));
   if (sheet->until > 0)
     qn_curve_cut (curve, sheet->until);
   else if (!sheet->whole && !table)
@@ -164,13 +159,12 @@ qn_curve_sheet_export (const QnCurveSheet *sheet, const QnSheetRun *runs, gsize 
     done = read_curve (&curves[i], &runs[i], sheet, table, error);
     g_ptr_array_add (labels, dup_label (runs, count, i));
     curves[i].label = labels->pdata[i];
-    if (done && !qn_curve_shares_axes (&curves[i], &curves[0])) {
-      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                   _ ("%s and %s: paths of different loads, settlements and analyses in "
-                      "time have no axes in common"),
-                   runs[0].name, runs[i].name);
-      done = FALSE;
-    }
+    if (done && !qn_curve_shares_axes (&curves[i], &curves[0]))
+      done =
+        qn_io_fail (error, QN_IO_ERROR_INVALID,
+                    _ ("%s and %s: paths of different loads, settlements and analyses in "
+                       "time have no axes in common"),
+                    runs[0].name, runs[i].name);
   }
   if (done)
     done = table ? write_curve_table (path, curves, count, error)
@@ -186,11 +180,9 @@ qn_energy_sheet_export (const QnCurveSheet *sheet, const QnSheetRun *run,
 {
   QnMetadata metadata;
   const char *unit;
-  if (run->result->history.row_count == 0) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                 _ ("%s: only analyses in time have energies"), run->project->name);
-    return FALSE;
-  }
+  if (run->result->history.row_count == 0)
+    return qn_io_fail (error, QN_IO_ERROR_INVALID,
+                       _ ("%s: only analyses in time have energies"), run->project->name);
   qn_project_get_metadata (run->project, &metadata);
   g_autoptr (QnPlot) plot = qn_energy_plot (&run->result->history, &unit);
   plot->title = sheet->title;

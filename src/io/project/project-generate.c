@@ -231,20 +231,11 @@ read_list (const QnJsonValue *keys, int key, List *list)
   return TRUE;
 }
 
-/* Numbers that a key may have: two of a parapet, those of storeys, or one. */
-static gsize
-most_numbers (int key, const List *lists)
-{
-  const gsize storeys = lists[STOREYS].count;
-  if (key == STOREYS)
-    return MOST_STOREYS;
-  if (key == PARAPET)
-    return 2;
-  return key == THICKNESS || key == BEARING || key == FLOORS || key == HELD || key == TIES
-             || key == FLANKS
-           ? storeys
-           : 1;
-}
+/* Numbers that a key may have; 0: one for each storey. */
+static const gsize most_numbers[KEY_COUNT] = {
+  [STOREYS] = MOST_STOREYS, [COURSES] = 1,       [WIDTH] = 1,  [UNIT_WEIGHT] = 1,
+  [FLOOR_FRICTION] = 1,     [FLOOR_INERTIA] = 1, [THRUST] = 1, [PARAPET] = 2,
+};
 
 /* Nothing that is given is left out in silence. */
 static gboolean
@@ -252,7 +243,7 @@ check_list (const QnJsonValue *keys, int key, const List *lists)
 {
   const QnJsonValue value = qn_json_value_member (keys, names[key]);
   const List *list = &lists[key];
-  const gsize most = most_numbers (key, lists);
+  const gsize most = most_numbers[key] > 0 ? most_numbers[key] : lists[STOREYS].count;
   const double *last = &list->values[list->count - 1];
   if (list->count > most)
     return qn_json_value_failf (&value, _ ("expected up to %d numbers"), (int) most);
