@@ -354,9 +354,9 @@ test_slip_before_an_unknown_way (void)
 }
 
 /* Mortar on concrete: its bond was damaged, and its friction slid to and fro, on the way of a motion that no
- * step tells, while the concrete stayed elastic. */
+ * step tells, while the concrete stayed elastic; below or above it. */
 static void
-test_weaker_bond_on_an_unknown_way (void)
+check_weaker_bond (QnId of_concrete)
 {
   g_auto (TestRun) run = { 0 };
   QnModel *model = &run.model;
@@ -371,7 +371,7 @@ test_weaker_bond_on_an_unknown_way (void)
                        .friction = 0.8,
                        .cohesion = 9e4,
                        .tension = 5e4 };
-  model->blocks[0].law = 1;
+  model->blocks[of_concrete].law = 1;
   double elastic = 3.2e4 * (1 / mortar->ks + 1 / concrete->ks);
   mortar->fracture_energy_tension = concrete->fracture_energy_tension = 2e5 * elastic;
   press (model, 4e4);
@@ -393,6 +393,13 @@ test_weaker_bond_on_an_unknown_way (void)
   g_assert_false (tells (&run, QN_CLAIM_STATES));
   r->steps[1].relaxed = false;
   g_assert_true (tells (&run, QN_CLAIM_FORCES));
+}
+
+static void
+test_weaker_bond_on_an_unknown_way (void)
+{
+  check_weaker_bond (0);
+  check_weaker_bond (1);
 }
 
 /* A block on a joint that may be crushed, pressed by a share of its strength. Returns the slip at which its

@@ -1,4 +1,5 @@
 #include "doc/document/document.h"
+#include "support/auto-clear.h"
 #include "support/room.h"
 
 static void
@@ -56,8 +57,39 @@ test_like (void)
   g_assert_cmpuint (count, ==, model->block_count);
 }
 
+/* A selected load stays selected where it goes on: the one of an edge, when another before it is removed, and
+ * when the model changes elsewhere; a load that is removed is not replaced by its neighbour on another edge. */
+static void
+test_follow_load (void)
+{
+  g_auto (QnModel) before = { 0 }, after = { 0 };
+  g_auto (QnContacts) contacts = { 0 };
+  static const QnVec2 corners[] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
+  qn_model_init (&before);
+  g_assert_nonnull (qn_model_add_block (&before, "stone", corners, 4));
+  for (QnId edge = 0; edge < 3; edge++) {
+    QnLoad *load = qn_model_add_live_load (&before);
+    load->kind = QN_LOAD_EDGE;
+    load->block = 0;
+    load->edge = edge;
+    load->edge_count = 1;
+  }
+  g_assert_cmpint (qn_model_copy (&before, &after, NULL), ==, QN_OK);
+  after.live_loads[0] = after.live_loads[1];
+  after.live_loads[1] = after.live_loads[2];
+  after.live_load_count = 2;
+  static const QnId now[] = { QN_NONE, 0, 1 };
+  for (QnId old = 0; old < 3; old++) {
+    g_autoptr (QnSelection) selection = qn_selection_new ();
+    qn_selection_set_item (selection, QN_ITEM_LIVE_LOAD, old);
+    qn_selection_follow (selection, &before, &contacts, &after, &contacts);
+    g_assert_cmpint (qn_selection_get_item (selection, QN_ITEM_LIVE_LOAD), ==, now[old]);
+  }
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/doc/selection/follow-load", test_follow_load);
   g_test_add_func ("/doc/selection/sets", test_sets);
   g_test_add_func ("/doc/selection/like", test_like);
 }
