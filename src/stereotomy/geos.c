@@ -59,6 +59,14 @@ qn_geos_polygon (QnGeos *geos, const QnVec2 *points, size_t count)
 }
 
 GEOSGeometry *
+qn_geos_line (QnGeos *geos, const QnVec2 *points, size_t count)
+{
+  GEOSCoordSequence *sequence = GEOSCoordSeq_copyFromBuffer_r (
+    geos->handle, (const double *) points, (unsigned) count, 0, 0);
+  return sequence != NULL ? GEOSGeom_createLineString_r (geos->handle, sequence) : NULL;
+}
+
+GEOSGeometry *
 qn_geos_gather (QnGeos *geos, int type, GEOSGeometry **parts, size_t count)
 {
   bool whole = parts != NULL;

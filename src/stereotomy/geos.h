@@ -22,6 +22,9 @@ void qn_geos_clear (QnGeos *geos);
 /* A GEOS polygon; NULL when memory runs out. */
 GEOSGeometry *qn_geos_polygon (QnGeos *geos, const QnVec2 *points, size_t count);
 
+/* A line through points; NULL when memory runs out. */
+GEOSGeometry *qn_geos_line (QnGeos *geos, const QnVec2 *points, size_t count);
+
 /* A collection of this type of `count` parts, which it takes over as the list of them; NULL when memory
  * ran out, for it or before for any of them. */
 GEOSGeometry *qn_geos_gather (QnGeos *geos, int type, GEOSGeometry **parts, size_t count);

@@ -236,20 +236,11 @@ check_crossings (const QnSegments *segments, QnDiag *diag)
 }
 
 static GEOSGeometry *
-line_geometry (QnGeos *geos, QnSegment segment)
-{
-  const double ends[] = { segment.a.x, segment.a.y, segment.b.x, segment.b.y };
-  GEOSCoordSequence *sequence =
-    GEOSCoordSeq_copyFromBuffer_r (geos->handle, ends, 2, 0, 0);
-  return sequence != NULL ? GEOSGeom_createLineString_r (geos->handle, sequence) : NULL;
-}
-
-static GEOSGeometry *
 lines_geometry (QnGeos *geos, const QnSegments *segments)
 {
   GEOSGeometry **lines = qn_alloc (segments->count, sizeof *lines);
   for (size_t i = 0; lines != NULL && i < segments->count; i++)
-    lines[i] = line_geometry (geos, segments->items[i]);
+    lines[i] = qn_geos_line (geos, &segments->items[i].a, 2); /* and b behind it */
   return qn_geos_gather (geos, GEOS_MULTILINESTRING, lines, segments->count);
 }
 

@@ -110,18 +110,6 @@ lay_sites (const QnRubble *rubble, size_t *count)
   return sites;
 }
 
-static GEOSGeometry *
-sites_geometry (QnGeos *geos, const QnVec2 *sites, size_t count)
-{
-  GEOSContextHandle_t h = geos->handle;
-  GEOSCoordSequence *sequence = GEOSCoordSeq_create_r (h, (unsigned) count, 2);
-  if (sequence == NULL)
-    return NULL;
-  for (size_t i = 0; i < count; i++)
-    GEOSCoordSeq_setXY_r (h, sequence, (unsigned) i, sites[i].x, sites[i].y);
-  return GEOSGeom_createLineString_r (h, sequence);
-}
-
 /* All cells, in no particular order, clipped to nothing yet. */
 static QnStatus
 divide (const QnVec2 *sites, size_t count, const QnRing *outline, QnRings *cells,
@@ -135,7 +123,7 @@ divide (const QnVec2 *sites, size_t count, const QnRing *outline, QnRings *cells
   QnStatus status = qn_geos_init (&geos, diag);
   if (status != QN_OK)
     return status;
-  GEOSGeometry *line = sites_geometry (&geos, sites, count);
+  GEOSGeometry *line = qn_geos_line (&geos, sites, count);
   GEOSGeometry *frame = qn_geos_polygon (&geos, outline->points, outline->count);
   if (line == NULL || frame == NULL) {
     status = qn_diag_no_memory (diag);

@@ -3,9 +3,10 @@
 #include "core/base/integer.h"
 #include "core/base/polygon.h"
 #include "core/base/tolerance.h"
-#include "core/model/disperse.h"
 #include "core/model/model-check.h"
+#include "core/model/outline.h"
 #include "core/model/soil.h"
+#include "core/model/vehicle.h"
 
 double
 qn_earth_at_rest (double friction_angle)
@@ -354,6 +355,211 @@ resolve_fill (Resolver *r)
   return status == QN_OK ? qn_model_add_soil (r->model, r->source, r->diag) : status;
 }
 
+/* A load on fill spreads along rays. With a rule of widths it comes in equal parts of all rays from an apex above
+ * the surface, where the sides of the spreading load meet: at every depth it is uniform over its width.
+ * With Boussinesq's half-space (Flamant's line load) the part between the vertical and the angle t is
+ * (t + sin t cos t) / pi, the vertical component of the radial stresses. An edge receives the part of the
+ * load whose rays meet it first, so all parts add up to the load, on slopes too. Rays that meet an upright
+ * face, go through air, or pass beside the structure are lost.
+ */
+/* Load on one edge: the force, its first moment about the left end of the edge, and the loaded part. */
+typedef struct QnShare {
+  double force, moment; /* N, N m: along the edge */
+  double from, to;      /* m along the edge from its left end */
+} QnShare;
+
+typedef struct QnSource {
+  double x, surface; /* m: where it stands */
+  double load;       /* N */
+  QnSpread spread;
+  bool boussinesq;
+  double width;          /* m: no load is wider than this; 0: no limit */
+  double effective;      /* m: width across at all depths; 0: that of `spread` */
+  const QnVec2 *profile; /* of the surface, from the left; NULL: no fill */
+  int32_t profile_count;
+} QnSource;
+
+/* Parts of an edge for which its share is summed up, and line loads that a patch is divided into. */
+#define PARTS 24
+#define LINES 8
+
+QnSpread
+qn_dispersal_spread (QnDispersal dispersal, const QnVehicle *vehicle)
+{
+  const double tan30 = 0.57735026918962576451, track = vehicle->track;
+  const double along = vehicle->patch[0], across = track + vehicle->patch[1];
+
+  switch (dispersal) {
+  case QN_DISPERSAL_CS_454:
+    return (QnSpread){ 0.3, 1, track + 1.5, 1 };
+  case QN_DISPERSAL_NR_025:
+    return (QnSpread){ 0.25, 1, track, 2 };
+  case QN_DISPERSAL_EN_1991:
+    return (QnSpread){ along, 2 * tan30, across, 2 * tan30 };
+  case QN_DISPERSAL_HALF:
+  case QN_DISPERSAL_BOUSSINESQ:
+  case QN_DISPERSAL_COUNT:
+    break;
+  }
+  return (QnSpread){ along, 1, across, 1 };
+}
+
+double
+qn_vehicle_length (const QnVehicle *vehicle)
+{
+  double length = 0;
+
+  for (int32_t i = 0; i < vehicle->axle_count; i++)
+    length = fmax (length, vehicle->axles[i].at);
+  for (int32_t i = 0; i < vehicle->line_count; i++)
+    if (vehicle->lines[i].to < QN_ENDLESS)
+      length = fmax (length, vehicle->lines[i].to);
+  return length;
+}
+
+/* Rays from one apex to one side, u to that side from the apex. */
+typedef struct {
+  const QnSource *source;
+  QnVec2 apex;
+  double side; /* 1: to the right, -1 */
+  double load;
+  double most; /* tangent of the last ray's angle from the vertical */
+} Fan;
+
+/* The part of the load between the vertical and a ray, one side alone. */
+static double
+part_within (const Fan *fan, double tangent)
+{
+  if (isinf (tangent))
+    return 0.5;
+  return fan->source->boussinesq
+           ? (atan (tangent) + tangent / (1 + tangent * tangent)) / QN_PI
+           : fmin (tangent, fan->most) / fan->source->spread.along_slope;
+}
+
+static double
+tangent_of (const Fan *fan, QnVec2 p)
+{
+  double u = fan->side * (p.x - fan->apex.x), depth = fan->apex.y - p.y;
+
+  return depth > 0 ? u / depth : u > 0 ? INFINITY : 0;
+}
+
+/* Which part of a load the thickness of a block takes at a depth. */
+static double
+part_across (const QnSource *source, double thickness, double y)
+{
+  const QnSpread *s = &source->spread;
+  double depth = fmax (source->surface - y, 0);
+  double width =
+    source->effective > 0 ? source->effective : s->across + s->across_slope * depth;
+
+  if (source->width > 0)
+    width = fmin (width, source->width);
+  return fmin (thickness / width, 1);
+}
+
+/* Rays beyond this one have left the fill before they meet an edge between u and v: they pass above its
+ * surface, or it ends there. */
+static double
+last_in_fill (const Fan *fan, double u, double v)
+{
+  const QnSource *source = fan->source;
+  double last = INFINITY;
+
+  if (source->profile_count > 0) {
+    QnVec2 end = source->profile[fan->side > 0 ? source->profile_count - 1 : 0];
+    if (u >= fan->side * (end.x - fan->apex.x))
+      return 0;
+  }
+  for (int32_t i = 0; i < source->profile_count; i++) {
+    QnVec2 p = source->profile[i];
+    double at = fan->side * (p.x - fan->apex.x);
+    if (at > 0 && at <= v && p.y < source->surface)
+      last = fmin (last, tangent_of (fan, p));
+  }
+  return last;
+}
+
+/* The stretch of an edge, a to b outwards, between two rays. */
+static void
+add_share (const Fan *fan, double thickness, QnVec2 left, QnVec2 a, QnVec2 b, double from,
+           double to, QnShare *share)
+{
+  QnVec2 along = qn_vec2_sub (b, a), ends[2];
+  double u = fan->side * (a.x - fan->apex.x), depth = fan->apex.y - a.y;
+
+  for (int end = 0; end < 2; end++) {
+    double t = end == 0 ? from : to;
+    double s = isfinite (t)  ? (t * depth - u) / (fan->side * along.x + t * along.y)
+               : along.y > 0 ? depth / along.y
+                             : 1;
+    ends[end] = qn_vec2_lerp (a, b, fmin (fmax (s, 0), 1));
+  }
+  double before = part_within (fan, from);
+  for (int i = 0; i < PARTS; i++) {
+    QnVec2 next = qn_vec2_lerp (ends[0], ends[1], (i + 1.0) / PARTS);
+    QnVec2 middle = qn_vec2_lerp (ends[0], ends[1], (i + 0.5) / PARTS);
+    double within = part_within (fan, i + 1 < PARTS ? tangent_of (fan, next) : to);
+    double force =
+      fan->load * (within - before) * part_across (fan->source, thickness, middle.y);
+    share->force += force;
+    share->moment += force * qn_vec2_length (qn_vec2_sub (middle, left));
+    before = within;
+  }
+  for (int end = 0; end < 2; end++) {
+    double at = qn_vec2_length (qn_vec2_sub (ends[end], left));
+    share->from = fmin (share->from, at);
+    share->to = fmax (share->to, at);
+  }
+}
+
+/* Edge by edge outwards; `horizon` is the outermost ray that has met something. */
+static void
+spread_fan (const QnModel *model, const QnSeenEdges *edges, const Fan *fan,
+            QnShare *shares)
+{
+  double horizon = 0;
+
+  for (size_t k = 0; k < edges->count && horizon < fan->most; k++) {
+    size_t i = fan->side > 0 ? k : edges->count - 1 - k;
+    const QnSeenEdge *edge = &edges->items[i];
+    QnVec2 left = edge->ends[1], right = edge->ends[0];
+    QnVec2 a = fan->side > 0 ? left : right, b = fan->side > 0 ? right : left;
+    double ua = fan->side * (a.x - fan->apex.x), ub = fan->side * (b.x - fan->apex.x);
+    if (ub <= 0)
+      continue;
+    if (ua < 0)
+      a = qn_vec2_lerp (a, b, ua / (ua - ub));
+    double from = fmax (tangent_of (fan, a), horizon), to = tangent_of (fan, b);
+    double last = fmin (fan->most, last_in_fill (fan, fmax (ua, 0), ub));
+    if (fmin (to, last) > from)
+      add_share (fan, model->blocks[edge->block].thickness, left, a, b, from,
+                 fmin (to, last), &shares[i]);
+    horizon = fmax (from, to);
+  }
+}
+
+/* Adds to `shares`, one for each edge. The edges are those seen from above, from left to right. */
+static void
+disperse (const QnModel *model, const QnSeenEdges *edges, const QnSource *source,
+          QnShare *shares)
+{
+  const QnSpread *s = &source->spread;
+  const int lines = source->boussinesq ? LINES : 1;
+
+  for (int i = 0; i < 2 * lines; i++) {
+    double x = source->x + s->along * ((i / 2 + 0.5) / lines - 0.5);
+    double rise = source->boussinesq ? 0 : s->along / s->along_slope;
+    Fan fan = { .source = source,
+                .apex = qn_vec2 (x, source->surface + rise),
+                .side = i % 2 == 0 ? 1 : -1,
+                .load = source->load / lines,
+                .most = source->boussinesq ? INFINITY : 0.5 * s->along_slope };
+    spread_fan (model, edges, &fan, shares);
+  }
+}
+
 /* A load between two x: the middle of what is spread; `along` is how long it is at the surface. */
 static void
 add_source (Resolver *r, double x, double force, double along, QnShare *shares)
@@ -377,7 +583,7 @@ add_source (Resolver *r, double x, double force, double along, QnShare *shares)
   if (along > 0)
     source.spread.along = along;
   if (!isnan (height))
-    qn_disperse (r->model, &r->seen[QN_BLOCK_SIDE_TOP], &source, shares);
+    disperse (r->model, &r->seen[QN_BLOCK_SIDE_TOP], &source, shares);
 }
 
 /* The shares of all edges as forces on them: linear loads with their resultants, and clears them. */

@@ -1,9 +1,10 @@
 #include "render/figure/plot.h"
 
+#include "core/base/integer.h"
 #include "render/backend/draw-cairo.h"
 #include "render/drawing/paint.h"
+#include "render/drawing/text.h"
 #include "render/figure/figure-furniture.h"
-#include "render/figure/plot-axes.h"
 
 #include <math.h>
 
@@ -19,6 +20,24 @@
 #define PLOT_MARGIN 10.0
 #define FAR_OFF     1e5  /* px */
 #define LEAST_RANGE 2e-4 /* of an axis, over its middle: less is rounding */
+
+/* Size of the numbers at the ticks and of the axes' names, pt. */
+#define QN_TYPE_TICK  7.5
+#define QN_TYPE_LABEL 8.5
+
+/* Axes aim at a tick every so many pt. */
+#define QN_TICK_SPACING_X 62.0
+#define QN_TICK_SPACING_Y 36.0
+
+typedef struct QnAxis {
+  double low, high;   /* in displayed units, of a logarithmic axis their decades */
+  double step, first; /* of the ticks */
+  bool log;
+  double start, end; /* px */
+  /* Instead of ticks: names at 0, 1, …, borrowed; NULL: numbers. */
+  const char *const *names;
+  int name_count;
+} QnAxis;
 
 typedef struct Drawing {
   const QnPlot *plot;
@@ -81,6 +100,202 @@ qn_plot_points (QnPlot *plot, const char *label, int series, const double *x,
   return points;
 }
 
+/* ---- axes ---- */
+
+/* Decades on an axis up to which they are divided. */
+#define MOST_DIVIDED 2.2
+
+/* Place of a value, px. */
+static double
+axis_place (const QnAxis *axis, double value)
+{
+  if (axis->log)
+    value = log10 (value);
+  return axis->start
+         + (value - axis->low) / (axis->high - axis->low) * (axis->end - axis->start);
+}
+
+/* A 1-2-5 step that gives about `count` ticks. */
+static double
+nice_step (double range, double count)
+{
+  double raw = range / fmax (count, 1), power = pow (10, floor (log10 (raw)));
+  double digit = raw / power;
+  return (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10) * power;
+}
+
+/* Ticks at multiples of a nice step over a length in px. A value beyond a tick by less than can be seen
+ * needs no further tick. */
+static void
+axis_set (QnAxis *axis, double low, double high, double length, double spacing)
+{
+  if (!(high > low))
+    high = low + (low != 0 ? fabs (low) : 1);
+  axis->step = nice_step (high - low, fabs (length) / spacing);
+  double below = floor (low / axis->step + 1e-3) * axis->step;
+  double above = ceil (high / axis->step - 1e-3) * axis->step;
+  axis->low = low - below < 0.35 * axis->step ? below : low - 0.04 * (high - low);
+  axis->high = above - high < 0.35 * axis->step ? above : high + 0.04 * (high - low);
+  axis->first = ceil (axis->low / axis->step - 1e-9) * axis->step;
+}
+
+/* Lets a linear axis end at these values instead, with its ticks as they are. */
+static void
+axis_cut (QnAxis *axis, double low, double high)
+{
+  axis->low = low;
+  axis->high = high;
+  axis->first = ceil (low / axis->step - 1e-9) * axis->step;
+}
+
+/* The tick after v; decades that leave room are divided at 2 and 5. */
+static double
+next_tick (const QnAxis *axis, double v)
+{
+  double part = v - floor (v + 1e-9);
+  if (!axis->log || axis->step > 1 || axis->high - axis->low > MOST_DIVIDED)
+    return v + axis->step;
+  return floor (v + 1e-9) + (part < 0.2 ? log10 (2) : part < 0.5 ? log10 (5) : 1);
+}
+
+/* Ticks at decades, at most so many that they do not touch. */
+static void
+axis_set_log (QnAxis *axis, double low, double high, double length, double spacing)
+{
+  axis->log = true;
+  axis->low = log10 (low) - 0.08;
+  axis->high = fmax (log10 (high) + 0.08, axis->low + 0.3);
+  axis->step = fmax (1, ceil ((axis->high - axis->low) * spacing / fabs (length)));
+  axis->first = ceil (axis->low / axis->step) * axis->step;
+  if (axis->high - axis->low > MOST_DIVIDED)
+    return;
+  axis->first = floor (axis->low);
+  while (axis->first < axis->low)
+    axis->first = next_tick (axis, axis->first);
+}
+
+/* One tick per name, the first at the end of the axis that is drawn on top or right. */
+static void
+axis_set_names (QnAxis *axis, const char *const *names, int count)
+{
+  axis->names = names;
+  axis->name_count = count;
+  axis->low = count - 0.5;
+  axis->high = -0.5;
+  axis->first = 0;
+  axis->step = 1;
+}
+
+/* The digits that distinguish neighbouring ticks; of decades, the power of ten. */
+static char *
+tick_text (const QnAxis *axis, double value)
+{
+  double step = axis->step;
+  if (axis->names != NULL)
+    return g_strdup (axis->names[qn_to_integer (value + 0.5, 0, axis->name_count - 1)]);
+  if (axis->log)
+    return qn_label_number ("%.6g", pow (10, value));
+  int digits = (int) qn_to_integer (-floor (log10 (step) + 1e-9), 0, 9);
+  if (fabs (value) < 0.5 * step)
+    value = 0;
+  g_autofree char *format = g_strdup_printf ("%%.%df", digits);
+  return qn_label_number (format, value);
+}
+
+static double
+last_tick (const QnAxis *axis)
+{
+  return fmax (axis->low, axis->high) + 1e-9 * axis->step;
+}
+
+static double
+tick_place (const QnAxis *axis, double tick)
+{
+  return axis_place (axis, axis->log ? pow (10, tick) : tick);
+}
+
+static void
+line (cairo_t *cr, double x0, double y0, double x1, double y1)
+{
+  cairo_move_to (cr, x0, y0);
+  cairo_line_to (cr, x1, y1);
+  cairo_stroke (cr);
+}
+
+/* Grid lines, numbers and the frame of a plot. */
+static void
+axes_draw (const QnAxis *x, const QnAxis *y, cairo_t *cr, double unit, bool monochrome)
+{
+  QnTextStyle style = { .size = QN_TYPE_TICK * unit };
+  QnColor ink = qn_ink (QN_INK_LINE, monochrome);
+  for (double v = x->first; v <= last_tick (x); v = next_tick (x, v)) {
+    double at = tick_place (x, v);
+    g_autofree char *text = tick_text (x, v);
+    cairo_set_line_width (cr, 0.4 * unit);
+    qn_set_color (cr, qn_ink (QN_INK_FAINT, monochrome), 0.35);
+    line (cr, at, y->start, at, y->end);
+    qn_text_draw (cr, &style, text, at, y->start + 4 * unit, 0.5, 0, 0, ink);
+  }
+  for (double v = y->first; v <= last_tick (y); v = next_tick (y, v)) {
+    double at = tick_place (y, v);
+    g_autofree char *text = tick_text (y, v);
+    cairo_set_line_width (cr, 0.4 * unit);
+    qn_set_color (cr, qn_ink (QN_INK_FAINT, monochrome), 0.35);
+    line (cr, x->start, at, x->end, at);
+    qn_text_draw (cr, &style, text, x->start - 5 * unit, at, 1, 0.5, 0, ink);
+  }
+  qn_set_color (cr, ink, 1);
+  cairo_set_line_width (cr, 0.7 * unit);
+  cairo_rectangle (cr, x->start, y->end, x->end - x->start, y->start - y->end);
+  cairo_stroke (cr);
+}
+
+/* Width of the widest number or name at a vertical axis, px. */
+static double
+axis_text_width (const QnAxis *axis, cairo_t *cr, double unit)
+{
+  double widest = 0;
+  for (double v = axis->first; v <= last_tick (axis); v = next_tick (axis, v)) {
+    double width, height;
+    g_autofree char *text = tick_text (axis, v);
+    qn_text_measure (cr, &(QnTextStyle){ .size = QN_TYPE_TICK * unit }, text, &width,
+                     &height);
+    widest = fmax (widest, width);
+  }
+  return widest;
+}
+
+/* The name of an axis beside its middle, where the page has room for all of it; smaller where it has not,
+ * then in two lines, which take the room of a usual one. */
+#define SMALLER  0.75
+#define SMALLEST 0.6
+
+static void
+draw_name (cairo_t *cr, const char *name, double unit, double x, double y, double align_y,
+           double angle, double room, QnColor ink)
+{
+  double width, height;
+  QnTextStyle style = { .size = QN_TYPE_LABEL * unit };
+  qn_text_measure (cr, &style, name, &width, &height);
+  if (width > room)
+    style.size *= room > SMALLER * width ? room / width : SMALLEST;
+  if (room < SMALLER * width)
+    style.width = room;
+  qn_text_draw (cr, &style, name, x, y, 0.5, align_y, angle, ink);
+}
+
+/* Names of the axes: the vertical one at px `left`, the horizontal one above px `bottom`. */
+static void
+axes_draw_names (const QnAxis *x, const QnAxis *y, cairo_t *cr, double unit,
+                 const char *x_name, const char *y_name, double left, double bottom,
+                 bool monochrome)
+{
+  QnColor ink = qn_ink (QN_INK_LINE, monochrome);
+  double across = fabs (x->end - x->start), upright = fabs (bottom - y->end);
+  draw_name (cr, x_name, unit, 0.5 * (x->start + x->end), bottom, 1, 0, across, ink);
+  draw_name (cr, y_name, unit, left, 0.5 * (y->end + bottom), 0, G_PI / 2, upright, ink);
+}
+
 /* ---- layout ---- */
 
 static void
@@ -109,7 +324,7 @@ set_axis (QnAxis *axis, const QnPlotAxis *as, const double found[2], double star
   axis->start = start;
   axis->end = end;
   if (as->names != NULL) {
-    qn_axis_set_names (axis, as->names, (int) as->name_count);
+    axis_set_names (axis, as->names, (int) as->name_count);
     return;
   }
   if (!(range[0] <= range[1]))
@@ -128,10 +343,10 @@ set_axis (QnAxis *axis, const QnPlotAxis *as, const double found[2], double star
     range[0] = fmin (range[0], middle - half);
     range[1] = fmax (range[1], middle + half);
   }
-  (as->log ? qn_axis_set_log : qn_axis_set) (axis, range[0] * factor, range[1] * factor,
-                                             end - start, spacing);
+  (as->log ? axis_set_log : axis_set) (axis, range[0] * factor, range[1] * factor,
+                                       end - start, spacing);
   if (given)
-    qn_axis_cut (axis, range[0] * factor, range[1] * factor);
+    axis_cut (axis, range[0] * factor, range[1] * factor);
 }
 
 static void
@@ -148,12 +363,12 @@ lay_out (Drawing *d, const QnFrame *frame, double top, double bottom)
   }
   set_axis (&d->y, &plot->y, y, bottom - (3.1 * QN_TYPE_TICK + 4) * u,
             top + 0.6 * QN_TYPE_TICK * u, QN_TICK_SPACING_Y * u);
-  double left = 1.8 * QN_TYPE_LABEL * u + qn_axis_text_width (&d->y, d->cr, u) + 5 * u;
+  double left = 1.8 * QN_TYPE_LABEL * u + axis_text_width (&d->y, d->cr, u) + 5 * u;
   double right = 2.2 * QN_TYPE_TICK * u;
   for (int pass = 0; pass < 2; pass++) { /* a long number at the end needs more */
     set_axis (&d->x, &plot->x, x, frame->x + left, frame->x + frame->width - right,
               QN_TICK_SPACING_X * u);
-    right = fmax (right, 0.5 * qn_axis_text_width (&d->x, d->cr, u));
+    right = fmax (right, 0.5 * axis_text_width (&d->x, d->cr, u));
   }
 }
 
@@ -161,7 +376,7 @@ lay_out (Drawing *d, const QnFrame *frame, double top, double bottom)
 static double
 place (const QnAxis *axis, const QnPlotAxis *as, double value)
 {
-  double at = qn_axis_place (axis, value * factor_of (as));
+  double at = axis_place (axis, value * factor_of (as));
   return as->low < as->high && isfinite (at) ? CLAMP (at, -FAR_OFF, FAR_OFF) : at;
 }
 
@@ -398,21 +613,21 @@ qn_plot_draw (const QnPlot *plot, cairo_t *cr, double u, const QnFrame *frame,
                           frame->x, frame->width, &top, &bottom);
   lay_out (&d, frame, top, bottom);
   if (d.y.start > d.y.end && d.x.end > d.x.start) {
-    qn_axes_draw (&d.x, &d.y, cr, u, plot->monochrome);
+    axes_draw (&d.x, &d.y, cr, u, plot->monochrome);
     for (guint i = 0; i < plot->marks->len; i++)
       draw_marks (&d, &g_array_index (plot->marks, QnMarks, i));
-    qn_axes_draw_names (&d.x, &d.y, cr, u, plot->x.label, plot->y.label, frame->x, bottom,
-                        plot->monochrome);
+    axes_draw_names (&d.x, &d.y, cr, u, plot->x.label, plot->y.label, frame->x, bottom,
+                     plot->monochrome);
   }
   qn_furniture_draw (&furniture, cr, 1, false);
   qn_furniture_clear (&furniture);
   if (where == NULL)
     return;
-  *where = (QnPlotPlace){ .x_zero = qn_axis_place (&d.x, 0),
-                          .y_zero = qn_axis_place (&d.y, 0),
+  *where = (QnPlotPlace){ .x_zero = axis_place (&d.x, 0),
+                          .y_zero = axis_place (&d.y, 0),
                           .frame = { { d.x.start, d.y.end }, { d.x.end, d.y.start } } };
-  where->x_scale = qn_axis_place (&d.x, factor_of (&plot->x)) - where->x_zero;
-  where->y_scale = qn_axis_place (&d.y, factor_of (&plot->y)) - where->y_zero;
+  where->x_scale = axis_place (&d.x, factor_of (&plot->x)) - where->x_zero;
+  where->y_scale = axis_place (&d.y, factor_of (&plot->y)) - where->y_zero;
 }
 
 static bool
