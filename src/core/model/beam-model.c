@@ -1,80 +1,14 @@
-/* Nodes, sections and beams of a model: adding them, cutting beams into elements, and what is
- * derived of them. */
+/* Nodes, sections and beams of a model: cutting beams into elements, and what is derived of them. */
 #include "core/model/beam-model.h"
 
 #include "core/base/decimal.h"
 #include "core/base/memory.h"
 #include "core/base/tolerance.h"
 #include "core/model/model-check.h"
-#include "core/model/model-list.h"
 #include "core/model/outline.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* --- Adding ------------------------------------------------------------------------------ */
-
-QnNode *
-qn_model_add_node (QnModel *model, const char *name)
-{
-  QnNode *node = QN_MODEL_ADD_NAMED (model, nodes, node, &model->node_names, name);
-
-  if (node != NULL)
-    node->block = node->beam = QN_NONE;
-  return node;
-}
-
-QnSection *
-qn_model_add_section (QnModel *model, const char *name)
-{
-  QnSection *section =
-    QN_MODEL_ADD_NAMED (model, sections, section, &model->section_names, name);
-
-  if (section != NULL) {
-    section->density = -1;
-    section->shear_factor = 5.0 / 6;
-  }
-  return section;
-}
-
-QnBeam *
-qn_model_add_beam (QnModel *model, const char *name)
-{
-  QnBeam *beam = QN_MODEL_ADD_NAMED (model, beams, beam, &model->beam_names, name);
-
-  if (beam != NULL) {
-    beam->nodes[0] = beam->nodes[1] = beam->section = beam->first_element = QN_NONE;
-    beam->element_count = 1;
-  }
-  return beam;
-}
-
-QnId
-qn_model_find_node (const QnModel *model, const char *name)
-{
-  return qn_name_index_find (&model->node_names, model->nodes, sizeof *model->nodes,
-                             name);
-}
-
-QnId
-qn_model_find_section (const QnModel *model, const char *name)
-{
-  return qn_name_index_find (&model->section_names, model->sections,
-                             sizeof *model->sections, name);
-}
-
-QnId
-qn_model_find_beam (const QnModel *model, const char *name)
-{
-  return qn_name_index_find (&model->beam_names, model->beams, sizeof *model->beams,
-                             name);
-}
-
-QnId
-qn_model_find_tie (const QnModel *model, const char *name)
-{
-  return qn_name_index_find (&model->tie_names, model->ties, sizeof *model->ties, name);
-}
 
 /* --- Expanding --------------------------------------------------------------------------- */
 

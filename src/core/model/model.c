@@ -2,7 +2,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
-#include "core/model/model-list.h"
+#include "core/model/soil.h"
 
 #include <stddef.h>
 #include <stdlib.h>
@@ -34,42 +34,79 @@ qn_model_init (QnModel *model)
 }
 
 /* A list of the model, by its places in QnModel. Items of `named` ones begin with their name, which is
- * owned and which an index holds unless its place is 0. */
+ * owned and which an index holds unless its place is 0. New ones are as `blank` has them, NULL: zeroed. */
 typedef struct List {
   size_t items, count, capacity, size, index;
   bool named;
+  const void *blank;
 } List;
 
 #define LIST(items, one)                                                                 \
   offsetof (QnModel, items), offsetof (QnModel, one##_count),                            \
     offsetof (QnModel, one##_capacity), sizeof *((QnModel *) NULL)->items
 
+static const QnLoad blank_load = { .block = QN_NONE,
+                                   .node = QN_NONE,
+                                   .beam = QN_NONE,
+                                   .edge_count = 1,
+                                   .part = { 0, 1 },
+                                   .span = { -INFINITY, INFINITY },
+                                   .stiffness = QN_USUAL_SOIL_STIFFNESS,
+                                   .vehicle = QN_NONE,
+                                   .convoy = 1 };
+
 static const List lists[] = {
-  { LIST (laws, law), offsetof (QnModel, law_names), true },
-  { LIST (blocks, block), offsetof (QnModel, block_names), true },
-  { LIST (nodes, node), offsetof (QnModel, node_names), true },
-  { LIST (sections, section), offsetof (QnModel, section_names), true },
-  { LIST (beams, beam), offsetof (QnModel, beam_names), true },
-  { LIST (ties, tie), offsetof (QnModel, tie_names), true },
-  { LIST (soil_ties, soil_tie), 0, true },
-  { LIST (vehicles, vehicle), 0, true },
-  { LIST (walls, wall), 0, true },
-  { LIST (load_sets, load_set), 0, true },
-  { LIST (load_cases, load_case), 0, true },
-  { LIST (stages, stage), 0, true },
-  { LIST (vertices, vertex), 0, false },
-  { LIST (overrides, override), 0, false },
-  { LIST (bars, bar), 0, false },
-  { LIST (dead_loads, dead_load), 0, false },
-  { LIST (live_loads, live_load), 0, false },
-  { LIST (elements, element), 0, false },
-  { LIST (edge_forces, edge_force), 0, false },
-  { LIST (ground, ground), 0, false },
-  { LIST (initial, initial), 0, false },
-  { LIST (tracks, track), 0, false },
+  { LIST (laws, law), offsetof (QnModel, law_names), true, NULL },
+  { LIST (blocks, block), offsetof (QnModel, block_names), true,
+    &(const QnBlock){ .density = -1,
+                      .law = QN_NONE,
+                      .ring_law = QN_NONE,
+                      .wall = QN_NONE,
+                      .masonry = QN_NONE } },
+  { LIST (nodes, node), offsetof (QnModel, node_names), true,
+    &(const QnNode){ .block = QN_NONE, .beam = QN_NONE } },
+  { LIST (sections, section), offsetof (QnModel, section_names), true,
+    &(const QnSection){ .density = -1, .shear_factor = 5.0 / 6 } },
+  { LIST (beams, beam), offsetof (QnModel, beam_names), true,
+    &(const QnBeam){ .nodes = { QN_NONE, QN_NONE },
+                     .section = QN_NONE,
+                     .first_element = QN_NONE,
+                     .element_count = 1 } },
+  { LIST (ties, tie), offsetof (QnModel, tie_names), true,
+    &(const QnTie){ .ends = { { .block = QN_NONE }, { .block = QN_NONE } } } },
+  { LIST (soil_ties, soil_tie), 0, true, NULL },
+  { LIST (vehicles, vehicle), 0, true, NULL },
+  { LIST (walls, wall), 0, true, &(const QnWall){ .density = -1, .law = QN_NONE } },
+  { LIST (load_sets, load_set), 0, true, NULL },
+  { LIST (load_cases, load_case), 0, true, &(const QnLoadCase){ .factor = 1 } },
+  { LIST (stages, stage), 0, true,
+    &(const QnStage){ .control = { .block = QN_NONE, .node = QN_NONE } } },
+  { LIST (vertices, vertex), 0, false, NULL },
+  { LIST (overrides, override), 0, false,
+    &(const QnFaceOverride){ .block_a = QN_NONE, .block_b = QN_NONE, .law = QN_NONE } },
+  { LIST (bars, bar), 0, false, &(const QnBar){ .law = QN_NONE } },
+  { LIST (dead_loads, dead_load), 0, false, &blank_load },
+  { LIST (live_loads, live_load), 0, false, &blank_load },
+  { LIST (elements, element), 0, false, NULL },
+  { LIST (edge_forces, edge_force), 0, false, NULL },
+  { LIST (ground, ground), 0, false,
+    &(const QnGroundMotion){ .kind = QN_SIGNAL_POINTS, .scale = 1 } },
+  { LIST (initial, initial), 0, false, NULL },
+  { LIST (tracks, track), 0, false, NULL },
 };
 
 #undef LIST
+
+/* The list whose items stand at this place. */
+static const List *
+list_at (size_t items)
+{
+  const List *list = lists;
+
+  while (list->items != items)
+    list++;
+  return list;
+}
 
 static char *
 items_of (const QnModel *model, const List *list)
@@ -87,6 +124,50 @@ count_of (const QnModel *model, const List *list)
 
   memcpy (&count, (const char *) model + list->count, sizeof count);
   return count;
+}
+
+static QnNameIndex *
+index_of (const QnModel *model, const List *list)
+{
+  return (QnNameIndex *) (void *) ((char *) model + list->index);
+}
+
+/* The new last item of a list, with a copy of its name; NULL with nothing changed where memory runs
+ * out. */
+static void *
+add_item (QnModel *model, size_t items, const char *name)
+{
+  const List *list = list_at (items);
+  size_t *count = (size_t *) (void *) ((char *) model + list->count);
+  size_t *capacity = (size_t *) (void *) ((char *) model + list->capacity);
+  char *copy = qn_strdup (name);
+
+  if ((copy != NULL || name == NULL) && *count < INT32_MAX
+      && qn_array_reserve ((char *) model + list->items, capacity, *count + 1,
+                           list->size)) {
+    char *all = items_of (model, list), *item = all + *count * list->size;
+    memset (item, 0, list->size);
+    if (list->blank != NULL)
+      memcpy (item, list->blank, list->size);
+    if (list->named)
+      memcpy (item, &copy, sizeof copy);
+    if (list->index == 0
+        || qn_name_index_add (index_of (model, list), all, list->size, (QnId) *count)) {
+      ++*count;
+      return item;
+    }
+  }
+  free (copy);
+  return NULL;
+}
+
+static QnId
+find_item (const QnModel *model, size_t items, const char *name)
+{
+  const List *list = list_at (items);
+
+  return qn_name_index_find (index_of (model, list), items_of (model, list), list->size,
+                             name);
 }
 
 void
@@ -113,7 +194,7 @@ qn_model_clear (QnModel *model)
     }
     free (items);
     if (list->index > 0)
-      qn_name_index_clear ((QnNameIndex *) (void *) ((char *) model + list->index));
+      qn_name_index_clear (index_of (model, list));
   }
   free (model->title);
   *model = (QnModel){ 0 };
@@ -161,7 +242,7 @@ copy_list (QnModel *copy, const List *list, bool *failed)
   memcpy ((char *) copy + list->capacity, &count, sizeof count);
   if (list->index == 0)
     return;
-  QnNameIndex *index = (QnNameIndex *) (void *) ((char *) copy + list->index);
+  QnNameIndex *index = index_of (copy, list);
   index->slots =
     duplicate (index->slots, index->slot_count, sizeof *index->slots, failed);
   if (index->slots == NULL)
@@ -208,7 +289,7 @@ qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
 QnLaw *
 qn_model_add_law (QnModel *model, const char *name)
 {
-  return QN_MODEL_ADD_NAMED (model, laws, law, &model->law_names, name);
+  return add_item (model, offsetof (QnModel, laws), name);
 }
 
 /* Appends vertices without counting them yet. */
@@ -233,53 +314,61 @@ qn_model_add_block (QnModel *model, const char *name, const QnVec2 *vertices,
 {
   if (!append_vertices (model, vertices, vertex_count))
     return NULL;
-  QnBlock *block = QN_MODEL_ADD_NAMED (model, blocks, block, &model->block_names, name);
+  QnBlock *block = add_item (model, offsetof (QnModel, blocks), name);
   if (block == NULL)
     return NULL;
-  block->density = -1;
-  block->law = block->ring_law = block->wall = block->masonry = QN_NONE;
   block->first_vertex = (QnId) model->vertex_count;
   block->vertex_count = (QnId) vertex_count;
   model->vertex_count += vertex_count;
   return block;
 }
 
+QnNode *
+qn_model_add_node (QnModel *model, const char *name)
+{
+  return add_item (model, offsetof (QnModel, nodes), name);
+}
+
+QnSection *
+qn_model_add_section (QnModel *model, const char *name)
+{
+  return add_item (model, offsetof (QnModel, sections), name);
+}
+
+QnBeam *
+qn_model_add_beam (QnModel *model, const char *name)
+{
+  return add_item (model, offsetof (QnModel, beams), name);
+}
+
+QnTie *
+qn_model_add_soil_tie (QnModel *model, const char *name)
+{
+  return add_item (model, offsetof (QnModel, soil_ties), name);
+}
+
 QnWall *
 qn_model_add_wall (QnModel *model, const char *name)
 {
-  QnWall *wall = QN_MODEL_ADD_NAMED (model, walls, wall, NULL, name);
-
-  if (wall != NULL) {
-    wall->density = -1;
-    wall->law = QN_NONE;
-  }
-  return wall;
+  return add_item (model, offsetof (QnModel, walls), name);
 }
 
 QnFaceOverride *
 qn_model_add_override (QnModel *model)
 {
-  QnFaceOverride *override = QN_MODEL_ADD (model, overrides, override);
-
-  if (override != NULL)
-    override->block_a = override->block_b = override->law = QN_NONE;
-  return override;
+  return add_item (model, offsetof (QnModel, overrides), NULL);
 }
 
 QnBar *
 qn_model_add_bar (QnModel *model)
 {
-  QnBar *bar = QN_MODEL_ADD (model, bars, bar);
-
-  if (bar != NULL)
-    bar->law = QN_NONE;
-  return bar;
+  return add_item (model, offsetof (QnModel, bars), NULL);
 }
 
 QnVehicle *
 qn_model_add_vehicle (QnModel *model, const char *name)
 {
-  return QN_MODEL_ADD_NAMED (model, vehicles, vehicle, NULL, name);
+  return add_item (model, offsetof (QnModel, vehicles), name);
 }
 
 QnId
@@ -294,61 +383,31 @@ qn_model_find_vehicle (const QnModel *model, const char *name)
 QnTie *
 qn_model_add_tie (QnModel *model, const char *name)
 {
-  QnTie *tie = QN_MODEL_ADD_NAMED (model, ties, tie, &model->tie_names, name);
-
-  if (tie != NULL)
-    tie->ends[0].block = tie->ends[1].block = QN_NONE;
-  return tie;
-}
-
-static QnLoad *
-of_nothing (QnLoad *load)
-{
-  if (load == NULL)
-    return NULL;
-  load->block = load->node = load->beam = QN_NONE;
-  load->edge_count = 1;
-  load->part[1] = 1;
-  load->span[0] = -INFINITY;
-  load->span[1] = INFINITY;
-  load->stiffness = QN_USUAL_SOIL_STIFFNESS;
-  load->vehicle = QN_NONE;
-  load->convoy = 1;
-  return load;
+  return add_item (model, offsetof (QnModel, ties), name);
 }
 
 QnLoad *
 qn_model_add_dead_load (QnModel *model)
 {
-  return of_nothing (QN_MODEL_ADD (model, dead_loads, dead_load));
+  return add_item (model, offsetof (QnModel, dead_loads), NULL);
 }
 
 QnLoad *
 qn_model_add_live_load (QnModel *model)
 {
-  return of_nothing (QN_MODEL_ADD (model, live_loads, live_load));
+  return add_item (model, offsetof (QnModel, live_loads), NULL);
 }
 
 QnStage *
 qn_model_add_stage (QnModel *model, const char *name)
 {
-  QnStage *stage = QN_MODEL_ADD_NAMED (model, stages, stage, NULL, name);
-
-  if (stage != NULL)
-    stage->control.block = stage->control.node = QN_NONE;
-  return stage;
+  return add_item (model, offsetof (QnModel, stages), name);
 }
 
 QnGroundMotion *
 qn_model_add_ground_motion (QnModel *model)
 {
-  QnGroundMotion *motion = QN_MODEL_ADD (model, ground, ground);
-
-  if (motion != NULL) {
-    motion->kind = QN_SIGNAL_POINTS;
-    motion->scale = 1;
-  }
-  return motion;
+  return add_item (model, offsetof (QnModel, ground), NULL);
 }
 
 bool
@@ -361,13 +420,13 @@ qn_ground_motion_add_point (QnGroundMotion *motion, double time, double accelera
 QnInitialMotion *
 qn_model_add_initial_motion (QnModel *model)
 {
-  return QN_MODEL_ADD (model, initial, initial);
+  return add_item (model, offsetof (QnModel, initial), NULL);
 }
 
 QnTrack *
 qn_model_add_track (QnModel *model)
 {
-  return QN_MODEL_ADD (model, tracks, track);
+  return add_item (model, offsetof (QnModel, tracks), NULL);
 }
 
 QnId
@@ -425,7 +484,7 @@ qn_model_add_load_set (QnModel *model, const char *name)
   int32_t set = qn_model_find_load_set (model, name);
   if (set != QN_NONE || model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
     return set;
-  if (QN_MODEL_ADD_NAMED (model, load_sets, load_set, NULL, name) == NULL)
+  if (add_item (model, offsetof (QnModel, load_sets), name) == NULL)
     return QN_NONE;
   return (int32_t) model->load_set_count;
 }
@@ -451,24 +510,45 @@ qn_model_add_load_case (QnModel *model, const char *name)
   int32_t found = qn_model_find_load_case (model, name);
   if (found != QN_NONE || model->load_case_count >= QN_MAX_LOAD_CASES)
     return found;
-  QnLoadCase *added = QN_MODEL_ADD_NAMED (model, load_cases, load_case, NULL, name);
-  if (added == NULL)
+  if (add_item (model, offsetof (QnModel, load_cases), name) == NULL)
     return QN_NONE;
-  added->factor = 1;
   return (int32_t) model->load_case_count;
 }
 
 QnId
 qn_model_find_law (const QnModel *model, const char *name)
 {
-  return qn_name_index_find (&model->law_names, model->laws, sizeof *model->laws, name);
+  return find_item (model, offsetof (QnModel, laws), name);
 }
 
 QnId
 qn_model_find_block (const QnModel *model, const char *name)
 {
-  return qn_name_index_find (&model->block_names, model->blocks, sizeof *model->blocks,
-                             name);
+  return find_item (model, offsetof (QnModel, blocks), name);
+}
+
+QnId
+qn_model_find_node (const QnModel *model, const char *name)
+{
+  return find_item (model, offsetof (QnModel, nodes), name);
+}
+
+QnId
+qn_model_find_section (const QnModel *model, const char *name)
+{
+  return find_item (model, offsetof (QnModel, sections), name);
+}
+
+QnId
+qn_model_find_beam (const QnModel *model, const char *name)
+{
+  return find_item (model, offsetof (QnModel, beams), name);
+}
+
+QnId
+qn_model_find_tie (const QnModel *model, const char *name)
+{
+  return find_item (model, offsetof (QnModel, ties), name);
 }
 
 void

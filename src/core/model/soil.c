@@ -1,7 +1,6 @@
 #include "core/model/soil.h"
 
 #include "core/base/memory.h"
-#include "core/model/model-list.h"
 #include "core/model/support.h"
 
 #include <stdio.h>
@@ -62,7 +61,7 @@ add_tie (QnModel *model, const QnLoad *fill, QnId block, const Push *push, doubl
 
   if (name != NULL) {
     snprintf (name, size, "%s%s", prefix, model->blocks[block].name);
-    tie = QN_MODEL_ADD_NAMED (model, soil_ties, soil_tie, NULL, name);
+    tie = qn_model_add_soil_tie (model, name);
   }
   free (name);
   if (tie == NULL)
