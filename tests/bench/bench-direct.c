@@ -1,8 +1,10 @@
 /* Collapse without associativity, found directly, of seeded walls (seeded-walls.h): answers, and what
  * they cost, beside the load path of the same wall.
  *
- *     bench-direct [FIRST-LAST [LEAST MOST [path]]]    seeds (1-48), fewest and most blocks (20 600) */
+ *     bench-direct [FIRST-LAST [LEAST MOST [path]]]    seeds (1-48), fewest and most blocks (20 600)
+ *     bench-direct wall|facade BLOCKS...               those of scaling-case.h, beside the associative program */
 #include "bench/bench.h"
+#include "bench/scaling-case.h"
 #include "bench/seeded-walls.h"
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
@@ -25,6 +27,36 @@ tell_path (const QnModel *model, const QnContacts *contacts, int *work, double *
           result.collapse_multiplier, result.statistics.factorizations, took);
 }
 
+/* Walls and façades of about so many blocks. */
+static int
+tell_large (gboolean facade, char **sizes)
+{
+  for (; *sizes != NULL; sizes++) {
+    ScalingCase c;
+    QnLimitInterval interval;
+    const ScalingLimits limits = { .limit = INFINITY };
+    scaling_case_init (&c, atoi (*sizes), facade);
+    scaling_case_detect (&c);
+    scaling_case_limit (&c, &limits);
+    c.model.analysis.multiplier_tolerance = 1e-4;
+    bench_reset_peak ();
+    double start = bench_cpu_seconds ();
+    g_assert_cmpint (qn_limit_non_associative (&c.model, &c.contacts, INFINITY, NULL,
+                                               NULL, &interval, NULL),
+                     ==, QN_OK);
+    printf (
+      "%s %zu %s %.6f factorisations %d %.2f s %.0f MB associative %.6f %d %.2f s\n",
+      c.kind, c.blocks, qn_outcome_names[interval.solution.outcome],
+      interval.solution.lower_bound, interval.solution.effort.factorizations,
+      bench_cpu_seconds () - start, bench_peak_megabytes (), c.limit.multiplier,
+      c.limit.factorizations, c.limit.seconds);
+    fflush (stdout);
+    qn_limit_interval_clear (&interval);
+    scaling_case_clear (&c);
+  }
+  return 0;
+}
+
 int
 main (int argc, char **argv)
 {
@@ -32,6 +64,8 @@ main (int argc, char **argv)
   int path_work = 0;
   double seconds = 0, path_seconds = 0;
 
+  if (argc > 1 && (g_str_equal (argv[1], "wall") || g_str_equal (argv[1], "facade")))
+    return tell_large (argv[1][0] == 'f', argv + 2);
   if (argc > 1 && !seeded_wall_parse_range (argv[1], &first, &last))
     return 2;
   if (argc > 3) {

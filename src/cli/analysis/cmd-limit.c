@@ -14,8 +14,10 @@ qn_cmd_limit_print (const char *title, const QnResult *result)
     qn_print (_ ("%s: limit multiplier between %.8f (forces) and %.8f (mechanism)\n"),
               title, figures->lower_bound, figures->upper_bound);
   else
-    qn_print (_ ("%s: non-associative fixed points between %.5f and %.5f (%d found)\n"),
-              title, figures->lower_bound, figures->upper_bound, result->solution_count);
+    qn_print (_ ("%s: non-associative fixed points between %.5f and %.5f (%d found), the "
+                 "least known to %.1g\n"),
+              title, figures->lower_bound, figures->upper_bound, result->solution_count,
+              figures->uncertainty);
 }
 
 void

@@ -38,7 +38,8 @@ typedef struct QnCollapse {
   QnIpStep ip; /* its iterate: collapse, or certificate */
   QnPool pool; /* of vectors */
   QnIpKkt kkt;
-  double growth; /* of a collapse: d lambda / d log (1 / compliance) */
+  double growth; /* of a collapse: d lambda / d log (1 / compliance), */
+  double gap;    /* and what is left between forces and motion that were found in turn */
   double least_coupling;
   double least_multiplier; /* relative tolerances refer to at least this multiplier */
   bool own_flow;           /* some strength row is not associative */
@@ -93,7 +94,9 @@ QnOutcome qn_collapse_follow (QnCollapse *collapse, double tolerance, int32_t bu
  *
  * Both lower the same gap, z'(h - Gy) + 1/2 |Qy - q|^2 in the metric of Q, q the rates that motion and flow leave to
  * the compliance: 0 at a collapse. Forces end in equilibrium and within their strength, motion and flow obey the
- * rates, and COLLAPSE is told where the gap is at most `tolerance` of the work of the live load. */
+ * rates, and COLLAPSE is told where the gap is at most `tolerance` of the work of the live load; or, while joints
+ * still give so much that the multiplier is not known as well, the geometric mean of that and of the work that they
+ * store. */
 QnOutcome qn_collapse_alternate (QnCollapse *collapse, double tolerance, int32_t budget,
                                  bool (*go_on) (void *), void *data);
 

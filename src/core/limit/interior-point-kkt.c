@@ -11,49 +11,6 @@
 /* Entries of a 6 x 6 matrix. */
 #define GROUP_ENTRIES (QN_IP_GROUP_ROWS * QN_IP_GROUP_ROWS)
 
-/* The pattern of M in storage order, without duplicates. */
-static void
-find_pattern (QnIpKkt *kkt)
-{
-  const QnIpProblem *p = kkt->problem;
-  QnSparsePattern pattern;
-
-  qn_sparse_pattern_init (&pattern, p->row_count,
-                          (size_t) p->group_count * GROUP_ENTRIES + (size_t) p->row_count,
-                          &kkt->pool);
-  for (int32_t r = 0; r < p->row_count; r++)
-    qn_sparse_pattern_add_clique (&pattern, &r, 1);
-  for (int32_t g = 0; g < p->group_count; g++)
-    qn_sparse_pattern_add_clique (&pattern, p->groups[g].rows, QN_IP_GROUP_ROWS);
-  qn_sparse_pattern_compress (&pattern, &kkt->columns, &kkt->rows);
-}
-
-static void
-schur_init (QnIpKkt *kkt)
-{
-  const QnIpProblem *p = kkt->problem;
-  QnPool *pool = &kkt->pool;
-
-  kkt->slots =
-    qn_pool_alloc (pool, (size_t) p->group_count * GROUP_ENTRIES, sizeof *kkt->slots);
-  kkt->diagonal = qn_pool_alloc (pool, (size_t) p->row_count, sizeof *kkt->diagonal);
-  find_pattern (kkt);
-  if (pool->failed)
-    return;
-  kkt->values =
-    qn_pool_alloc (pool, (size_t) kkt->columns[p->row_count], sizeof *kkt->values);
-  if (kkt->values == NULL)
-    return;
-  for (int32_t r = 0; r < p->row_count; r++)
-    kkt->diagonal[r] = qn_sparse_find (kkt->columns, kkt->rows, r, r);
-  for (int32_t g = 0, e = 0; g < p->group_count; g++)
-    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
-      for (int j = 0; j < QN_IP_GROUP_ROWS; j++, e++)
-        kkt->slots[e] = qn_sparse_find (kkt->columns, kkt->rows, p->groups[g].rows[i],
-                                        p->groups[g].rows[j]);
-  kkt->lu = qn_block_lu_new (p->row_count, kkt->columns, kkt->rows, p->workers);
-}
-
 /* Builds and factorises M for the inverse of H; false where it is
  * singular to working precision. */
 static bool
@@ -107,18 +64,39 @@ schur_solve (QnIpKkt *kkt, double *x)
 #define MOST_REFINEMENTS  4
 
 bool
-qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem)
+qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *p)
 {
-  size_t cells = (size_t) problem->cell_count, rows = (size_t) problem->row_count;
+  size_t rows = (size_t) p->row_count;
+  size_t entries = (size_t) p->group_count * GROUP_ENTRIES;
   QnPool *pool = &kkt->pool;
+  QnSparsePattern pattern;
 
-  *kkt = (QnIpKkt){ .problem = problem, .error = INFINITY };
-  qn_ip_inverse_init (&kkt->inverse, problem, pool);
-  kkt->rates = qn_pool_alloc (pool, 2 * cells, sizeof (double));
+  *kkt = (QnIpKkt){ .problem = p, .error = INFINITY };
+  qn_ip_inverse_init (&kkt->inverse, p, pool);
+  kkt->rates = qn_pool_alloc (pool, 2 * (size_t) p->cell_count, sizeof (double));
   kkt->residual_v = qn_pool_alloc (pool, rows, sizeof (double));
   kkt->border = qn_pool_alloc (pool, rows, sizeof (double));
   kkt->step_v = qn_pool_alloc (pool, rows, sizeof (double));
-  schur_init (kkt);
+  kkt->slots = qn_pool_alloc (pool, entries, sizeof *kkt->slots);
+  kkt->diagonal = qn_pool_alloc (pool, rows, sizeof *kkt->diagonal);
+  qn_sparse_pattern_init (&pattern, p->row_count, entries + rows, pool);
+  for (int32_t r = 0; r < p->row_count; r++)
+    qn_sparse_pattern_add_clique (&pattern, &r, 1);
+  for (int32_t g = 0; g < p->group_count; g++)
+    qn_sparse_pattern_add_clique (&pattern, p->groups[g].rows, QN_IP_GROUP_ROWS);
+  qn_sparse_pattern_compress (&pattern, &kkt->columns, &kkt->rows);
+  if (!pool->failed)
+    kkt->values = qn_pool_alloc (pool, (size_t) kkt->columns[rows], sizeof (double));
+  if (pool->failed)
+    return false;
+  for (int32_t r = 0; r < p->row_count; r++)
+    kkt->diagonal[r] = qn_sparse_find (kkt->columns, kkt->rows, r, r);
+  for (int32_t g = 0, e = 0; g < p->group_count; g++)
+    for (int i = 0; i < QN_IP_GROUP_ROWS; i++)
+      for (int j = 0; j < QN_IP_GROUP_ROWS; j++, e++)
+        kkt->slots[e] = qn_sparse_find (kkt->columns, kkt->rows, p->groups[g].rows[i],
+                                        p->groups[g].rows[j]);
+  kkt->lu = qn_block_lu_new (p->row_count, kkt->columns, kkt->rows, p->workers);
   return kkt->lu != NULL;
 }
 

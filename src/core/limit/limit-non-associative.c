@@ -57,7 +57,7 @@ static const struct {
 /* A collapse that was found. */
 typedef struct Collapse {
   double multiplier;
-  double growth;      /* as joints become stiffer (collapse.h) */
+  double growth, gap; /* as joints become stiffer, and of two programs (collapse.h) */
   double *forces;     /* pair_count x 2 */
   double *velocities; /* block_count x 3 */
 } Collapse;
@@ -145,7 +145,8 @@ keep (Search *search, double compliance, QnDiag *diag)
   Collapse new = { .multiplier =
                      fmin (qn_limit_problem_multiplier (limit, c->ip.at.lambda),
                            search->interval->associative),
-                   .growth = qn_limit_problem_multiplier (limit, c->growth) };
+                   .growth = qn_limit_problem_multiplier (limit, c->growth),
+                   .gap = qn_limit_problem_multiplier (limit, c->gap) };
   int32_t place = 0;
 
   while (place < search->count && !are_same (search, &search->found[place], &new))
@@ -164,8 +165,9 @@ keep (Search *search, double compliance, QnDiag *diag)
       return qn_diag_no_memory (diag);
     search->count++;
   }
-  kept->multiplier = new.multiplier;
-  kept->growth = new.growth;
+  new.forces = kept->forces;
+  new.velocities = kept->velocities;
+  *kept = new;
   qn_limit_problem_forces (limit, c->ip.at.y, 1, kept->forces);
   qn_limit_problem_velocities (limit, c->ip.at.v, kept->velocities);
   double scale =
@@ -193,12 +195,6 @@ set_compliance (Search *search, double compliance)
     for (int i = 0; i < 2; i++)
       limit->cells[c].quadratic[i] = compliance / k[i];
   }
-}
-
-static double
-free_blocks (const Search *search)
-{
-  return search->limit.ip.row_count / (double) QN_DOF_COUNT;
 }
 
 /* One start; where its iteration is lost, two programs in turn. A collapse in which joints give too much is
@@ -248,8 +244,9 @@ static QnStatus
 seek_all (Search *search, QnDiag *diag)
 {
   const QnStatistics *effort = &search->interval->solution.effort;
-  double compliance =
-    fmin (search_tuning.softest, search_tuning.compliance / free_blocks (search));
+  double compliance = fmin (search_tuning.softest,
+                            search_tuning.compliance
+                              / (search->limit.ip.row_count / (double) QN_DOF_COUNT));
   int32_t before = effort->factorizations;
   bool found = false, once = search->known < INFINITY;
   QnStatus status = QN_OK;
@@ -310,6 +307,7 @@ conclude (Search *search)
   least->forces = forces;
   least->velocities = velocities;
   solution->lower_bound = solution->upper_bound = interval->lowest = least->multiplier;
+  interval->uncertainty = fabs (least->growth) + least->gap;
   interval->highest = -INFINITY;
   for (int32_t i = 0; i < search->count; i++) {
     interval->multipliers[i] = search->found[i].multiplier;

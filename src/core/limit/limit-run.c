@@ -133,6 +133,7 @@ run_non_associative (const QnModel *model, const QnContacts *contacts, double kn
   if (interval.solution.outcome == QN_OUTCOME_COLLAPSE) {
     result->limit.lower_bound = interval.lowest;
     result->limit.upper_bound = interval.highest;
+    result->limit.uncertainty = interval.uncertainty;
     for (int32_t i = 0; i < interval.count; i++)
       add_solution (result, interval.multipliers[i]);
   }

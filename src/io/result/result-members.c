@@ -31,6 +31,7 @@ const QnMember qn_limit_members[] = {
   QN_GIVEN ("lower_bound", NUMBER, 0, QnResult, limit.lower_bound, limit.given),
   QN_NUMBER ("upper_bound", WRITTEN, FINITE, QnResult, limit.upper_bound),
   QN_CHOICE ("flow", WRITTEN, qn_flow_names, QnResult, limit.flow),
+  QN_NUMBER ("multiplier_uncertainty", OPTIONAL, FINITE, QnResult, limit.uncertainty),
   { 0 },
 };
 

@@ -124,6 +124,8 @@ test_non_associative (void)
   g_assert_cmpfloat (result.limit.lower_bound, <=, result.limit.upper_bound);
   g_assert_cmpfloat (result.limit.upper_bound, <=, result.associative_bound);
   g_assert_cmpint (result.solution_count, >=, 1);
+  g_assert_cmpfloat (result.limit.uncertainty, >, 0);
+  g_assert_cmpfloat (result.limit.uncertainty, <=, 1e-5 * result.collapse_multiplier);
 }
 
 QN_TESTS
