@@ -6,9 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of the largest force: what does not count where a joint is said to be open, or to slide. */
-#define NO_FORCE 5e-5
-
 /* --- Setting up ------------------------------------------------------------------------- */
 
 static void
@@ -571,7 +568,7 @@ qn_assembly_pair_results (const QnAssembly *as, const double *u, QnPairResult *r
     if (qn_pair_is_plastic (&as->springs[p], &response->memory))
       results[p].state =
         qn_pair_state_of_force (&as->springs[p], &response->memory, results[p].state,
-                                response->force, NO_FORCE * largest);
+                                response->force, QN_NO_FORCE * largest);
     memcpy (results[p].elongation_a, response->memory.qa, sizeof response->memory.qa);
     memcpy (results[p].elongation_b, response->memory.qb, sizeof response->memory.qb);
   }

@@ -47,6 +47,9 @@ typedef struct QnSettling {
 /* Unknowns that a face couples: three of either block. */
 #define QN_FACE_UNKNOWNS 6
 
+/* Of the largest force: what does not count where a joint is said to be open, or to slide. */
+#define QN_NO_FORCE 5e-5
+
 typedef struct QnAssembly {
   QnPool pool; /* of all that follows */
   const QnModel *model;

@@ -205,7 +205,7 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
 {
   QnCollapse *c = &search->collapse;
   double tolerance = search->model->analysis.multiplier_tolerance;
-  bool exact = search->elastic || search->known < INFINITY;
+  bool exact = search->known < INFINITY;
   QnOutcome state = QN_OUTCOME_NOT_CONVERGED;
 
   set_compliance (search, compliance);
@@ -239,7 +239,8 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
 
 /* From rest until there is a collapse: from where a start ended with stiffer joints where they give too much, then
  * from rest with softer ones. After that with stiffer ones from the collapse before, as long as the least multiplier
- * does not stand still; where it does at once, softer joints may lead from rest to another collapse. */
+ * does not stand still; where it does at once, softer joints may lead from rest to another collapse. Elastic joints
+ * have one stiffness. */
 static QnStatus
 seek_all (Search *search, QnDiag *diag)
 {
@@ -270,12 +271,12 @@ seek_all (Search *search, QnDiag *diag)
     start = REST;
   }
   bool at_once = true;
-  while (search->count > 0 && !status && !search->cancelled
+  while (search->count > 0 && !search->elastic && !status && !search->cancelled
          && is_of_interest (search, find_least (search))) {
     int32_t spent = effort->factorizations - before;
     bool still = stands_still (search, find_least (search)), lost = search->lost;
     if ((spent >= search_tuning.more / 2 && (still || !at_once || !lost))
-        || (still && (!at_once || search->elastic || once)))
+        || (still && (!at_once || once)))
       break;
     compliance *= still  ? search_tuning.softer
                   : lost ? search_tuning.stiffer * search_tuning.stiffer

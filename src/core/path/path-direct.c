@@ -27,18 +27,13 @@ taken (const QnPathTrace *trace)
   return trace->path->equilibrium.statistics.factorizations - trace->aside;
 }
 
-/* `factorizations`: over the number of blocks, at least, at most. */
-static bool
-has_taken (const QnPathTrace *trace, const double factorizations[3])
-{
-  double share = factorizations[0] / (double) trace->path->model->block_count;
-  return taken (trace) > fmin (fmax (share, factorizations[1]), factorizations[2]);
-}
-
 bool
 qn_path_end_is_spent (const QnPathTrace *trace)
 {
-  return may_settle (trace) && has_taken (trace, (const double[]) QN_PATH_EFFORT);
+  const double effort[] = QN_PATH_EFFORT;
+  double share = effort[0] / (double) trace->path->model->block_count;
+
+  return may_settle (trace) && taken (trace) > fmin (fmax (share, effort[1]), effort[2]);
 }
 
 /* Whether limit analysis knows the structure and its loads, and may tell more of it than the path
@@ -100,12 +95,12 @@ take_pair (QnAssembly *as, size_t p, const double force[2], double largest)
   double slip = q[1] - force[1] / spring->ks, ideal[2] = { q[0], q[1] };
 
   bool slips = qn_pair_state_of_force (&as->springs[p], &from, QN_PAIR_SLIP, force,
-                                       QN_PATH_LITTLE * largest)
+                                       QN_NO_FORCE * largest)
                == QN_PAIR_SLIP;
   double crushed = qn_spring_crushed (spring, &from.a);
   from.a.slip = slips ? from.a.slip : slip;
   from.a.opening = crushed + qn_spring_dilation (spring, from.a.slip);
-  if (hypot (force[0], force[1]) > QN_PATH_LITTLE * largest && spring->compression <= 0)
+  if (hypot (force[0], force[1]) > QN_NO_FORCE * largest && spring->compression <= 0)
     ideal[0] = from.a.opening + force[0] / spring->kn; /* else by what crushes it, too */
   if (!qn_pair_evaluate (&as->springs[p], &from, ideal, response))
     return false;
@@ -140,17 +135,15 @@ take_state (QnPathTrace *trace)
   return qn_equilibrium_newton (eq, &target, 0, QN_MEASURE_ONLY);
 }
 
-/* Whether what was found is where the path leads: it does not lie below, and so little above that the
- * path gains no more, or there is nothing else to come to it by. */
+/* Whether what was found lies ahead of the path. */
 static bool
-is_ahead (const QnPathTrace *trace, bool far)
+is_ahead (const QnPathTrace *trace)
 {
   const QnLimitSolution *direct = &trace->direct;
-  double highest = trace->events.highest;
 
   return direct->forces != NULL && direct->outcome == QN_OUTCOME_COLLAPSE
-         && direct->lower_bound > highest && direct->lower_bound <= trace->end
-         && (far || direct->lower_bound <= (1 + QN_PATH_CREEP) * highest);
+         && direct->lower_bound > trace->events.highest
+         && direct->lower_bound <= trace->end;
 }
 
 /* The path ends at what was found. Where that is no equilibrium nothing has changed. */
@@ -179,15 +172,17 @@ end_there (QnPathTrace *trace)
 bool
 qn_path_end_direct (QnPathTrace *trace, bool last)
 {
-  bool far = last || has_taken (trace, (const double[]) QN_PATH_PATIENCE);
-  bool ok = true;
+  bool ok = true, far = last || taken (trace) > QN_PATH_PATIENCE;
 
-  if (!applies (trace))
+  if ((!last && taken (trace) <= QN_PATH_DIRECT) || !applies (trace))
     return true;
-  if (last ? !is_ahead (trace, true)
-           : !trace->sought
-               && (far || (taken (trace) > QN_PATH_DIRECT && qn_path_end_creeps (trace))))
+  double gain = qn_path_end_gain (trace);
+  if (!last && gain > QN_PATH_CREEPS)
+    return true;
+  if (last ? !is_ahead (trace) : !trace->sought)
     ok = seek (trace);
-  return ok && trace->stop == QN_STOP_UNKNOWN && is_ahead (trace, far) ? end_there (trace)
-                                                                       : ok;
+  return ok && trace->stop == QN_STOP_UNKNOWN && is_ahead (trace)
+             && (far || trace->direct.lower_bound <= (1 + gain) * trace->events.highest)
+           ? end_there (trace)
+           : ok;
 }

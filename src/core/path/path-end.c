@@ -43,8 +43,8 @@ may_move_on (QnPathTrace *trace, double motion)
   return !qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
 }
 
-bool
-qn_path_end_creeps (const QnPathTrace *trace)
+double
+qn_path_end_gain (const QnPathTrace *trace)
 {
   const QnResult *result = trace->path->result;
   size_t last = result->step_count - 1, first = last, half = last;
@@ -53,11 +53,12 @@ qn_path_end_creeps (const QnPathTrace *trace)
     first--;
   if (first > 0)
     first--; /* where the stage began */
-  double motion = qn_result_motion (result, first, last);
-  while (half > first && qn_result_motion (result, first, half) > motion / 2)
-    half--;
-  double gain = result->steps[last].multiplier - result->steps[half].multiplier;
-  return half > first && gain <= QN_PATH_CREEP * fabs (result->steps[last].multiplier);
+  double motion = qn_result_motion (result, first, last), before = motion;
+  while (half > first && before > motion / 2)
+    before = qn_result_motion (result, first, --half);
+  double multiplier = result->steps[last].multiplier;
+  double gain = multiplier - result->steps[half].multiplier;
+  return half > first ? gain / (fabs (multiplier) * log2 (motion / before)) : INFINITY;
 }
 
 /* Whether the multiplier was constant, or under load control did not rise, while the motion grew
@@ -152,7 +153,7 @@ qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status)
   case QN_SOLVE_FAILED:
   case QN_SOLVE_NO_MEMORY:
     if (may_end_on_plateau (trace)
-        && (motion > eq->runaway || qn_path_end_creeps (trace))) {
+        && (motion > eq->runaway || qn_path_end_gain (trace) <= QN_PATH_SETTLES)) {
       qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
       trace->path->result->mechanism_uncertain = motion <= eq->runaway;
     } else

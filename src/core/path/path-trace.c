@@ -603,7 +603,7 @@ run (QnPathTrace *trace)
     ok = result->step_count == known || follow_contacts (trace);
     known = result->step_count;
     ok = ok && go_on (trace);
-    if (ok && trace->stop == QN_STOP_UNKNOWN && result->step_count > known)
+    if (ok && trace->stop == QN_STOP_UNKNOWN)
       ok = qn_path_end_direct (trace, false);
     if (ok && trace->stop == QN_STOP_UNKNOWN && qn_path_end_is_spent (trace))
       ok = give_up (trace, QN_SOLVE_FAILED);

@@ -101,9 +101,10 @@ void qn_path_end_check (QnPathTrace *trace);
  * below return false when memory runs out. */
 bool qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status);
 
-/* Whether the multiplier rose by at most QN_PATH_CREEP of itself while the motion doubled last. If the multiplier
- * follows collapse - constant / motion, the remaining gain is as large. */
-bool qn_path_end_creeps (const QnPathTrace *trace);
+/* What the multiplier gained last, as a part of itself, for each doubling of the motion since the stage began;
+ * INFINITY before it has doubled. If the multiplier follows collapse - constant / motion, the remaining gain is as
+ * large. */
+double qn_path_end_gain (const QnPathTrace *trace);
 
 /* Linear geometry: ends a path that creeps, or with `last` cannot continue, at a collapse found by limit
  * analysis with elastic joints (path-direct.c), if that collapse is ahead of the path. */

@@ -42,16 +42,14 @@
 #define QN_PATH_NEARLY_SETTLED 5e-3
 #define QN_PATH_SETTLED        0.1
 
-/* A path whose multiplier gains at most CREEP while the motion doubles creeps. After DIRECT factorisations its
- * collapse is computed directly; the path ends there if that is at most CREEP above, after PATIENCE
- * factorisations at any distance. The path ends after EFFORT, or where it creeps and no step converges.
- * {a, b, c}: a / blocks, at least b, at most c. */
-#define QN_PATH_CREEP  0.03
-#define QN_PATH_DIRECT 60
-#define QN_PATH_PATIENCE                                                                 \
-  {                                                                                      \
-    1e6, 300, 3000                                                                       \
-  }
+/* A path whose multiplier gains at most CREEPS of itself for each doubling of the motion creeps. After DIRECT
+ * factorisations its collapse is computed directly; the path ends there if that is no farther above than such a
+ * gain, after PATIENCE factorisations at any distance. The path ends after EFFORT, or where it gains at most SETTLES
+ * and no step converges. {a, b, c}: a / blocks, at least b, at most c. */
+#define QN_PATH_CREEPS   0.1
+#define QN_PATH_SETTLES  0.03
+#define QN_PATH_DIRECT   100
+#define QN_PATH_PATIENCE 200
 #define QN_PATH_EFFORT                                                                   \
   {                                                                                      \
     1e7, 1000, 6000                                                                      \
@@ -77,5 +75,4 @@
 
 #define QN_PATH_RESOLUTION 1e-3 /* of the critical multiplier, in multiplier tolerances */
 
-#define QN_PATH_LITTLE     1e-5 /* force of an open joint / largest one, at collapse */
 #define QN_PATH_MOST_STEPS 100000

@@ -287,7 +287,7 @@ test_creeping_ends (void)
     g_assert_cmpfloat_with_epsilon (result.collapse_multiplier, 0.49238, 5e-4);
     g_assert_true (result.has_associative_bound);
     g_assert_cmpfloat (result.collapse_multiplier, <, result.associative_bound);
-    g_assert_cmpint (result.statistics.factorizations, <=, 300);
+    g_assert_cmpint (result.statistics.factorizations, <=, 250);
     g_assert_true (result.steps[result.step_count - 1].relaxed);
     g_assert_cmpint (qn_result_find_faults (&model, &contacts, &result,
                                             QN_CHECK_RECOMPUTED, &faults, NULL),
