@@ -236,8 +236,28 @@ test_refuse (void)
   g_assert_cmpint (refusal (&model, multipliers, along, 1), ==, QN_PROBLEM_NOT_POSITIVE);
 }
 
+/* Beams have no capacity curve; loads of another set do not turn the direction of those that grow. */
+static void
+test_other_loads (void)
+{
+  const QnModel beams = { .live_load_count = 1, .beam_count = 1 };
+  QnDiag diag = { 0 };
+  g_assert_cmpint (qn_capacity_check_model (&beams, &diag), ==, QN_ERROR_INVALID);
+  g_assert_cmpint (diag.problem, ==, QN_PROBLEM_CAPACITY_BEAMS);
+  g_auto (QnModel) model = { 0 };
+  test_model_init_block_on_plane (&model, 1, 1);
+  test_model_add_weight_loads (&model, 1);
+  QnLoad *other = qn_model_add_live_load (&model);
+  other->kind = QN_LOAD_WEIGHT;
+  other->vector = qn_vec2 (-5, 0);
+  other->set = qn_model_add_load_set (&model, "other");
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  g_assert_cmpfloat (qn_capacity_direction (&model), ==, 1);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/capacity/other-loads", test_other_loads);
   g_test_add_func ("/capacity/rigid-block", test_rigid_block);
   g_test_add_func ("/capacity/two-blocks", test_two_blocks);
   g_test_add_func ("/capacity/all-that-overturn", test_all_that_overturn);

@@ -349,8 +349,33 @@ test_refuse (void)
   g_assert_cmpint (refusal (&run, turns, true), ==, QN_PROBLEM_CAPACITY_LOADS);
 }
 
+/* The motion of a mode, of buckling, or of an analysis in time is no mechanism. */
+static void
+test_no_mechanism (void)
+{
+  const double velocities[2 * QN_DOF_COUNT] = { 0, 0, 0, 1.5, 0.3, -1 };
+  for (int why = 0; why < 3; why++) {
+    g_auto (TestRun) run = { 0 };
+    QnCapacity capacity;
+    QnDiag diag = { 0 };
+    init_block (&run);
+    test_run_prepare (&run);
+    QnResult *r = &run.result;
+    g_assert_cmpint (qn_result_init (r, 2, run.contacts.pair_count, NULL), ==, QN_OK);
+    g_assert_cmpint (qn_result_set_mechanism (r, velocities, 1, NULL), ==, QN_OK);
+    r->vibration.mode = why == 0;
+    r->stability = why == 1 ? QN_STABILITY_LOST : QN_STABILITY_UNKNOWN;
+    r->history.width = why == 2;
+    g_assert_cmpint (qn_capacity_init_kinematic (&capacity, &run.model, &run.contacts, r,
+                                                 QN_NONE, 0, &diag),
+                     ==, QN_ERROR_INVALID);
+    g_assert_cmpint (diag.problem, ==, QN_PROBLEM_MECHANISM_MISSING);
+  }
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/kinematic/no-mechanism", test_no_mechanism);
   g_test_add_func ("/kinematic/rocking-wall", test_rocking_wall);
   g_test_add_func ("/kinematic/direction", test_direction);
   g_test_add_func ("/kinematic/tie", test_tie);
