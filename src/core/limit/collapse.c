@@ -27,7 +27,7 @@ static const struct {
   /* Proximal term of the linear systems (interior-point-kkt.h): least, most, and the factor by which it
    * grows where the error of a solution is above the worst that is a direction. */
   double least_proximal, most_proximal, more_proximal, worst_solution;
-} tuning = {
+} collapse_tuning = {
   .elastic = 0.3,
   .to_boundary = 0.9,
   .steps = { .exponent = 5,
@@ -55,7 +55,7 @@ static const struct {
 
 /* The linear system of a step. */
 static void
-solve_system (QnIpStep *ip, double share, QnIpVector *out)
+solve_iteration (QnIpStep *ip, double share, QnIpVector *out)
 {
   QnCollapse *c = (QnCollapse *) ip;
   const QnIpVector right = { .y = ip->right,
@@ -73,8 +73,8 @@ qn_collapse_init (QnCollapse *c, const QnIpProblem *p, QnDiag *diag)
   size_t rows = (size_t) p->row_count;
   QnPool *pool = &c->pool;
 
-  *c = (QnCollapse){ .ip = { .together = true, .solve = solve_system } };
-  qn_ip_step_init (&c->ip, p, &tuning.steps, pool);
+  *c = (QnCollapse){ .ip = { .together = true, .solve = solve_iteration } };
+  qn_ip_step_init (&c->ip, p, &collapse_tuning.steps, pool);
   c->w = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof (double));
   c->given = qn_pool_alloc (pool, 2 * (size_t) p->cell_count, sizeof (double));
   c->bounds = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof *c->bounds);
@@ -137,11 +137,12 @@ qn_collapse_start_elastic (QnCollapse *c)
     c->w[i] = 1;
     c->ip.rz[i] = 0;
   }
-  c->kkt.inverse.regularization = tuning.least_proximal;
+  c->kkt.inverse.regularization = collapse_tuning.least_proximal;
   if (!qn_ip_kkt_factorize (&c->kkt, c->w))
     return;
   qn_collapse_project (c, true, &lambda, y, &residual, &slack);
-  qn_collapse_centre (c, fmax (1, tuning.elastic * qn_ip_largest (y, 2 * p->cell_count)));
+  qn_collapse_centre (
+    c, fmax (1, collapse_tuning.elastic * qn_ip_largest (y, 2 * p->cell_count)));
 }
 
 static void
@@ -175,7 +176,7 @@ qn_collapse_proves_infeasible (const QnCollapse *c, const QnIpProblem *p)
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
     worst = qn_worse (
       worst, fabs (c->ip.ry[i] + p->cells[i / 2].quadratic[i % 2] * c->ip.at.y[i]));
-  return worst <= tuning.proof * proof;
+  return worst <= collapse_tuning.proof * proof;
 }
 
 /* Whether y and lambda prove that the multiplier has no bound: forces that balance the live load alone,
@@ -194,7 +195,7 @@ proves_unbounded (const QnCollapse *c)
     worst = qn_worse (worst, p->bounds[i].limit - c->ip.rz[i]);
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
     worst = qn_worse (worst, fabs (p->cells[i / 2].quadratic[i % 2] * c->ip.at.y[i]));
-  return worst <= tuning.proof * proof;
+  return worst <= collapse_tuning.proof * proof;
 }
 
 /* How many times as much as a collapse may have the iterate has of what vanishes there: products compared
@@ -208,7 +209,7 @@ find_misfit (const QnCollapse *c, double tolerance)
                   ? p->load_gain * fmax (fabs (c->ip.at.lambda), c->least_multiplier)
                   : 1 + qn_ip_quadratic_term (p, c->ip.at.y);
   double forces =
-    tuning.balance * fmax (1, qn_ip_largest (c->ip.at.y, 2 * p->cell_count));
+    collapse_tuning.balance * fmax (1, qn_ip_largest (c->ip.at.y, 2 * p->cell_count));
   double speed =
     fmax (p->load != NULL ? 1e-300 : 1, qn_ip_largest (c->ip.at.v, p->row_count));
   double misfit =
@@ -273,14 +274,15 @@ step_on (QnCollapse *c, bool *ok)
 {
   double part, length = qn_ip_step_find (&c->ip, &part);
 
-  if (c->kkt.error < tuning.worst_solution) {
+  if (c->kkt.error < collapse_tuning.worst_solution) {
     double reach = c->own_flow ? 0 : 1 - part;
-    qn_ip_vector_add (&c->ip.at, fmin (1, fmax (tuning.to_boundary, reach) * length),
+    qn_ip_vector_add (&c->ip.at,
+                      fmin (1, fmax (collapse_tuning.to_boundary, reach) * length),
                       &c->ip.step, c->ip.problem);
   } else {
-    *ok = c->kkt.inverse.regularization < tuning.most_proximal;
-    c->kkt.inverse.regularization *= tuning.more_proximal;
-    length = tuning.short_step;
+    *ok = c->kkt.inverse.regularization < collapse_tuning.most_proximal;
+    c->kkt.inverse.regularization *= collapse_tuning.more_proximal;
+    length = collapse_tuning.short_step;
   }
   return length;
 }
@@ -302,8 +304,8 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
    * together without end. A proximal term holds them: of a step it leaves itself times the change of a
    * flow in the strength of its row, and that vanishes as steps do. The end of a path is found without: of 12
    * ends of seeded walls one had a state then that its forces do not have. */
-  c->ip.proximal = c->own_flow && c->holds_flows ? tuning.flow : 0;
-  c->kkt.inverse.regularization = tuning.least_proximal;
+  c->ip.proximal = c->own_flow && c->holds_flows ? collapse_tuning.flow : 0;
+  c->kkt.inverse.regularization = collapse_tuning.least_proximal;
   *coupling = 1;
   for (int32_t iteration = 0; ok; iteration++) {
     find_residuals (c);
@@ -315,7 +317,7 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
     idle = misfit < best ? 0 : idle + 1;
     best = fmin (best, misfit);
     if (state != QN_OUTCOME_NOT_CONVERGED || iteration == budget || isnan (misfit)
-        || (!c->own_flow && idle == tuning.idle))
+        || (!c->own_flow && idle == collapse_tuning.idle))
       return state;
     if (!go_on (data))
       return QN_OUTCOME_CANCELLED;
@@ -323,11 +325,11 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
     if (ok && is_stable (c))
       length = step_on (c, &ok);
     else if (*coupling <= least)
-      least = c->holds_flows ? least - tuning.less : 0;
-    if (length < tuning.short_step)
-      *coupling = fmax (least, *coupling - tuning.less);
-    else if (length > tuning.long_step)
-      *coupling = fmin (1, *coupling + tuning.more);
+      least = c->holds_flows ? least - collapse_tuning.less : 0;
+    if (length < collapse_tuning.short_step)
+      *coupling = fmax (least, *coupling - collapse_tuning.less);
+    else if (length > collapse_tuning.long_step)
+      *coupling = fmin (1, *coupling + collapse_tuning.more);
   }
   return QN_OUTCOME_NOT_CONVERGED;
 }
@@ -398,7 +400,7 @@ qn_collapse_alternate (QnCollapse *c, double tolerance, int32_t budget,
     c->gap = gap * least;
     enough = fmax (tolerance, sqrt (tolerance * c->growth / least));
   } while (state == QN_OUTCOME_COLLAPSE && !(gap <= enough)
-           && gap < tuning.closer * before);
+           && gap < collapse_tuning.closer * before);
   c->ip.problem = c->kkt.problem = whole;
   memcpy (c->ip.at.v, c->kept.v, (size_t) whole->row_count * sizeof (double));
   memcpy (c->ip.at.z, c->kept.z, (size_t) whole->bound_count * sizeof (double));
@@ -427,7 +429,8 @@ qn_collapse_project (QnCollapse *c, bool fixed, double *lambda, double *y,
   for (int round = 0;; round++) {
     qn_ip_balance (p, y, *lambda, c->right_v);
     *residual = qn_ip_largest (c->right_v, p->row_count);
-    if (round > 0 && (*residual <= tuning.restored || round == tuning.rounds))
+    if (round > 0
+        && (*residual <= collapse_tuning.restored || round == collapse_tuning.rounds))
       break;
     for (int32_t r = 0; r < p->row_count; r++)
       c->right_v[r] = -c->right_v[r];

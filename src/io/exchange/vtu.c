@@ -140,8 +140,8 @@ write_blocks (QnFileWriter *writer, const QnModel *model, const double *u, GErro
 
 /* A line for every element, with what the result, unless it is NULL, has of it at this step. */
 static gboolean
-write_beams (QnFileWriter *writer, const QnModel *model, const QnResult *result,
-             size_t step, GError **error)
+write_beam_lines (QnFileWriter *writer, const QnModel *model, const QnResult *result,
+                  size_t step, GError **error)
 {
   /* Rows of the nodes. */
   const double *u = result != NULL ? qn_result_step_displacements (result, step)
@@ -280,7 +280,8 @@ write_steps (Export *export, const QnModel *model, const QnContacts *contacts,
     if (model->element_count == 0)
       continue;
     g_autofree char *beams = g_strdup_printf ("%s_beams_%04zu.vtu", export->stem, i);
-    if (!write_beams (open_member (export, beams), model, has ? result : NULL, i, error))
+    if (!write_beam_lines (open_member (export, beams), model, has ? result : NULL, i,
+                           error))
       return FALSE;
     put_entry (export, time, 2, beams);
   }
