@@ -46,6 +46,11 @@ take_motion (QnPathMeasure *measure, double increment)
       && qn_dot (measure->direction, eq->assembly.live, (size_t) n) < 0)
     for (int32_t i = 0; i < n; i++)
       measure->direction[i] *= -1;
+  double far =
+    increment * rate_length
+    * qn_assembly_elastic_displacements (&eq->assembly, measure->direction, NULL);
+  if (far > QN_PATH_FARTHEST_FIRST)
+    increment *= QN_PATH_FARTHEST_FIRST / far;
   double advance = rate_length; /* of the measure, per multiplier */
   if (measure->procedure == QN_PROCEDURE_WORK) {
     advance *= qn_dot (measure->direction, eq->assembly.live_at_rest, (size_t) n);

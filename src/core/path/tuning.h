@@ -75,4 +75,5 @@
 
 #define QN_PATH_RESOLUTION 1e-3 /* of the critical multiplier, in multiplier tolerances */
 
-#define QN_PATH_MOST_STEPS 100000
+#define QN_PATH_FARTHEST_FIRST 1e3 /* largest first step, elastic displacements */
+#define QN_PATH_MOST_STEPS     100000
