@@ -189,6 +189,14 @@ test_poisson (void)
             model, NULL);
 }
 
+/* Of a strip of 17 mm2 on 100 mm: t = A / b, and b t sqrt (2 E G / t) = 0.1 sqrt (2 * 2.3e11 * 300 * 1.7e-4). */
+static void
+test_strip (void)
+{
+  g_autofree char *model = cli_example ("63-strip-of-fibres.quoin");
+  cli_says ("strip 0.17 mm thick debonds at 15316.7 N", "check", model, NULL);
+}
+
 QN_TESTS
 {
   g_test_add_func ("/cli/check/pulling-edge", test_pulling_edge);
@@ -199,4 +207,5 @@ QN_TESTS
   g_test_add_func ("/cli/check/gap", test_gap);
   g_test_add_func ("/cli/check/doubts", test_doubts);
   g_test_add_func ("/cli/check/result", test_result);
+  g_test_add_func ("/cli/check/strip", test_strip);
 }

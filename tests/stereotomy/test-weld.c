@@ -90,6 +90,22 @@ test_collapse (void)
   g_assert_cmpuint (rings.count, ==, 1);
 }
 
+/* A vertex on a straight side stays where nothing of its ring moves; where a corner is welded it goes. */
+static void
+test_vertex_on_a_side (void)
+{
+  const QnVec2 lower[] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 0, 1 } };
+  for (int moved = 0; moved < 2; moved++) {
+    g_auto (QnRings) rings = { 0 };
+    g_assert_true (qn_rings_add (&rings, lower, 5));
+    rings.items[0].points[1].x += 3e-4 * moved;
+    add_box (&rings, 2, 0, 3, 1);
+    add_box (&rings, 2, -1, 3, 0);
+    g_assert_cmpint (qn_weld_vertices (&rings, 0, 0.001, NULL, NULL, NULL), ==, QN_OK);
+    g_assert_cmpuint (rings.items[0].count, ==, moved ? 4 : 5);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/weld/majority-wins", test_majority_wins);
@@ -97,4 +113,5 @@ QN_TESTS
   g_test_add_func ("/weld/gap-closes", test_gap_closes);
   g_test_add_func ("/weld/edge-meets-vertex", test_edge_meets_vertex);
   g_test_add_func ("/weld/collapse", test_collapse);
+  g_test_add_func ("/weld/vertex-on-a-side", test_vertex_on_a_side);
 }

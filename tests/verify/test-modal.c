@@ -202,9 +202,42 @@ test_without_state (void)
   }
 }
 
+/* Whether `left` calls remain. */
+static bool
+count_down (const QnProgress *progress, void *left)
+{
+  (void) progress;
+  return --*(int *) left > 0;
+}
+
+/* Whenever it is cancelled, under the dead load or among the modes, the result says so and has no modes. */
+static void
+test_cancel (void)
+{
+  bool cancelled = true;
+  for (int calls = 1; cancelled; calls++) {
+    g_auto (TestRun) run = { 0 };
+    g_auto (QnModes) modes = { 0 };
+    int left = calls;
+    init_beam (&run.model, 20);
+    run.model.blocks[0].support[QN_DOF_UY] = run.model.blocks[20].support[QN_DOF_UY] =
+      true;
+    test_run_prepare (&run);
+    g_assert_cmpint (qn_modal_run (&run.model, &run.contacts, QN_MODAL_DEAD_LOAD, 3,
+                                   count_down, &left, &modes, &run.result, NULL),
+                     ==, QN_OK);
+    cancelled = left <= 0;
+    g_assert_cmpint (run.result.outcome, ==,
+                     cancelled ? QN_OUTCOME_CANCELLED : QN_OUTCOME_TARGET_REACHED);
+    g_assert_cmpuint (modes.count, ==, cancelled ? 0 : 3);
+    g_test_message ("%d calls", calls);
+  }
+}
+
 QN_TESTS
 {
   g_test_add_func ("/verify/modal/simply-supported", test_simply_supported);
+  g_test_add_func ("/verify/modal/cancel", test_cancel);
   g_test_add_func ("/verify/modal/without-state", test_without_state);
   g_test_add_func ("/verify/modal/one-block", test_one_block);
   g_test_add_func ("/verify/modal/dry-wall", test_dry_wall);

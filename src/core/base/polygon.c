@@ -113,9 +113,7 @@ qn_polygon_inner_point (const QnVec2 *vertices, size_t count)
       continue;
     QnVec2 v = qn_vec2_sub (vertices[i], vertices[corner]);
     double from_base = qn_vec2_cross (base, qn_vec2_sub (v, q));
-    bool in_triangle =
-      qn_vec2_cross (q, v) >= 0 && qn_vec2_cross (v, p) >= 0 && from_base > 0;
-    if (in_triangle && from_base > deepest) {
+    if (qn_vec2_cross (q, v) >= 0 && qn_vec2_cross (v, p) >= 0 && from_base > deepest) {
       deepest = from_base;
       found = i;
     }

@@ -247,7 +247,7 @@ qn_modal_run (const QnModel *model, const QnContacts *contacts, QnModalState sta
   }
   if (status == QN_OK && reached && !path.equilibrium.cancelled)
     status = find_modes (&path.equilibrium, wanted, sliding, modes, diag);
-  if (status == QN_OK && path.equilibrium.cancelled)
+  if (path.equilibrium.cancelled)
     result->outcome = QN_OUTCOME_CANCELLED;
   status = qn_path_finish (&path, status, budget.start);
   status = qn_budget_conclude (&budget, status, contacts, result, diag);

@@ -68,6 +68,26 @@ test_steps_do_not_depend_on_increments (void)
     qn_result_clear (&results[i]);
 }
 
+/* A block that cannot turn and settles by W/k = 1 mm under its dead load slides once it has moved by 0.65 W/k: the
+ * displacement of its collapse is the one along its joint, without the settlement. */
+static void
+test_displacement_of_collapse (void)
+{
+  QnModel model;
+  g_auto (QnResult) result;
+  init_block (&model);
+  model.blocks[1].support[QN_DOF_RZ] = true;
+  run (&model, NULL, NULL, &result);
+  const QnPathEvent *event = &result.events[result.event_count - 1];
+  const double *u =
+    qn_result_step_displacements (&result, result.step_count - 1) + QN_DOF_COUNT;
+  g_assert_cmpint (event->kind, ==, QN_EVENT_KIND_COLLAPSE);
+  g_assert_cmpfloat_with_epsilon (event->multiplier, 0.65, 1e-6);
+  g_assert_cmpfloat_with_epsilon (u[QN_DOF_UY], -1e-3, 1e-9);
+  g_assert_cmpfloat (u[QN_DOF_UX], >, 0.65e-3 * (1 - 1e-6));
+  g_assert_cmpfloat_with_epsilon (event->displacement_before, u[QN_DOF_UX], 1e-9);
+}
+
 /* However coarse the increments are, even where the first one is far beyond collapse. */
 static void
 test_collapse_does_not_depend_on_increments (void)
@@ -464,6 +484,7 @@ test_strength_that_is_lost (void)
 
 QN_TESTS
 {
+  g_test_add_func ("/path-load/displacement-of-collapse", test_displacement_of_collapse);
   g_test_add_func ("/path-load/target", test_target);
   g_test_add_func ("/path-load/increments", test_collapse_does_not_depend_on_increments);
   g_test_add_func ("/path-load/steps", test_steps_do_not_depend_on_increments);

@@ -74,6 +74,23 @@ test_force_budget (void)
   }
 }
 
+/* Of two bodies the one moves by 5 m, the other, which turns, by 1 m; what the next step moves, and by how much
+ * blocks turn, does not count. */
+static void
+test_motion (void)
+{
+  static const double rows[][6] = { { 0 },
+                                    { 1, 0, 50, 3, -4, 0 },
+                                    { 90, 0, 0, 3, -2, 0 } };
+  g_auto (QnResult) result;
+
+  g_assert_cmpint (qn_result_init (&result, 2, 0, NULL), ==, QN_OK);
+  for (int s = 0; s < 3; s++)
+    g_assert_true (qn_result_add_step (&result, (QnStep){ .multiplier = s }, rows[s]));
+  g_assert_cmpfloat_with_epsilon (qn_result_motion (&result, 0, 1), 5, 1e-15);
+  g_assert_cmpfloat_with_epsilon (qn_result_motion (&result, 1, 2), 89, 1e-15);
+}
+
 static void
 test_names (void)
 {
@@ -101,6 +118,7 @@ QN_TESTS
 {
   g_test_add_func ("/result/steps", test_steps_are_kept);
   g_test_add_func ("/result/mechanism-scale", test_mechanism_scale);
+  g_test_add_func ("/result/motion", test_motion);
   g_test_add_func ("/result/names", test_names);
   g_test_add_func ("/result/felt-limit", test_felt_limit);
   g_test_add_func ("/result/force-budget", test_force_budget);

@@ -143,6 +143,45 @@ test_order_of_frames (void)
   }
 }
 
+/* A picture shows the step that is nearest to its place along the curve: of three steps at 0, 1/2 and 1 the
+ * second picture of three is that of the second step, the fourth of five the one of the third. */
+static void
+test_nearest_step (void)
+{
+  for (int frames = 3; frames <= 5; frames += 2) {
+    g_auto (Rig) rig;
+    GBytes *pictures[5];
+    rig_init (&rig, QN_VIEW_DEFORMED);
+    QnResult *result = &rig.fixture.result;
+    result->step_count = 3;
+    for (int s = 0; s < 3; s++) {
+      double *u = result->displacements + (size_t) s * result->block_count * QN_DOF_COUNT;
+      result->steps[s] = (QnStep){ .multiplier = 0.1 * s };
+      for (size_t i = 0; i < result->block_count * QN_DOF_COUNT; i++)
+        u[i] = 5e-4 * s * result->mechanism[i];
+    }
+    rig.animation.frames = frames;
+    rig.animation.curve = false;
+    g_autofree char *path = g_strconcat (rig.folder, "/frames/", NULL);
+    g_assert_true (
+      qn_animation_export (&rig.animation, path, &rig.output, &rig.metadata, NULL));
+    for (int i = 0; i < frames; i++) {
+      g_autofree char *name = g_strdup_printf ("%sframe-%04d.png", path, i + 1);
+      char *content;
+      gsize length;
+      g_assert_true (g_file_get_contents (name, &content, &length, NULL));
+      pictures[i] = g_bytes_new_take (content, length);
+      g_assert_cmpint (g_unlink (name), ==, 0);
+    }
+    int middle = (frames - 1) / 2;
+    g_assert_false (g_bytes_equal (pictures[0], pictures[middle]));
+    g_assert_false (g_bytes_equal (pictures[middle], pictures[frames - 1]));
+    for (int i = 0; i < frames; i++)
+      g_bytes_unref (pictures[i]);
+    g_assert_cmpint (g_rmdir (path), ==, 0);
+  }
+}
+
 /* All frames of an animation are drawn in one OpenGL context. */
 static void
 test_one_context (void)
@@ -254,6 +293,7 @@ QN_TESTS
   g_test_add_func ("/render/animation/repeatable", test_gif_is_repeatable);
   g_test_add_func ("/render/animation/frames", test_frames);
   g_test_add_func ("/render/animation/order", test_order_of_frames);
+  g_test_add_func ("/render/animation/nearest-step", test_nearest_step);
   g_test_add_func ("/render/animation/one-context", test_one_context);
   g_test_add_func ("/render/animation/cancel", test_cancel_leaves_nothing);
   g_test_add_func ("/render/animation/webm", test_webm);

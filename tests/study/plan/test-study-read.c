@@ -163,6 +163,27 @@ test_bad_input (void)
                 "correlation[0][2]: ", "between -1 and 1");
 }
 
+/* A hundred parameters are read, to where the first is wrong; of one more, or none, the number is told. */
+static void
+test_most_parameters (void)
+{
+  static const struct {
+    gsize count;
+    const char *place, *message;
+  } cases[] = { { 0, "parameters: ", "expected 1 to 100 parameters" },
+                { 100, "parameters[0]", "" },
+                { 101, "parameters: ", "expected 1 to 100 parameters" } };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autoptr (GString) list = g_string_new ("\"parameters\": [");
+    for (gsize k = 0; k < cases[i].count; k++)
+      g_string_append (list, k == 0 ? "{}" : ", {}");
+    g_string_append (list, "], \"plan\": " PLAN " }");
+    g_autofree char *sound = fixture_study_text (PLAN, "");
+    expect_error_in ("", strstr (sound, "\"parameters\""), list->str, cases[i].place,
+                     cases[i].message);
+  }
+}
+
 /* No three variables are all opposed to each other. */
 static void
 test_impossible_correlation (void)
@@ -192,6 +213,7 @@ QN_TESTS
 {
   g_test_add_func ("/study/read/sound", test_sound);
   g_test_add_func ("/study/read/bad-input", test_bad_input);
+  g_test_add_func ("/study/read/most-parameters", test_most_parameters);
   g_test_add_func ("/study/read/bound-is-named", test_bound_is_named);
   g_test_add_func ("/study/read/impossible-correlation", test_impossible_correlation);
   g_test_add_func ("/study/read/missing-model", test_missing_model);

@@ -4,6 +4,7 @@
 
 #include "study/cases/folder.h"
 #include "study/fixture.h"
+#include "study/report/figures.h"
 #include "study/report/summary.h"
 #include "support/room.h"
 
@@ -126,6 +127,17 @@ test_effects (void)
   g_assert_cmpfloat_with_epsilon (effect.low, fmin (0.3 * own[1] / 10000, base), 1e-12);
   g_assert_cmpfloat_with_epsilon (effect.high, fmax (0.7 * own[1] / 10000, base), 1e-12);
   g_assert_false (qn_table_is_sample (&bench.table));
+
+  /* The line of the project as it is passes half a place beyond the first and the last of two bars. */
+  const QnStudyFigure figure = { .kind = QN_STUDY_FIGURE_TORNADO, .column = 2 };
+  g_autoptr (QnPlot) plot = qn_study_figure_plot (&figure, &bench.table, NULL);
+  const QnMarks *line = &g_array_index (plot->marks, QnMarks, plot->marks->len - 1);
+  g_assert_cmpint (line->kind, ==, QN_MARKS_LINE);
+  g_assert_cmpuint (line->count, ==, 2);
+  for (int i = 0; i < 2; i++) {
+    g_assert_cmpfloat (line->x[i], ==, base);
+    g_assert_cmpfloat (line->y[i], ==, i == 0 ? -0.5 : 1.5);
+  }
 }
 
 static void
