@@ -172,7 +172,7 @@ end_there (QnPathTrace *trace)
 bool
 qn_path_end_direct (QnPathTrace *trace, bool last)
 {
-  bool ok = true, far = last || taken (trace) > QN_PATH_PATIENCE;
+  bool ok = true;
 
   if ((!last && taken (trace) <= QN_PATH_DIRECT) || !applies (trace))
     return true;
@@ -181,8 +181,9 @@ qn_path_end_direct (QnPathTrace *trace, bool last)
     return true;
   if (last ? !is_ahead (trace) : !trace->sought)
     ok = seek (trace);
+  double most = taken (trace) > QN_PATH_PATIENCE ? 2 * QN_PATH_CREEPS : gain;
   return ok && trace->stop == QN_STOP_UNKNOWN && is_ahead (trace)
-             && (far || trace->direct.lower_bound <= (1 + gain) * trace->events.highest)
+             && (last || trace->direct.lower_bound <= (1 + most) * trace->events.highest)
            ? end_there (trace)
            : ok;
 }
