@@ -256,7 +256,7 @@ test_every_button (void)
     guint buttons; /* at least */
   } states[] = {
     { "53-arch-bridge.quoin", "analysis", "win.envelope", 5 },
-    { "12-facade.quoin", "properties", "win.study", 4 },
+    { "12-facade.quoin", "properties", "win.study", 3 },
   };
   driver_pass_over_gtk ();
   for (gsize i = 0; i < G_N_ELEMENTS (states); i++) {

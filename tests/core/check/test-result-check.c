@@ -697,6 +697,7 @@ test_outcomes (void)
   r->outcome = QN_OUTCOME_COLLAPSE;
   g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
   r->mechanism = mechanism;
+  r->event_count = events;
   r->step_count = steps;
 }
 
