@@ -7,7 +7,8 @@
 The first page is in English and has the names that the program prints; in the others the rows stand
 in the same order under names of their own. A value on a page must be what is computed to a tenth of
 what the case allows: solvers that improve may change the digits behind. Cases that allow anything
-are held to a tenth of a percent.
+are held to a tenth of a percent. Of cantilevers in large displacements the pages have the largest of
+four loads alone.
 """
 
 import re
@@ -15,6 +16,7 @@ import subprocess
 import sys
 
 ROW = re.compile(r"(.+?) +(\d+) +(\d+) +(\S+) +(\S+) +(\S+) +([+-]\S+) +(\S+)")
+SMALLER_LOAD = re.compile(r"a = [125], ")
 START, END = "<!-- tables -->", "<!-- end -->"
 
 
@@ -27,7 +29,7 @@ def compute(program):
             title, _, source = before.rpartition(" (")
             groups.append((title, source[:-1], []))
         row = ROW.match(line)
-        if row:
+        if row and not SMALLER_LOAD.match(line):
             name, _, _, reference, _, found, error, allowed = row.groups()
             groups[-1][2].append([name.rstrip("‡"), reference, found, error, allowed])
         before = line
