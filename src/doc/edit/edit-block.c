@@ -2,6 +2,7 @@
 
 #include <glib/gi18n-lib.h>
 #include <stdlib.h>
+#include <string.h>
 
 QnTransform
 qn_transform_translation (double x, double y)
@@ -53,28 +54,20 @@ refuse_nothing (GError **error)
   return qn_edit_refuse_nothing (error, _ ("No block is selected"));
 }
 
-static gboolean
-add_named (QnModel *model, const char *name, const QnVec2 *vertices, gsize count,
-           QnBlockStyle style, GError **error)
-{
-  QnBlock *block = qn_model_add_block (model, name, vertices, count);
-  if (block == NULL)
-    return qn_edit_no_memory (error);
-  block->thickness = style.thickness;
-  block->unit_weight = style.unit_weight;
-  block->law = style.law;
-  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-    block->support[dof] = style.support[dof];
-  return TRUE;
-}
-
 gboolean
 qn_edit_add_block (QnModel *model, const QnVec2 *vertices, guint count,
                    QnBlockStyle style, GError **error)
 {
   g_autofree char *name =
     qn_edit_dup_new_name (model, qn_model_find_block, "b", "", model->block_count + 1);
-  return add_named (model, name, vertices, count, style, error);
+  QnBlock *block = qn_model_add_block (model, name, vertices, count);
+  if (block == NULL)
+    return qn_edit_no_memory (error);
+  block->thickness = style.thickness;
+  block->unit_weight = style.unit_weight;
+  block->law = style.law;
+  memcpy (block->support, style.support, sizeof block->support);
+  return TRUE;
 }
 
 /* Wall of every block in the set, each once, as flags per wall. */
@@ -236,15 +229,12 @@ qn_edit_copy_blocks (QnModel *model, QnBlockSet set, QnTransform transform, int 
       for (gsize v = 0; v < count; v++)
         vertices[v] =
           qn_transform_apply (step, qn_model_block_vertices (model, set.ids[i])[v]);
-      QnBlockStyle style = { old.thickness, old.unit_weight, old.law, { false } };
-      for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-        style.support[dof] = old.support[dof];
       g_autofree char *name = qn_edit_dup_new_name (model, qn_model_find_block, "b", "",
                                                     model->block_count + 1);
-      if (!add_named (model, name, vertices, count, style, error))
-        return FALSE;
-      model->blocks[model->block_count - 1].density = old.density;
-      model->blocks[model->block_count - 1].rigid = old.rigid;
+      QnBlock *block = qn_model_add_block (model, name, vertices, count);
+      if (block == NULL)
+        return qn_edit_no_memory (error);
+      qn_block_inherit (block, &old);
     }
   }
   return TRUE;

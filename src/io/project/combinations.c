@@ -164,9 +164,10 @@ free_combination (gpointer data)
   g_free (combination);
 }
 
-/* Adds the combination of the choices, unless one of the situation, from `first` on, has its factors. */
+/* Adds the combination of the choices, unless the list has its factors. Those of seismic situations,
+ * with other factors of resistance, differ by the factor of an earthquake. */
 static void
-add_combination (GPtrArray *list, guint first, const Case *cases, gsize count,
+add_combination (GPtrArray *list, const Case *cases, gsize count,
                  const QnCombinationRules *rules, const cJSON *situation)
 {
   char number[QN_NUMBER_TEXT_SIZE];
@@ -177,7 +178,7 @@ add_combination (GPtrArray *list, guint first, const Case *cases, gsize count,
   const char *between = ": ";
   for (gsize i = 0; i < count; i++)
     factors[i] = cases[i].factors[cases[i].choice];
-  for (guint i = first; i < list->len; i++)
+  for (guint i = 0; i < list->len; i++)
     if (memcmp (((QnCombination *) list->pdata[i])->factors, factors,
                 count * sizeof *factors)
         == 0)
@@ -208,7 +209,6 @@ static gboolean
 add_situation (GPtrArray *list, Case *cases, gsize count, const QnModel *model,
                const cJSON *situation)
 {
-  const guint first = list->len;
   double choices = 1;
   for (gsize i = 0; i < count; i++) {
     place_case (&cases[i], situation);
@@ -218,7 +218,7 @@ add_situation (GPtrArray *list, Case *cases, gsize count, const QnModel *model,
     return FALSE;
   do
     if (is_possible (cases, count, situation))
-      add_combination (list, first, cases, count, &model->combinations, situation);
+      add_combination (list, cases, count, &model->combinations, situation);
   while (list->len <= QN_MAX_COMBINATIONS && next_case (cases, count));
   return list->len <= QN_MAX_COMBINATIONS;
 }

@@ -4,8 +4,8 @@
  * favourable and unfavourable, of a leading and of accompanying variable actions. A situation has every
  * choice of them: each permanent case with either factor, each variable case absent, accompanying, or
  * one of them leading, cases of wind, snow or temperature one at a time, one seismic case in seismic
- * situations alone. Choices with the same factors are one combination. docs/method/combinations.md
- * has an example by hand. */
+ * situations alone. Choices with the same factors, in whichever situations, are one combination.
+ * docs/method/combinations.md has an example by hand. */
 #pragma once
 
 #include "io/project/project.h"

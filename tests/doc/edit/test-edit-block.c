@@ -134,6 +134,33 @@ test_array (void)
   assert_place (model->blocks[count + 3].centroid, from.x, from.y + 12.0);
 }
 
+/* A copied voussoir belongs to the ring of the one it is copied from, with its law between rings. */
+static gboolean
+lay_in_ring (QnModel *model, gpointer data, GError **error)
+{
+  const Edit *edit = data;
+  model->blocks[*edit->set.ids].ring = 2;
+  model->blocks[*edit->set.ids].ring_law = 0;
+  model->blocks[*edit->set.ids].rigid = true;
+  return qn_edit_copy_blocks (model, edit->set, edit->transform, edit->copies, error);
+}
+
+static void
+test_copies_of_a_ring (void)
+{
+  g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
+  gsize count = qn_document_get_model (document)->block_count;
+  QnId block = 1;
+  edit (document, lay_in_ring,
+        &(Edit){ .set = { &block, 1 },
+                 .transform = qn_transform_translation (0.0, 3.0),
+                 .copies = 1 });
+  const QnBlock *copied = &qn_document_get_model (document)->blocks[count];
+  g_assert_cmpint (copied->ring, ==, 2);
+  g_assert_cmpint (copied->ring_law, ==, 0);
+  g_assert_true (copied->rigid);
+}
+
 static void
 test_support (void)
 {
@@ -168,6 +195,7 @@ QN_TESTS
   g_test_add_func ("/doc/edit-block/walls-stay-or-detach", test_walls_stay_or_detach);
   g_test_add_func ("/doc/edit-block/delete", test_delete);
   g_test_add_func ("/doc/edit-block/array", test_array);
+  g_test_add_func ("/doc/edit-block/copies-of-a-ring", test_copies_of_a_ring);
   g_test_add_func ("/doc/edit-block/support", test_support);
   g_test_add_func ("/doc/edit-block/nothing-selected", test_nothing_selected);
 }
