@@ -2,7 +2,7 @@
 
 #include "app/widgets/shortened.h"
 
-/* Characters of a choice that are shown in any case. */
+/* Characters of a longer choice that are shown in any case. */
 #define CHOICE_CHARS 16
 
 static void
@@ -10,19 +10,18 @@ on_setup_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer 
 {
   GtkWidget *label = gtk_label_new (NULL);
   gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
-  if (shortened != NULL) {
+  if (shortened != NULL)
     qn_shortened_set (GTK_LABEL (label), PANGO_ELLIPSIZE_END);
-    gtk_label_set_width_chars (GTK_LABEL (label), CHOICE_CHARS);
-  }
   gtk_list_item_set_child (item, label);
 }
 
 static void
 on_bind_choice (GtkSignalListItemFactory *factory, GtkListItem *item, gpointer data)
 {
-  GtkStringObject *row = gtk_list_item_get_item (item);
-  gtk_label_set_text (GTK_LABEL (gtk_list_item_get_child (item)),
-                      gtk_string_object_get_string (row));
+  GtkLabel *label = GTK_LABEL (gtk_list_item_get_child (item));
+  const char *text = gtk_string_object_get_string (gtk_list_item_get_item (item));
+  gtk_label_set_text (label, text);
+  gtk_label_set_width_chars (label, (int) MIN (g_utf8_strlen (text, -1), CHOICE_CHARS));
 }
 
 static GtkListItemFactory *

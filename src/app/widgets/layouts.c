@@ -1,6 +1,7 @@
 #include "app/widgets/layouts.h"
 
-#define SPACING 6
+#define SPACING    6
+#define LEAST_ROWS 7
 
 /* ---- the first that fits ---- */
 
@@ -16,8 +17,6 @@ measure_first_fit (GtkWidget *widget, GtkOrientation orientation, int for_size,
                    int *minimum, int *natural, int *minimum_baseline,
                    int *natural_baseline)
 {
-  *minimum = *natural = 0;
-  *minimum_baseline = *natural_baseline = -1;
   for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
        child = gtk_widget_get_next_sibling (child)) {
     int least, usual;
@@ -53,65 +52,55 @@ qn_layout_first_fit (GtkWidget *box)
 
 /* ---- beside or below each other ---- */
 
-typedef struct Sizes {
-  int least[2], usual[2];
-} Sizes;
+typedef struct Pair {
+  GtkWidget *first, *second;
+  GtkRequisition least[2], usual[2];
+  gboolean beside; /* each other, which there is room for */
+} Pair;
 
-static Sizes
-measure_both (GtkWidget *pair, GtkOrientation orientation)
+static Pair
+measure_children (GtkWidget *widget, int width)
 {
-  Sizes sizes;
-  GtkWidget *children[] = { gtk_widget_get_first_child (pair),
-                            gtk_widget_get_last_child (pair) };
-  for (int i = 0; i < 2; i++)
-    gtk_widget_measure (children[i], orientation, -1, &sizes.least[i], &sizes.usual[i],
-                        NULL, NULL);
-  return sizes;
-}
-
-/* Whether they stand beside each other; both have the height that they have by themselves. */
-static gboolean
-fits (const Sizes *widths, int width)
-{
-  return width < 0 || widths->usual[0] + SPACING + widths->usual[1] <= width;
+  Pair pair = { .first = gtk_widget_get_first_child (widget),
+                .second = gtk_widget_get_last_child (widget) };
+  gtk_widget_get_preferred_size (pair.first, &pair.least[0], &pair.usual[0]);
+  gtk_widget_get_preferred_size (pair.second, &pair.least[1], &pair.usual[1]);
+  pair.beside = width < 0 || pair.usual[0].width + SPACING + pair.usual[1].width <= width;
+  return pair;
 }
 
 static void
 measure_pair (GtkWidget *widget, GtkOrientation orientation, int for_size, int *minimum,
               int *natural, int *minimum_baseline, int *natural_baseline)
 {
-  Sizes widths = measure_both (widget, GTK_ORIENTATION_HORIZONTAL);
-  *minimum_baseline = *natural_baseline = -1;
+  Pair pair = measure_children (widget, for_size);
   if (orientation == GTK_ORIENTATION_HORIZONTAL) {
-    *minimum = MAX (widths.least[0], widths.least[1]);
-    *natural = widths.usual[0] + SPACING + widths.usual[1];
-    return;
-  }
-  Sizes heights = measure_both (widget, GTK_ORIENTATION_VERTICAL);
-  *minimum = *natural = fits (&widths, for_size)
-                          ? MAX (heights.usual[0], heights.usual[1])
-                          : heights.usual[0] + SPACING + heights.usual[1];
+    *minimum = MAX (pair.least[0].width, pair.least[1].width);
+    *natural = pair.usual[0].width + SPACING + pair.usual[1].width;
+  } else
+    *minimum = *natural = pair.beside
+                            ? MAX (pair.usual[0].height, pair.usual[1].height)
+                            : pair.usual[0].height + SPACING + pair.usual[1].height;
 }
 
 static void
 allocate_pair (GtkWidget *widget, int width, int height, int baseline)
 {
-  Sizes widths = measure_both (widget, GTK_ORIENTATION_HORIZONTAL);
-  Sizes heights = measure_both (widget, GTK_ORIENTATION_VERTICAL);
+  Pair pair = measure_children (widget, width);
   GtkAllocation first = { 0, 0, width, height }, second = first;
-  if (fits (&widths, width)) {
-    first.width = width - SPACING - widths.usual[1];
+  if (pair.beside) {
+    first.width = width - SPACING - pair.usual[1].width;
     second.x = first.width + SPACING;
     second.width = width - second.x;
   } else {
-    first.height = MIN (heights.usual[0], height);
+    first.height = MIN (pair.usual[0].height, height);
     second.y = first.height + SPACING;
     second.height = MAX (height - second.y, 0);
-    second.width = MAX (widths.least[1], MIN (width, widths.usual[1]));
+    second.width = MAX (pair.least[1].width, MIN (width, pair.usual[1].width));
     second.x = width - second.width;
   }
-  gtk_widget_size_allocate (gtk_widget_get_first_child (widget), &first, -1);
-  gtk_widget_size_allocate (gtk_widget_get_last_child (widget), &second, -1);
+  gtk_widget_size_allocate (pair.first, &first, -1);
+  gtk_widget_size_allocate (pair.second, &second, -1);
 }
 
 static GtkSizeRequestMode
@@ -125,4 +114,63 @@ qn_layout_wrap_pair (GtkWidget *box)
 {
   gtk_widget_set_layout_manager (
     box, gtk_custom_layout_new (height_for_width, measure_pair, allocate_pair));
+}
+
+/* ---- even columns ---- */
+
+/* As few columns as are no higher than that, and the rows of each. */
+static int
+count_columns (GtkWidget *widget, int height, int *rows, GtkRequisition *cell)
+{
+  int count = 0;
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child), count++)
+    gtk_widget_get_preferred_size (child, cell, NULL);
+  int most = height < 0 ? count : CLAMP (height / cell->height, 1, count);
+  int columns = (count + most - 1) / most;
+  *rows = (count + columns - 1) / columns;
+  return columns;
+}
+
+static void
+measure_columns (GtkWidget *widget, GtkOrientation orientation, int for_size,
+                 int *minimum, int *natural, int *minimum_baseline, int *natural_baseline)
+{
+  int rows;
+  GtkRequisition cell;
+  if (orientation == GTK_ORIENTATION_HORIZONTAL) {
+    *minimum = *natural = count_columns (widget, for_size, &rows, &cell) * cell.width;
+    return;
+  }
+  count_columns (widget, -1, &rows, &cell);
+  *minimum = LEAST_ROWS * cell.height;
+  *natural = rows * cell.height;
+}
+
+static void
+allocate_columns (GtkWidget *widget, int width, int height, int baseline)
+{
+  int rows, i = 0;
+  GtkRequisition cell;
+  count_columns (widget, height, &rows, &cell);
+  for (GtkWidget *child = gtk_widget_get_first_child (widget); child != NULL;
+       child = gtk_widget_get_next_sibling (child), i++)
+    gtk_widget_size_allocate (child,
+                              &(GtkAllocation){ i / rows * cell.width,
+                                                i % rows * cell.height, cell.width,
+                                                cell.height },
+                              -1);
+}
+
+static GtkSizeRequestMode
+width_for_height (GtkWidget *widget)
+{
+  return GTK_SIZE_REQUEST_WIDTH_FOR_HEIGHT;
+}
+
+void
+qn_layout_even_columns (GtkWidget *box)
+{
+  gtk_widget_set_layout_manager (
+    box, gtk_custom_layout_new (width_for_height, measure_columns, allocate_columns));
 }

@@ -10,3 +10,6 @@ void qn_layout_first_fit (GtkWidget *box);
 /* Two children: beside each other where both have the room that they take by themselves, the first
  * taking the rest; else the second below the first. */
 void qn_layout_wrap_pair (GtkWidget *box);
+
+/* Children of one size, in as few columns as there is height for, all but the last of equal height. */
+void qn_layout_even_columns (GtkWidget *box);

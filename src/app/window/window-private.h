@@ -29,7 +29,7 @@ typedef enum QnClosing {
   CHILD (GtkStack, main_stack)                                                           \
   CHILD (GtkStack, side_stack)                                                           \
   CHILD (GtkBox, start_box)                                                              \
-  CHILD (GtkFlowBox, tool_box)                                                           \
+  CHILD (GtkBox, tool_box)                                                               \
   CHILD (GtkBox, canvas_box)                                                             \
   CHILD (GtkBox, view_box)                                                               \
   CHILD (GtkBox, view_switcher)                                                          \

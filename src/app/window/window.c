@@ -373,9 +373,9 @@ build_tools (QnWindow *self)
                                     GTK_ACCESSIBLE_PROPERTY_LABEL, _ (tool->label), -1);
     gtk_actionable_set_action_name (GTK_ACTIONABLE (button), "win.tool");
     gtk_actionable_set_action_target (GTK_ACTIONABLE (button), "s", tool->name);
-    gtk_flow_box_append (self->tool_box, button);
-    gtk_widget_set_focusable (gtk_widget_get_parent (button), FALSE);
+    gtk_box_append (self->tool_box, button);
   }
+  qn_layout_even_columns (GTK_WIDGET (self->tool_box));
 }
 
 static void

@@ -260,6 +260,7 @@ static const struct {
 } lists[] = {
   { "laws[", N_ ("Law %s"), QN_ENTITY_LAW },
   { "blocks[", N_ ("Block %s"), QN_ENTITY_BLOCK },
+  { "walls[", N_ ("Wall %s"), QN_ENTITY_WALL },
   { "sections[", N_ ("Section %s"), QN_ENTITY_SECTION },
   { "beams[", N_ ("Beam %s"), QN_ENTITY_BEAM },
   { "masonry[", N_ ("Masonry %s"), QN_ENTITY_MODEL },

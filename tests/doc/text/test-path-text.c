@@ -11,6 +11,7 @@ test_text (void)
   static const char *const cases[][2] = {
     { "laws[0].friction", "Law “dry_joint”: friction" },
     { "laws[7].friction", "Law 8: friction" },
+    { "walls[0].unit_weight", "Wall 1: unit weight" },
     { "loads.live[1].value[0]", "Growing load 2: value[0]" },
     { "loads.live[0]", "Growing load 1" },
     { "analysis.residual_tolerance", "analysis.residual tolerance" },
