@@ -7,6 +7,7 @@
 #include "app/widgets/builder.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/help.h"
+#include "app/widgets/layouts.h"
 #include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"
 
@@ -571,6 +572,8 @@ qn_capacity_page_new (QnDocument *document)
                           g_object_ref (form->actions), g_object_unref);
   g_object_set_data (G_OBJECT (form->base.root), FORM, form);
   qn_plot_view_init (form->base.widgets[PLOT], &hand, form);
+  qn_layout_wrap_pair (
+    gtk_widget_get_parent (gtk_widget_get_parent (form->base.widgets[PLOT])));
   qn_watch (form->base.root, document, "changed", G_CALLBACK (on_model_changed), form);
   qn_help_set_page (form->base.root, "earthquakes");
   load (form);

@@ -53,19 +53,30 @@ qn_layout_first_fit (GtkWidget *box)
 /* ---- beside or below each other ---- */
 
 typedef struct Pair {
-  GtkWidget *first, *second;
-  GtkRequisition least[2], usual[2];
+  GtkWidget *child[2];
+  int least[2], width[2], height[2];
   gboolean beside; /* each other, which there is room for */
 } Pair;
 
 static Pair
-measure_children (GtkWidget *widget, int width)
+measure_children (GtkWidget *widget, int room)
 {
-  Pair pair = { .first = gtk_widget_get_first_child (widget),
-                .second = gtk_widget_get_last_child (widget) };
-  gtk_widget_get_preferred_size (pair.first, &pair.least[0], &pair.usual[0]);
-  gtk_widget_get_preferred_size (pair.second, &pair.least[1], &pair.usual[1]);
-  pair.beside = width < 0 || pair.usual[0].width + SPACING + pair.usual[1].width <= width;
+  Pair pair = { .child = { gtk_widget_get_first_child (widget),
+                           gtk_widget_get_last_child (widget) } };
+  const int rest = gtk_widget_get_hexpand (pair.child[1]);
+  for (int i = 0; i < 2; i++)
+    gtk_widget_measure (pair.child[i], GTK_ORIENTATION_HORIZONTAL, -1, &pair.least[i],
+                        &pair.width[i], NULL, NULL);
+  pair.beside =
+    room < 0 || pair.width[0] + SPACING + (rest ? pair.least : pair.width)[1] <= room;
+  if (pair.beside && room >= 0)
+    pair.width[rest] = room - SPACING - pair.width[!rest];
+  for (int i = 0; i < 2; i++) {
+    if (!pair.beside)
+      pair.width[i] = i <= rest ? room : MAX (pair.least[i], MIN (room, pair.width[i]));
+    gtk_widget_measure (pair.child[i], GTK_ORIENTATION_VERTICAL, pair.width[i], NULL,
+                        &pair.height[i], NULL, NULL);
+  }
   return pair;
 }
 
@@ -73,34 +84,26 @@ static void
 measure_pair (GtkWidget *widget, GtkOrientation orientation, int for_size, int *minimum,
               int *natural, int *minimum_baseline, int *natural_baseline)
 {
-  Pair pair = measure_children (widget, for_size);
-  if (orientation == GTK_ORIENTATION_HORIZONTAL) {
-    *minimum = MAX (pair.least[0].width, pair.least[1].width);
-    *natural = pair.usual[0].width + SPACING + pair.usual[1].width;
-  } else
-    *minimum = *natural = pair.beside
-                            ? MAX (pair.usual[0].height, pair.usual[1].height)
-                            : pair.usual[0].height + SPACING + pair.usual[1].height;
+  const gboolean across = orientation == GTK_ORIENTATION_HORIZONTAL;
+  Pair pair = measure_children (widget, across ? -1 : for_size);
+  *minimum = MAX (pair.least[0], pair.least[1]);
+  *natural = pair.width[0] + SPACING + pair.width[1];
+  if (!across)
+    *minimum = *natural = pair.beside ? MAX (pair.height[0], pair.height[1])
+                                      : pair.height[0] + SPACING + pair.height[1];
 }
 
 static void
 allocate_pair (GtkWidget *widget, int width, int height, int baseline)
 {
   Pair pair = measure_children (widget, width);
-  GtkAllocation first = { 0, 0, width, height }, second = first;
-  if (pair.beside) {
-    first.width = width - SPACING - pair.usual[1].width;
-    second.x = first.width + SPACING;
-    second.width = width - second.x;
-  } else {
-    first.height = MIN (pair.usual[0].height, height);
-    second.y = first.height + SPACING;
-    second.height = MAX (height - second.y, 0);
-    second.width = MAX (pair.least[1].width, MIN (width, pair.usual[1].width));
-    second.x = width - second.width;
-  }
-  gtk_widget_size_allocate (pair.first, &first, -1);
-  gtk_widget_size_allocate (pair.second, &second, -1);
+  const int below = pair.beside ? 0 : pair.height[0] + SPACING;
+  const GtkAllocation places[] = {
+    { 0, 0, pair.width[0], pair.beside ? height : pair.height[0] },
+    { width - pair.width[1], below, pair.width[1], MAX (height - below, 0) },
+  };
+  for (int i = 0; i < 2; i++)
+    gtk_widget_size_allocate (pair.child[i], &places[i], -1);
 }
 
 static GtkSizeRequestMode
