@@ -20,8 +20,7 @@ is_tool (GtkWidget *widget, gconstpointer data)
 static void
 expect_tools_in_sight (QnWindow *window)
 {
-  GtkWidget *tool =
-    gtk_widget_get_parent (driver_find_widget (GTK_WIDGET (window), is_tool, NULL));
+  GtkWidget *tool = driver_find_widget (GTK_WIDGET (window), is_tool, NULL);
   int count = 0;
   graphene_rect_t at, before = GRAPHENE_RECT_INIT (0, 0, 0, 0);
   for (; tool != NULL; tool = gtk_widget_get_next_sibling (tool), count++) {
