@@ -27,13 +27,18 @@ taken (const QnPathTrace *trace)
   return trace->path->equilibrium.statistics.factorizations - trace->aside;
 }
 
+/* `most`: over the number of blocks, at least, at most. */
+static bool
+has_taken (const QnPathTrace *trace, const double most[3])
+{
+  double share = most[0] / (double) trace->path->model->block_count;
+  return taken (trace) > fmin (fmax (share, most[1]), most[2]);
+}
+
 bool
 qn_path_end_is_spent (const QnPathTrace *trace)
 {
-  const double effort[] = QN_PATH_EFFORT;
-  double share = effort[0] / (double) trace->path->model->block_count;
-
-  return may_settle (trace) && taken (trace) > fmin (fmax (share, effort[1]), effort[2]);
+  return may_settle (trace) && has_taken (trace, (const double[]) QN_PATH_EFFORT);
 }
 
 /* Whether limit analysis knows the structure and its loads, and may tell more of it than the path
@@ -172,18 +177,18 @@ end_there (QnPathTrace *trace)
 bool
 qn_path_end_direct (QnPathTrace *trace, bool last)
 {
-  bool ok = true;
+  bool ok = true, far = last || has_taken (trace, (const double[]) QN_PATH_PATIENCE);
 
   if ((!last && taken (trace) <= QN_PATH_DIRECT) || !applies (trace))
     return true;
-  double gain = qn_path_end_gain (trace);
-  if (!last && gain > QN_PATH_CREEPS)
+  if (!last && qn_path_end_gain (trace) > QN_PATH_CREEPS)
     return true;
   if (last ? !is_ahead (trace) : !trace->sought)
     ok = seek (trace);
-  double most = taken (trace) > QN_PATH_PATIENCE ? 2 * QN_PATH_CREEPS : gain;
   return ok && trace->stop == QN_STOP_UNKNOWN && is_ahead (trace)
-             && (last || trace->direct.lower_bound <= (1 + most) * trace->events.highest)
+             && (far
+                 || trace->direct.lower_bound
+                      <= (1 + QN_PATH_SETTLES) * trace->events.highest)
            ? end_there (trace)
            : ok;
 }

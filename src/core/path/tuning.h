@@ -43,13 +43,16 @@
 #define QN_PATH_SETTLED        0.1
 
 /* A path whose multiplier gains at most CREEPS of itself for each doubling of the motion creeps. After DIRECT
- * factorisations its collapse is computed directly; the path ends there if that is no farther above than its last
- * gain, after PATIENCE factorisations than twice CREEPS. The path ends after EFFORT, or where it gains at most SETTLES
- * and no step converges. {a, b, c}: a / blocks, at least b, at most c. */
-#define QN_PATH_CREEPS   0.1
-#define QN_PATH_SETTLES  0.03
-#define QN_PATH_DIRECT   100
-#define QN_PATH_PATIENCE 200
+ * factorisations its collapse is computed directly; the path ends there if that is at most SETTLES above, after
+ * PATIENCE factorisations at any distance. The path ends after EFFORT, or where it gains at most SETTLES and no step
+ * converges. {a, b, c}: a / blocks, at least b, at most c. */
+#define QN_PATH_CREEPS  0.05
+#define QN_PATH_SETTLES 0.03
+#define QN_PATH_DIRECT  100
+#define QN_PATH_PATIENCE                                                                 \
+  {                                                                                      \
+    1e6, 300, 3000                                                                       \
+  }
 #define QN_PATH_EFFORT                                                                   \
   {                                                                                      \
     1e7, 1000, 6000                                                                      \
