@@ -88,9 +88,8 @@ typedef struct QnLimitInterval {
   double multipliers[QN_LIMIT_STARTS]; /* in the order in which they were found */
   int32_t count;
   double lowest, highest;
-  double
-    uncertainty; /* of the lowest: by so much stiffer joints, and forces and motion that
-                         agree better, may change it */
+  /* By so much stiffer joints, and forces and motion that agree better, may change the lowest. */
+  double uncertainty;
   double associative;       /* upper bound of the associative program */
   QnLimitSolution solution; /* that of the lowest collapse, and the effort of all */
 } QnLimitInterval;

@@ -107,10 +107,11 @@ qn_result_prove (const QnModel *model, const QnContacts *contacts, QnResult *res
 
   if (result->outcome == QN_OUTCOME_CANCELLED)
     return QN_OK;
-  /* What moves far below a peak says nothing of the peak, and may move against the loads. */
-  bool below =
-    result->has_collapse_multiplier && result->step_count > 0
-    && result->steps[result->step_count - 1].multiplier < result->collapse_multiplier;
+  /* What moves away from a peak says nothing of the peak, and may move against the loads. */
+  double peak = result->has_collapse_multiplier ? result->collapse_multiplier : NAN;
+  bool away = result->step_count > 0
+              && fabs (result->steps[result->step_count - 1].multiplier - peak)
+                   > model->analysis.multiplier_tolerance * fabs (peak);
   QnStatus status =
     qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
   for (int i = 0; status == QN_OK && i < faults.count; i++) {
@@ -118,7 +119,7 @@ qn_result_prove (const QnModel *model, const QnContacts *contacts, QnResult *res
     if (claim == QN_CLAIM_FIRST_LIMIT && result->outcome != QN_OUTCOME_SNAP)
       result->has_first_limit_multiplier = false;
     else if (claim == QN_CLAIM_OVERLAP || claim == QN_CLAIM_FLOW || claim == QN_CLAIM_MODE
-             || (claim == QN_CLAIM_WORK && below))
+             || (claim == QN_CLAIM_WORK && away))
       result->mechanism_uncertain = true;
     else
       stands = false;
