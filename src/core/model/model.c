@@ -132,10 +132,8 @@ index_of (const QnModel *model, const List *list)
   return (QnNameIndex *) (void *) ((char *) model + list->index);
 }
 
-/* The new last item of a list, with a copy of its name; NULL with nothing changed where memory runs
- * out. */
-static void *
-add_item (QnModel *model, size_t items, const char *name)
+void *
+qn_model_add_item (QnModel *model, size_t items, const char *name)
 {
   const List *list = list_at (items);
   size_t *count = (size_t *) (void *) ((char *) model + list->count);
@@ -289,7 +287,7 @@ qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
 QnLaw *
 qn_model_add_law (QnModel *model, const char *name)
 {
-  return add_item (model, offsetof (QnModel, laws), name);
+  return qn_model_add_item (model, offsetof (QnModel, laws), name);
 }
 
 /* Appends vertices without counting them yet. */
@@ -314,7 +312,7 @@ qn_model_add_block (QnModel *model, const char *name, const QnVec2 *vertices,
 {
   if (!append_vertices (model, vertices, vertex_count))
     return NULL;
-  QnBlock *block = add_item (model, offsetof (QnModel, blocks), name);
+  QnBlock *block = qn_model_add_item (model, offsetof (QnModel, blocks), name);
   if (block == NULL)
     return NULL;
   block->first_vertex = (QnId) model->vertex_count;
@@ -326,49 +324,49 @@ qn_model_add_block (QnModel *model, const char *name, const QnVec2 *vertices,
 QnNode *
 qn_model_add_node (QnModel *model, const char *name)
 {
-  return add_item (model, offsetof (QnModel, nodes), name);
+  return qn_model_add_item (model, offsetof (QnModel, nodes), name);
 }
 
 QnSection *
 qn_model_add_section (QnModel *model, const char *name)
 {
-  return add_item (model, offsetof (QnModel, sections), name);
+  return qn_model_add_item (model, offsetof (QnModel, sections), name);
 }
 
 QnBeam *
 qn_model_add_beam (QnModel *model, const char *name)
 {
-  return add_item (model, offsetof (QnModel, beams), name);
+  return qn_model_add_item (model, offsetof (QnModel, beams), name);
 }
 
 QnTie *
 qn_model_add_soil_tie (QnModel *model, const char *name)
 {
-  return add_item (model, offsetof (QnModel, soil_ties), name);
+  return qn_model_add_item (model, offsetof (QnModel, soil_ties), name);
 }
 
 QnWall *
 qn_model_add_wall (QnModel *model, const char *name)
 {
-  return add_item (model, offsetof (QnModel, walls), name);
+  return qn_model_add_item (model, offsetof (QnModel, walls), name);
 }
 
 QnFaceOverride *
 qn_model_add_override (QnModel *model)
 {
-  return add_item (model, offsetof (QnModel, overrides), NULL);
+  return qn_model_add_item (model, offsetof (QnModel, overrides), NULL);
 }
 
 QnBar *
 qn_model_add_bar (QnModel *model)
 {
-  return add_item (model, offsetof (QnModel, bars), NULL);
+  return qn_model_add_item (model, offsetof (QnModel, bars), NULL);
 }
 
 QnVehicle *
 qn_model_add_vehicle (QnModel *model, const char *name)
 {
-  return add_item (model, offsetof (QnModel, vehicles), name);
+  return qn_model_add_item (model, offsetof (QnModel, vehicles), name);
 }
 
 QnId
@@ -383,31 +381,31 @@ qn_model_find_vehicle (const QnModel *model, const char *name)
 QnTie *
 qn_model_add_tie (QnModel *model, const char *name)
 {
-  return add_item (model, offsetof (QnModel, ties), name);
+  return qn_model_add_item (model, offsetof (QnModel, ties), name);
 }
 
 QnLoad *
 qn_model_add_dead_load (QnModel *model)
 {
-  return add_item (model, offsetof (QnModel, dead_loads), NULL);
+  return qn_model_add_item (model, offsetof (QnModel, dead_loads), NULL);
 }
 
 QnLoad *
 qn_model_add_live_load (QnModel *model)
 {
-  return add_item (model, offsetof (QnModel, live_loads), NULL);
+  return qn_model_add_item (model, offsetof (QnModel, live_loads), NULL);
 }
 
 QnStage *
 qn_model_add_stage (QnModel *model, const char *name)
 {
-  return add_item (model, offsetof (QnModel, stages), name);
+  return qn_model_add_item (model, offsetof (QnModel, stages), name);
 }
 
 QnGroundMotion *
 qn_model_add_ground_motion (QnModel *model)
 {
-  return add_item (model, offsetof (QnModel, ground), NULL);
+  return qn_model_add_item (model, offsetof (QnModel, ground), NULL);
 }
 
 bool
@@ -420,13 +418,13 @@ qn_ground_motion_add_point (QnGroundMotion *motion, double time, double accelera
 QnInitialMotion *
 qn_model_add_initial_motion (QnModel *model)
 {
-  return add_item (model, offsetof (QnModel, initial), NULL);
+  return qn_model_add_item (model, offsetof (QnModel, initial), NULL);
 }
 
 QnTrack *
 qn_model_add_track (QnModel *model)
 {
-  return add_item (model, offsetof (QnModel, tracks), NULL);
+  return qn_model_add_item (model, offsetof (QnModel, tracks), NULL);
 }
 
 QnId
@@ -484,7 +482,7 @@ qn_model_add_load_set (QnModel *model, const char *name)
   int32_t set = qn_model_find_load_set (model, name);
   if (set != QN_NONE || model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
     return set;
-  if (add_item (model, offsetof (QnModel, load_sets), name) == NULL)
+  if (qn_model_add_item (model, offsetof (QnModel, load_sets), name) == NULL)
     return QN_NONE;
   return (int32_t) model->load_set_count;
 }
@@ -510,7 +508,7 @@ qn_model_add_load_case (QnModel *model, const char *name)
   int32_t found = qn_model_find_load_case (model, name);
   if (found != QN_NONE || model->load_case_count >= QN_MAX_LOAD_CASES)
     return found;
-  if (add_item (model, offsetof (QnModel, load_cases), name) == NULL)
+  if (qn_model_add_item (model, offsetof (QnModel, load_cases), name) == NULL)
     return QN_NONE;
   return (int32_t) model->load_case_count;
 }

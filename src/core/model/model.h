@@ -466,6 +466,10 @@ QnStatus qn_model_check_steps (const QnModel *model, QnDiag *diag);
 QnInitialMotion *qn_model_add_initial_motion (QnModel *model);
 QnTrack *qn_model_add_track (QnModel *model);
 
+/* The same of any list but that of blocks, by the offset of its items in QnModel; `name` as the list has
+ * names, which its items begin with. */
+void *qn_model_add_item (QnModel *model, size_t items, const char *name);
+
 /* Number of the load set with this name, added where there is none; "live" is 0. QN_NONE where
  * memory runs out or QN_MAX_LOAD_SETS are there already. */
 int32_t qn_model_add_load_set (QnModel *model, const char *name);

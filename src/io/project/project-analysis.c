@@ -23,7 +23,7 @@ static const QnMember cycle_control[] = {
 };
 
 static const QnMember stage_members[] = {
-  QN_STRING ("name", READ, QnStage, name),
+  QN_KNOWN ("name"),
   QN_KNOWN ("loads"),
   QN_CHOICE ("procedure", WRITTEN, qn_procedure_names, QnStage, procedure),
   QN_GIVEN ("target", NUMBER, QN_RANGE_FINITE, QnStage, target, has_target),
@@ -140,18 +140,15 @@ read_cycles (const QnJsonValue *place, const QnJsonValue *amplitudes, QnModel *m
 }
 
 static gboolean
-read_stage (const QnJsonValue *place, QnModel *model)
+read_stage (const QnJsonValue *place, QnModel *model, gpointer entity)
 {
-  QnStage *stage = qn_model_add_stage (model, NULL);
+  QnStage *stage = entity;
   QnJsonValue amplitudes = qn_json_value_member (place, "amplitudes");
   QnJsonValue cycles = qn_json_value_member (place, "cycles");
   gboolean cyclic = amplitudes.json != NULL;
-  if (stage == NULL)
-    return qn_json_value_no_memory (place);
   if (!cyclic && cycles.json != NULL)
     return qn_json_value_fail (&cycles, _ ("needs amplitudes"));
-  return qn_members_read (place, stage_members, model, stage)
-         && read_stage_sets (place, model, stage)
+  return read_stage_sets (place, model, stage)
          && read_control (place, cyclic ? cycle_control : control_members, model,
                           &stage->control)
          && (!cyclic || read_cycles (place, &amplitudes, model));
@@ -215,8 +212,6 @@ append_stage (GString *json, const QnModel *model, size_t index)
   const QnStage *stage = &model->stages[index];
   QnStage shown = *stage;
   shown.has_target = stage->has_target && stage->leg == 0;
-  if (stage->name != NULL)
-    qn_json_put_string (json, "name", stage->name);
   qn_json_begin_member (json, "loads");
   for (size_t set = 0; set <= model->load_set_count; set++) {
     if ((stage->sets >> set & 1) == 0)
@@ -248,8 +243,12 @@ is_further_leg (const QnModel *model, size_t index)
   return index > 0 && model->stages[index].leg > 1;
 }
 
-const QnList qn_stage_list = QN_LIST ("analysis.stages", read_stage, append_stage,
-                                      is_further_leg, QnStage, stages, stage_count);
+const QnList qn_stage_list = { QN_LIST ("analysis.stages", QnStage, stages, stage_count),
+                               .naming = QN_NAMING_OPTIONAL,
+                               .members = stage_members,
+                               .read = read_stage,
+                               .append = append_stage,
+                               .is_left_out = is_further_leg };
 
 /* Values other than the defaults, after three settings that are always written. */
 void

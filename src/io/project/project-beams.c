@@ -16,17 +16,6 @@ exclude (const QnJsonValue *place, const char *key, const char *other)
   return qn_json_value_failf (&member, _ ("%s and %s exclude each other"), key, other);
 }
 
-static gboolean
-read_entity_name (const QnJsonValue *place, const char **name)
-{
-  if (!qn_json_value_object (place)
-      || !qn_member_string (place, "name", QN_REQUIRED, name))
-    return FALSE;
-  QnJsonValue member = qn_json_value_member (place, "name");
-  return (*name)[0] != '\0'
-         || qn_json_value_fail (&member, _ (qn_problem_text (QN_PROBLEM_NAME_MISSING)));
-}
-
 static const QnMember section_members[] = {
   QN_KNOWN ("name"),
   QN_NUMBER ("young", REQUIRED, POSITIVE, QnSection, young),
@@ -45,23 +34,17 @@ static const QnMember section_members[] = {
 
 /* A rectangle, or area and inertia. */
 static gboolean
-read_section (const QnJsonValue *place, QnModel *model)
+read_section (const QnJsonValue *place, QnModel *model, gpointer entity)
 {
-  const char *name;
+  (void) model;
+  (void) entity;
   double number;
-  if (!read_entity_name (place, &name)
-      || !qn_members_check (place, section_members, NULL, NULL))
-    return FALSE;
-  QnSection *section = qn_model_add_section (model, name);
-  if (section == NULL)
-    return qn_json_value_no_memory (place);
   gboolean rectangle = cJSON_HasObjectItem (place->json, "width")
                        || cJSON_HasObjectItem (place->json, "height");
   return exclude (place, "shear_modulus", "poisson")
          && exclude (place, "plastic_moment", "yield")
          && exclude (place, "area", "height") && exclude (place, "area", "width")
          && exclude (place, "inertia", "height") && exclude (place, "inertia", "width")
-         && qn_members_take (place, section_members, model, section)
          && qn_member_number (place, rectangle ? "width" : "area", QN_REQUIRED,
                               QN_RANGE_POSITIVE, &number)
          && qn_member_number (place, rectangle ? "height" : "inertia", QN_REQUIRED,
@@ -79,15 +62,10 @@ static const QnMember beam_node_members[] = {
 
 /* Where it is: on a block, or at a place of its own. */
 static gboolean
-read_node (const QnJsonValue *place, QnModel *model)
+read_node (const QnJsonValue *place, QnModel *model, gpointer entity)
 {
-  const char *name;
-  if (!read_entity_name (place, &name)
-      || !qn_members_check (place, beam_node_members, NULL, NULL))
-    return FALSE;
-  QnNode *node = qn_model_add_node (model, name);
-  if (node == NULL)
-    return qn_json_value_no_memory (place);
+  (void) model;
+  QnNode *node = entity;
   const gboolean at = cJSON_HasObjectItem (place->json, "at");
   const QnJsonValue side = qn_json_value_member (place, "side");
   const gboolean rides = cJSON_HasObjectItem (place->json, "block");
@@ -96,8 +74,7 @@ read_node (const QnJsonValue *place, QnModel *model)
   if (rides)
     node->seat = at ? QN_SEAT_POINT : side.json != NULL ? QN_SEAT_SIDE : QN_SEAT_CENTROID;
   return (rides || qn_member_vec2 (place, "at", QN_REQUIRED, &node->at))
-         && exclude (place, "side", "at")
-         && qn_members_take (place, beam_node_members, model, node);
+         && exclude (place, "side", "at");
 }
 
 static const QnMember beam_members[] = {
@@ -112,17 +89,6 @@ static const QnMember beam_members[] = {
   { 0 },
 };
 
-static gboolean
-read_beam (const QnJsonValue *place, QnModel *model)
-{
-  const char *name;
-  if (!read_entity_name (place, &name))
-    return FALSE;
-  QnBeam *beam = qn_model_add_beam (model, name);
-  return beam != NULL ? qn_members_read (place, beam_members, model, beam)
-                      : qn_json_value_no_memory (place);
-}
-
 static void
 append_section (GString *json, const QnModel *model, size_t index)
 {
@@ -133,12 +99,12 @@ append_section (GString *json, const QnModel *model, size_t index)
                               section->shear_modulus > 0 ? section->poisson : NAN,
                             .area = rectangle ? section->area : 0,
                             .inertia = rectangle ? section->inertia : 0 };
-  qn_json_put_string (json, "name", section->name);
   qn_members_write (json, section_members, model, section, &usual);
 }
 
-const QnList qn_section_list = QN_LIST ("sections", read_section, append_section, NULL,
-                                        QnSection, sections, section_count);
+const QnList qn_section_list = { QN_LIST ("sections", QnSection, sections, section_count),
+                                 .naming = QN_NAMING_REQUIRED, .members = section_members,
+                                 .read = read_section, .append = append_section };
 
 static void
 append_node (GString *json, const QnModel *model, size_t index)
@@ -149,7 +115,6 @@ append_node (GString *json, const QnModel *model, size_t index)
   const QnNode usual = { .side =
                            node->seat == QN_SEAT_SIDE ? QN_BLOCK_SIDE_COUNT : node->side,
                          .at = placed ? qn_vec2 (NAN, NAN) : node->at };
-  qn_json_put_string (json, "name", node->name);
   qn_members_write (json, beam_node_members, model, node, &usual);
 }
 
@@ -159,17 +124,13 @@ is_of_a_beam (const QnModel *model, size_t index)
   return model->nodes[index].beam != QN_NONE;
 }
 
-const QnList qn_node_list =
-  QN_LIST ("nodes", read_node, append_node, is_of_a_beam, QnNode, nodes, node_count);
+const QnList qn_node_list = { QN_LIST ("nodes", QnNode, nodes, node_count),
+                              .naming = QN_NAMING_REQUIRED,
+                              .members = beam_node_members,
+                              .read = read_node,
+                              .append = append_node,
+                              .is_left_out = is_of_a_beam };
 
-static void
-append_beam (GString *json, const QnModel *model, size_t index)
-{
-  static const QnBeam usual = { .element_count = 1 };
-  const QnBeam *beam = &model->beams[index];
-  qn_json_put_string (json, "name", beam->name);
-  qn_members_write (json, beam_members, model, beam, &usual);
-}
-
-const QnList qn_beam_list =
-  QN_LIST ("beams", read_beam, append_beam, NULL, QnBeam, beams, beam_count);
+const QnList qn_beam_list = { QN_LIST ("beams", QnBeam, beams, beam_count),
+                              .naming = QN_NAMING_REQUIRED, .members = beam_members,
+                              .usual = &(const QnBeam){ .element_count = 1 } };

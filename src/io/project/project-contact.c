@@ -120,14 +120,12 @@ read_pair_rule (const QnJsonValue *object, QnPairRule *rule)
 }
 
 static gboolean
-read_face (const QnJsonValue *place, QnModel *model)
+read_face (const QnJsonValue *place, QnModel *model, gpointer entity)
 {
-  QnFaceOverride *override = qn_model_add_override (model);
-  if (override == NULL)
-    return qn_json_value_no_memory (place);
+  (void) model;
+  QnFaceOverride *override = entity;
   override->has_pairs = cJSON_HasObjectItem (place->json, "pairs");
-  return qn_members_read (place, face_members, model, override)
-         && read_pair_rule (place, &override->pairs);
+  return read_pair_rule (place, &override->pairs);
 }
 
 gboolean
@@ -144,14 +142,6 @@ qn_read_contact (const QnJsonValue *root, QnModel *model)
                               &contact->law))
          && read_pair_rule (&place, &contact->pairs)
          && qn_read_list (&place, &qn_face_list, QN_OPTIONAL, model);
-}
-
-static gboolean
-read_bar (const QnJsonValue *place, QnModel *model)
-{
-  QnBar *bar = qn_model_add_bar (model);
-  return bar != NULL ? qn_members_read (place, bar_members, model, bar)
-                     : qn_json_value_no_memory (place);
 }
 
 /* ---- writing ---- */
@@ -182,8 +172,10 @@ append_face (GString *json, const QnModel *model, size_t index)
     put_pair_rule (json, &face->pairs);
 }
 
-const QnList qn_face_list = QN_LIST ("contact.faces", read_face, append_face, NULL,
-                                     QnFaceOverride, overrides, override_count);
+const QnList qn_face_list = {
+  QN_LIST ("contact.faces", QnFaceOverride, overrides, override_count),
+  .members = face_members, .read = read_face, .append = append_face
+};
 
 void
 qn_project_append_contact (GString *json, const QnModel *model, GHashTable *inner)
@@ -199,12 +191,5 @@ qn_project_append_contact (GString *json, const QnModel *model, GHashTable *inne
   g_string_append (json, " }");
 }
 
-static void
-append_bar (GString *json, const QnModel *model, size_t index)
-{
-  static const QnBar usual = { 0 };
-  qn_members_write (json, bar_members, model, &model->bars[index], &usual);
-}
-
-const QnList qn_bar_list =
-  QN_LIST ("bars", read_bar, append_bar, NULL, QnBar, bars, bar_count);
+const QnList qn_bar_list = { QN_LIST ("bars", QnBar, bars, bar_count),
+                             .members = bar_members, .usual = &(const QnBar){ 0 } };

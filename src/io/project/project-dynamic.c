@@ -87,13 +87,10 @@ read_points (const QnJsonValue *points, QnGroundMotion *motion)
 
 /* The signal: a record, points or a pulse, one of them. */
 static gboolean
-read_ground (const QnJsonValue *place, QnModel *model)
+read_ground (const QnJsonValue *place, QnModel *model, gpointer entity)
 {
-  QnGroundMotion *motion = qn_model_add_ground_motion (model);
-  if (motion == NULL)
-    return qn_json_value_no_memory (place);
-  if (!qn_members_read (place, ground_members, NULL, motion))
-    return FALSE;
+  (void) model;
+  QnGroundMotion *motion = entity;
   QnJsonValue points = qn_json_value_member (place, "points");
   QnJsonValue pulse = qn_json_value_member (place, "pulse");
   int given = (motion->record != NULL) + (points.json != NULL) + (pulse.json != NULL);
@@ -109,22 +106,6 @@ read_ground (const QnJsonValue *place, QnModel *model)
   motion->kind = pulse.json != NULL ? QN_SIGNAL_PULSE : QN_SIGNAL_RECORD;
   return pulse.json == NULL
          || qn_members_read (&pulse, pulse_members, NULL, &motion->pulse);
-}
-
-static gboolean
-read_initial (const QnJsonValue *place, QnModel *model)
-{
-  QnInitialMotion *motion = qn_model_add_initial_motion (model);
-  return motion != NULL ? qn_members_read (place, initial_members, model, motion)
-                        : qn_json_value_no_memory (place);
-}
-
-static gboolean
-read_track (const QnJsonValue *place, QnModel *model)
-{
-  QnTrack *track = qn_model_add_track (model);
-  return track != NULL ? qn_members_read (place, track_members, model, track)
-                       : qn_json_value_no_memory (place);
 }
 
 gboolean
@@ -162,27 +143,17 @@ append_ground (GString *json, const QnModel *model, size_t index)
     qn_members_put (json, "pulse", pulse_members, NULL, &motion->pulse, &usual.pulse);
 }
 
-static void
-append_initial (GString *json, const QnModel *model, size_t index)
-{
-  static const QnInitialMotion usual = { 0 };
-  qn_members_write (json, initial_members, model, &model->initial[index], &usual);
-}
-
-static void
-append_track (GString *json, const QnModel *model, size_t index)
-{
-  qn_members_write (json, track_members, model, &model->tracks[index], NULL);
-}
-
-const QnList qn_ground_list =
-  QN_LIST ("analysis.dynamic.ground", read_ground, append_ground, NULL, QnGroundMotion,
-           ground, ground_count);
-const QnList qn_initial_list =
-  QN_LIST ("analysis.dynamic.initial", read_initial, append_initial, NULL,
-           QnInitialMotion, initial, initial_count);
-const QnList qn_track_list = QN_LIST ("analysis.dynamic.track", read_track, append_track,
-                                      NULL, QnTrack, tracks, track_count);
+const QnList qn_ground_list = {
+  QN_LIST ("analysis.dynamic.ground", QnGroundMotion, ground, ground_count),
+  .members = ground_members, .read = read_ground, .append = append_ground
+};
+const QnList qn_initial_list = {
+  QN_LIST ("analysis.dynamic.initial", QnInitialMotion, initial, initial_count),
+  .members = initial_members, .usual = &(const QnInitialMotion){ 0 }
+};
+const QnList qn_track_list = { QN_LIST ("analysis.dynamic.track", QnTrack, tracks,
+                                        track_count),
+                               .members = track_members };
 
 void
 qn_project_append_dynamic (GString *json, const QnModel *model,

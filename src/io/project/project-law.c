@@ -1,5 +1,4 @@
 /* The laws of a project file. Which numbers a kind has is the law's own knowledge. */
-#include "core/base/memory.h"
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 #include "io/text/json-text.h"
@@ -101,35 +100,19 @@ read_stiffness (const QnJsonValue *place, QnLaw *law)
   return TRUE;
 }
 
-static gboolean
-read_law (const QnJsonValue *place, QnModel *model)
-{
-  const char *name, *source = NULL;
-  QnLawKind kind;
-  QnBasis basis = QN_BASIS_CONTACT;
-  if (!qn_json_value_object (place)
-      || !qn_member_string (place, "name", QN_REQUIRED, &name)
-      || !qn_member_string (place, "source", QN_OPTIONAL, &source)
-      || !qn_member_choice (place, "kind", QN_REQUIRED, qn_law_kind_names,
-                            QN_LAW_KIND_COUNT, &kind)
-      || !qn_member_choice (place, "basis", QN_OPTIONAL, qn_basis_names, QN_BASIS_COUNT,
-                            &basis)
-      || !check_keys (place, kind))
-    return FALSE;
+static const QnMember law_members[] = {
+  QN_STRING ("source", OPTIONAL, QnLaw, source),
+  QN_CHOICE ("kind", REQUIRED, qn_law_kind_names, QnLaw, kind),
+  QN_CHOICE ("basis", WRITTEN, qn_basis_names, QnLaw, basis),
+  { 0 },
+};
 
-  if (name[0] == '\0') {
-    QnJsonValue member = qn_json_value_member (place, "name");
-    return qn_json_value_fail (&member, _ (qn_problem_text (QN_PROBLEM_NAME_MISSING)));
-  }
-  QnLaw *law = qn_model_add_law (model, name);
-  if (law == NULL)
-    return qn_json_value_no_memory (place);
-  law->source = qn_strdup (source);
-  if (law->source == NULL && source != NULL)
-    return qn_json_value_no_memory (place);
-  law->kind = kind;
-  law->basis = basis;
-  return read_stiffness (place, law)
+static gboolean
+read_law (const QnJsonValue *place, QnModel *model, gpointer entity)
+{
+  QnLaw *law = entity;
+  return qn_members_take (place, law_members, model, law) && check_keys (place, law->kind)
+         && read_stiffness (place, law)
          && qn_member_number (place, "shear_factor", QN_OPTIONAL, QN_RANGE_POSITIVE,
                               &law->shear_factor)
          && read_parameters (place, law);
@@ -142,11 +125,7 @@ append_law (GString *json, const QnModel *model, size_t index)
   const QnLaw *law = &model->laws[index];
   size_t count;
   const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
-  qn_json_put_string (json, "name", law->name);
-  if (law->source != NULL)
-    qn_json_put_string (json, "source", law->source);
-  qn_json_put_string (json, "kind", qn_law_kind_names[law->kind]);
-  qn_json_put_string (json, "basis", qn_basis_names[law->basis]);
+  qn_members_write (json, law_members, model, law, NULL);
   if (law->elasticity > 0) {
     qn_json_put_number (json, "elasticity", law->elasticity);
     qn_json_put_number (json, "poisson", law->poisson);
@@ -167,5 +146,6 @@ append_law (GString *json, const QnModel *model, size_t index)
     qn_json_put_points (json, "points", law->points, (gsize) law->point_count);
 }
 
-const QnList qn_law_list =
-  QN_LIST ("laws", read_law, append_law, NULL, QnLaw, laws, law_count);
+const QnList qn_law_list = { QN_LIST ("laws", QnLaw, laws, law_count),
+                             .naming = QN_NAMING_REQUIRED, .read = read_law,
+                             .append = append_law };

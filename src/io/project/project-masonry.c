@@ -504,14 +504,14 @@ gboolean
 qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
                         QnMasonry *masonry)
 {
-  char text[QN_NAME_TEXT_SIZE];
-  const char *name;
+  g_autofree char *numbered = g_strdup_printf ("m%zu", place->index + 1);
+  const char *name = numbered;
   int kind;
   *masonry = (QnMasonry){ 0 };
   if (!qn_json_value_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_masonry_kind_names,
                             QN_MASONRY_NAME_COUNT, &kind)
-      || !qn_read_own_name (place, "m", text, &name))
+      || !qn_member_string (place, "name", QN_OPTIONAL, &name))
     return FALSE;
   if (qn_masonry_init (masonry, qn_masonry_kind_of (kind), name) != QN_OK)
     return qn_json_value_no_memory (place);

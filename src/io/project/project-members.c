@@ -86,6 +86,9 @@ read_item (const QnJsonValue *item, const QnMember *m, const QnModel *model, gpo
 {
   if (m->kind == QN_MEMBER_NUMBERS)
     return qn_json_value_number (item, QN_RANGE_FINITE, (double *) to + item->index);
+  if (m->kind == QN_MEMBER_OBJECTS)
+    return qn_members_read (item, m->members, model,
+                            (char *) to + item->index * m->count);
   if (m->kind == QN_MEMBER_FLAGS) {
     ((bool *) to)[item->index] = cJSON_IsTrue (item->json);
     return cJSON_IsBool (item->json)
@@ -185,6 +188,7 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
   case QN_MEMBER_FLAGS:
   case QN_MEMBER_NUMBERS:
   case QN_MEMBER_NAMES:
+  case QN_MEMBER_OBJECTS:
     return read_list_member (object, m, need, model, at);
   case QN_MEMBER_WEIGHT:
     return read_weight (object, need, model, at);
@@ -334,6 +338,7 @@ is_usual (const QnMember *m, const char *from, const char *other)
   case QN_MEMBER_BYTES:
   case QN_MEMBER_PAIR:
   case QN_MEMBER_NAMES:
+  case QN_MEMBER_OBJECTS:
     return FALSE;
   case QN_MEMBER_NUMBER:
     return usual != NULL
@@ -456,6 +461,15 @@ write_member (GString *json, const QnMember *m, const QnModel *model, const char
       qn_json_append_string (json, name_of (model, (QnNamed) m->detail, id[i]));
     }
     g_string_append_c (json, ']');
+    break;
+  case QN_MEMBER_OBJECTS:
+    qn_json_begin_member (json, m->key);
+    for (int i = 0; i < m->detail; i++) {
+      g_string_append (json, i > 0 ? " }, {" : "[{");
+      qn_members_write (json, m->members, model,
+                        (const char *) value + (gsize) i * m->count, NULL);
+    }
+    g_string_append (json, " }]");
     break;
   case QN_MEMBER_WEIGHT:
     if (number[1] >= 0)

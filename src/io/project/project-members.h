@@ -26,6 +26,7 @@ typedef enum {
   QN_MEMBER_FLAGS,   /* bool */
   QN_MEMBER_NUMBERS, /* double */
   QN_MEMBER_NAMES,   /* two QnId, as ENTITY */
+  QN_MEMBER_OBJECTS, /* structs by a table */
 
   /* Parts of several keys. */
   QN_MEMBER_WEIGHT, /* unit_weight and the density behind it, as in QnBlock: one of them */
@@ -66,9 +67,9 @@ typedef struct QnMember {
   int detail;   /* QnRange, largest count, number of names or of values, or QnNamed */
   const char *const *names; /* of a choice or a switch; NULL among them: null */
   gsize given; /* offset of a bool that says whether the member is there; 0: none */
-  gsize count; /* POINTS: offset of their number, int32_t */
+  gsize count; /* POINTS: offset of their number, int32_t; OBJECTS: size of one */
   const char *refusal;            /* of a list of another length; translatable */
-  const struct QnMember *members; /* of an OBJECT */
+  const struct QnMember *members; /* of an OBJECT, and of OBJECTS */
 } QnMember;
 
 #define QN_KNOWN(name)                                                                   \

@@ -6,25 +6,36 @@
 #pragma once
 
 #include "core/model/model.h"
-#include "io/json/json-value.h"
+#include "io/project/project-members.h"
 
-/* A list of entities: its path in the file ("analysis.stages") and place in the model, a function that reads
- * and adds an element, and one that writes its members. */
+typedef enum {
+  QN_NAMING_NONE,
+  QN_NAMING_OPTIONAL, /* NULL where the file has none */
+  QN_NAMING_NUMBERED, /* else b1, b2 … by the letter that the path begins with */
+  QN_NAMING_REQUIRED  /* and not empty */
+} QnNaming;
+
+/* A list of entities: its path in the file ("analysis.stages") and place in the model, whether the entities
+ * have names, and their members, which are read behind the name. All functions may be NULL. */
 typedef struct QnList {
   const char *path;
-  gboolean (*read) (const QnJsonValue *place, QnModel *model);
+  QnNaming naming;
+  const QnMember *members; /* NULL: `read` reads and checks all of them */
+  gconstpointer usual;     /* of qn_members_write() */
+  /* Adds an element; NULL with the error set. Without: as most lists do. */
+  gpointer (*add) (const QnJsonValue *place, QnModel *model, const char *name);
+  /* Reads what the table does not. */
+  gboolean (*read) (const QnJsonValue *place, QnModel *model, gpointer entity);
+  /* Writes all members behind the name. Without: those of the table. */
   void (*append) (GString *json, const QnModel *model, size_t index);
-  bool (*is_left_out) (const QnModel *model,
-                       size_t index); /* when written; may be NULL */
+  bool (*is_left_out) (const QnModel *model, size_t index); /* when written */
   gsize items, count; /* offsets in QnModel, of the array and its number of elements */
   gsize size, note;   /* of an element, and the offset in it */
 } QnList;
 
-#define QN_LIST(path, read, append, is_left_out, type, items, count)                     \
-  {                                                                                      \
-    path, read, append, is_left_out, offsetof (QnModel, items),                          \
-      offsetof (QnModel, count), sizeof (type), offsetof (type, note)                    \
-  }
+#define QN_LIST(where, type, all, number)                                                \
+  .path = where, .items = offsetof (QnModel, all), .count = offsetof (QnModel, number),  \
+  .size = sizeof (type), .note = offsetof (type, note)
 
 extern const QnList qn_law_list, qn_block_list, qn_wall_list, qn_section_list,
   qn_node_list, qn_beam_list, qn_bar_list, qn_tie_list, qn_vehicle_list, qn_face_list,
@@ -38,7 +49,8 @@ gboolean qn_read_list (const QnJsonValue *owner, const QnList *list, QnNeed need
 void qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
                           const QnList *list);
 
-/* The note of an entity. */
+/* An entity, and its note. */
+char *qn_list_entity (const QnModel *model, const QnList *list, size_t index);
 int32_t *qn_list_note (const QnModel *model, const QnList *list, size_t index);
 
 /* In project-contact.c; the walls must be expanded, so that their blocks have names. */
@@ -64,9 +76,3 @@ void qn_project_append_dynamic (GString *json, const QnModel *model,
 
 /* `courses`: lists of lengths. */
 gboolean qn_read_courses (const QnJsonValue *place, QnWall *wall);
-
-/* The name of an object that may have none: then `prefix` with its number from 1, written into
- * `text`. */
-#define QN_NAME_TEXT_SIZE 24
-gboolean qn_read_own_name (const QnJsonValue *place, const char *prefix,
-                           char text[QN_NAME_TEXT_SIZE], const char **name);

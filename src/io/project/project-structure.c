@@ -6,13 +6,30 @@
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
-gboolean
-qn_read_own_name (const QnJsonValue *place, const char *prefix,
-                  char text[QN_NAME_TEXT_SIZE], const char **name)
+/* "b4" and the like. */
+#define NAME_SIZE 24
+
+static gboolean
+read_entity (const QnJsonValue *place, const QnList *list, QnModel *model)
 {
-  g_snprintf (text, QN_NAME_TEXT_SIZE, "%s%" G_GSIZE_FORMAT, prefix, place->index + 1);
-  *name = text;
-  return qn_member_string (place, "name", QN_OPTIONAL, name);
+  char numbered[NAME_SIZE];
+  const char *name = list->naming == QN_NAMING_NUMBERED ? numbered : NULL;
+  const QnNeed need = list->naming == QN_NAMING_REQUIRED ? QN_REQUIRED : QN_OPTIONAL;
+  g_snprintf (numbered, sizeof numbered, "%c%zu", list->path[0], place->index + 1);
+  if (!qn_json_value_object (place)
+      || (list->naming != QN_NAMING_NONE
+          && !qn_member_string (place, "name", need, &name)))
+    return FALSE;
+  if (list->naming == QN_NAMING_REQUIRED && name[0] == '\0') {
+    QnJsonValue member = qn_json_value_member (place, "name");
+    return qn_json_value_fail (&member, _ (qn_problem_text (QN_PROBLEM_NAME_MISSING)));
+  }
+  gpointer entity = list->add != NULL ? list->add (place, model, name)
+                                      : qn_model_add_item (model, list->items, name);
+  if (entity == NULL)
+    return qn_json_value_no_memory (place);
+  return (list->members == NULL || qn_members_read (place, list->members, model, entity))
+         && (list->read == NULL || list->read (place, model, entity));
 }
 
 gboolean
@@ -24,7 +41,7 @@ qn_read_list (const QnJsonValue *owner, const QnList *list, QnNeed need, QnModel
     return FALSE;
   while (qn_json_value_next (&array, &element)) {
     const size_t index = G_STRUCT_MEMBER (size_t, model, list->count);
-    if (!list->read (&element, model))
+    if (!read_entity (&element, list, model))
       return FALSE;
     *qn_list_note (model, list, index) = qn_read_note (&element);
   }
@@ -70,22 +87,13 @@ read_vertices (const QnJsonValue *place, GArray *vertices)
   return TRUE;
 }
 
-static gboolean
-read_block (const QnJsonValue *place, QnModel *model)
+static gpointer
+add_block (const QnJsonValue *place, QnModel *model, const char *name)
 {
-  char text[QN_NAME_TEXT_SIZE];
-  const char *name;
-  if (!qn_json_value_object (place) || !qn_read_own_name (place, "b", text, &name)
-      || !qn_members_check (place, block_members, NULL, NULL))
-    return FALSE;
-
   g_autoptr (GArray) vertices = g_array_sized_new (FALSE, FALSE, sizeof (QnVec2), 8);
-  if (!read_vertices (place, vertices))
-    return FALSE;
-  QnBlock *block =
-    qn_model_add_block (model, name, (const QnVec2 *) vertices->data, vertices->len);
-  return block != NULL ? qn_members_take (place, block_members, model, block)
-                       : qn_json_value_no_memory (place);
+  return read_vertices (place, vertices) ? qn_model_add_block (
+           model, name, (const QnVec2 *) vertices->data, vertices->len)
+                                         : NULL;
 }
 
 static gboolean
@@ -123,17 +131,10 @@ qn_read_courses (const QnJsonValue *place, QnWall *wall)
 }
 
 static gboolean
-read_wall (const QnJsonValue *place, QnModel *model)
+read_wall (const QnJsonValue *place, QnModel *model, gpointer entity)
 {
-  char text[QN_NAME_TEXT_SIZE];
-  const char *name;
-  if (!qn_json_value_object (place) || !qn_read_own_name (place, "w", text, &name))
-    return FALSE;
-  QnWall *wall = qn_model_add_wall (model, name);
-  if (wall == NULL)
-    return qn_json_value_no_memory (place);
-  return qn_members_read (place, wall_structure_members, model, wall)
-         && qn_read_courses (place, wall);
+  (void) model;
+  return qn_read_courses (place, entity);
 }
 
 static void
@@ -141,7 +142,6 @@ append_block (GString *json, const QnModel *model, size_t index)
 {
   static const QnBlock usual = { 0 };
   const QnBlock *block = &model->blocks[index];
-  qn_json_put_string (json, "name", block->name);
   qn_json_put_points (json, "vertices", qn_model_block_vertices (model, (QnId) index),
                       (gsize) block->vertex_count);
   qn_members_write (json, block_members, model, block, &usual);
@@ -153,14 +153,17 @@ follows_from_others (const QnModel *model, size_t index)
   return model->blocks[index].wall != QN_NONE || model->blocks[index].masonry != QN_NONE;
 }
 
-const QnList qn_block_list = QN_LIST ("blocks", read_block, append_block,
-                                      follows_from_others, QnBlock, blocks, block_count);
+const QnList qn_block_list = { QN_LIST ("blocks", QnBlock, blocks, block_count),
+                               .naming = QN_NAMING_NUMBERED,
+                               .members = block_members,
+                               .add = add_block,
+                               .append = append_block,
+                               .is_left_out = follows_from_others };
 
 static void
 append_wall (GString *json, const QnModel *model, size_t index)
 {
   const QnWall *wall = &model->walls[index];
-  qn_json_put_string (json, "name", wall->name);
   qn_members_write (json, wall_structure_members, model, wall, NULL);
   g_string_append (json, ",\n      \"courses\": [");
   int32_t entry = 0;
@@ -173,5 +176,7 @@ append_wall (GString *json, const QnModel *model, size_t index)
   g_string_append (json, " ]");
 }
 
-const QnList qn_wall_list =
-  QN_LIST ("walls", read_wall, append_wall, NULL, QnWall, walls, wall_count);
+const QnList qn_wall_list = { QN_LIST ("walls", QnWall, walls, wall_count),
+                              .naming = QN_NAMING_NUMBERED,
+                              .members = wall_structure_members, .read = read_wall,
+                              .append = append_wall };

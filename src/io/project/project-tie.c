@@ -1,7 +1,6 @@
 /* Ties of a project file. */
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
-#include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
 
@@ -27,7 +26,9 @@ static const QnMember strip_members[] = {
 
 static const QnMember tie_members[] = {
   QN_KNOWN ("name"),
-  QN_KNOWN ("ends"),
+  QN_MEMBER_WITH ("ends", OBJECTS, REQUIRED, QnTie, ends, 2, .members = end_members,
+                  .count = sizeof (QnTieEnd),
+                  .refusal = N_ ("expected two values, one for each end")),
   QN_NUMBER ("area", REQUIRED, POSITIVE, QnTie, area),
   QN_NUMBER ("elasticity", REQUIRED, POSITIVE, QnTie, elasticity),
   QN_NUMBER ("yield", OPTIONAL, POSITIVE, QnTie, yield),
@@ -39,48 +40,6 @@ static const QnMember tie_members[] = {
   { 0 },
 };
 
-static gboolean
-read_ends (const QnJsonValue *place, const QnModel *model, QnTie *tie)
-{
-  QnJsonValue ends, end = { 0 };
-  if (!qn_member_array (place, "ends", QN_REQUIRED, &ends))
-    return FALSE;
-  if (cJSON_GetArraySize (ends.json) != 2)
-    return qn_json_value_fail (&ends, _ ("expected two values, one for each end"));
-  while (qn_json_value_next (&ends, &end))
-    if (!qn_members_read (&end, end_members, model, &tie->ends[end.index]))
-      return FALSE;
-  return TRUE;
-}
-
-static gboolean
-read_tie (const QnJsonValue *place, QnModel *model)
-{
-  char text[QN_NAME_TEXT_SIZE];
-  const char *name;
-  if (!qn_json_value_object (place) || !qn_read_own_name (place, "t", text, &name))
-    return FALSE;
-  QnTie *tie = qn_model_add_tie (model, name);
-  if (tie == NULL)
-    return qn_json_value_no_memory (place);
-  return qn_members_read (place, tie_members, model, tie)
-         && read_ends (place, model, tie);
-}
-
-static void
-append_tie (GString *json, const QnModel *model, size_t index)
-{
-  static const QnTie usual = { 0 };
-  const QnTie *tie = &model->ties[index];
-  qn_json_put_string (json, "name", tie->name);
-  qn_json_begin_member (json, "ends");
-  for (int end = 0; end < 2; end++) {
-    g_string_append (json, end == 0 ? "[{" : " }, {");
-    qn_members_write (json, end_members, model, &tie->ends[end], NULL);
-  }
-  g_string_append (json, " }]");
-  qn_members_write (json, tie_members, model, tie, &usual);
-}
-
-const QnList qn_tie_list =
-  QN_LIST ("ties", read_tie, append_tie, NULL, QnTie, ties, tie_count);
+const QnList qn_tie_list = { QN_LIST ("ties", QnTie, ties, tie_count),
+                             .naming = QN_NAMING_NUMBERED, .members = tie_members,
+                             .usual = &(const QnTie){ 0 } };

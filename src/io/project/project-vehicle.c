@@ -49,20 +49,13 @@ read_rows (const QnJsonValue *place, const char *key, int width, int most, doubl
 }
 
 static gboolean
-read_vehicle (const QnJsonValue *place, QnModel *model)
+read_vehicle (const QnJsonValue *place, QnModel *model, gpointer entity)
 {
-  const char *name;
+  QnVehicle *vehicle = entity;
   double axles[2 * QN_MAX_AXLES], lines[3 * QN_MAX_LINES];
-  if (!qn_json_value_object (place)
-      || !qn_member_string (place, "name", QN_REQUIRED, &name))
-    return FALSE;
-  if (qn_model_find_vehicle (model, name) != QN_NONE)
+  if (&model->vehicles[qn_model_find_vehicle (model, vehicle->name)] != vehicle)
     return qn_json_value_fail (place, _ (qn_problem_text (QN_PROBLEM_NAME_TAKEN)));
-  QnVehicle *vehicle = qn_model_add_vehicle (model, name);
-  if (vehicle == NULL)
-    return qn_json_value_no_memory (place);
-  if (!qn_members_read (place, vehicle_members, NULL, vehicle)
-      || !read_rows (place, "axles", 2, QN_MAX_AXLES, axles, &vehicle->axle_count)
+  if (!read_rows (place, "axles", 2, QN_MAX_AXLES, axles, &vehicle->axle_count)
       || !read_rows (place, "lines", 3, QN_MAX_LINES, lines, &vehicle->line_count))
     return FALSE;
   for (int i = 0; i < vehicle->axle_count; i++)
@@ -163,7 +156,6 @@ append_vehicle (GString *json, const QnModel *model, size_t index)
 {
   const QnVehicle *vehicle = &model->vehicles[index];
   const QnVehicle usual = { .track = -1 };
-  qn_json_put_string (json, "name", vehicle->name);
   qn_members_write (json, vehicle_members, NULL, vehicle, &usual);
   put_rows (json, "axles", &vehicle->axles[0].at, 2, (gsize) vehicle->axle_count);
   put_rows (json, "lines", &vehicle->lines[0].from, 3, (gsize) vehicle->line_count);
@@ -175,5 +167,9 @@ is_built_in (const QnModel *model, size_t index)
   return model->vehicles[index].built_in;
 }
 
-const QnList qn_vehicle_list = QN_LIST ("vehicles", read_vehicle, append_vehicle,
-                                        is_built_in, QnVehicle, vehicles, vehicle_count);
+const QnList qn_vehicle_list = { QN_LIST ("vehicles", QnVehicle, vehicles, vehicle_count),
+                                 .naming = QN_NAMING_REQUIRED,
+                                 .members = vehicle_members,
+                                 .read = read_vehicle,
+                                 .append = append_vehicle,
+                                 .is_left_out = is_built_in };

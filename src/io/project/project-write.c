@@ -8,19 +8,31 @@
 #include <cjson/cJSON.h>
 #include <string.h>
 
+char *
+qn_list_entity (const QnModel *model, const QnList *list, size_t index)
+{
+  return G_STRUCT_MEMBER (char *, model, list->items) + index * list->size;
+}
+
 int32_t *
 qn_list_note (const QnModel *model, const QnList *list, size_t index)
 {
-  char *items = G_STRUCT_MEMBER (char *, model, list->items);
-  return G_STRUCT_MEMBER_P (items, index * list->size + list->note);
+  return G_STRUCT_MEMBER_P (qn_list_entity (model, list, index), list->note);
 }
 
 static void
 append_entity (GString *json, const QnModel *model, GHashTable *inner, const QnList *list,
                size_t index)
 {
+  const char *entity = qn_list_entity (model, list, index);
+  const char *name = list->naming != QN_NAMING_NONE ? *(char *const *) entity : NULL;
   g_string_append_c (json, '{');
-  list->append (json, model, index);
+  if (name != NULL)
+    qn_json_put_string (json, "name", name);
+  if (list->append != NULL)
+    list->append (json, model, index);
+  else
+    qn_members_write (json, list->members, model, entity, list->usual);
   g_string_append (json, " }");
   qn_json_append_note (json, inner, *qn_list_note (model, list, index));
 }
