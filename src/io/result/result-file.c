@@ -87,8 +87,8 @@ match_contacts (const QnResultFile *file, const char *name, const QnContacts *co
   for (size_t i = 0; same && i < contacts->pair_count; i++) {
     const QnResultContact *contact = &file->contacts[i];
     const QnContactFace *face = &contacts->faces[contacts->pairs[i].face];
-    same = contact->face == contacts->pairs[i].face && contact->block_a == face->a
-           && contact->block_b == face->b && contact->bar == contacts->pairs[i].bar;
+    same = contact->face == contacts->pairs[i].face && contact->blocks[0] == face->a
+           && contact->blocks[1] == face->b && contact->bar == contacts->pairs[i].bar;
   }
   return same
          || fail (error, name,

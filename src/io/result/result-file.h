@@ -9,14 +9,11 @@
 #include "io/project/project.h"
 #include "io/result/result-file.h"
 
-/* Geometry of a contact pair in the file. */
+/* Which contact pair it is. */
 typedef struct QnResultContact {
-  QnId face;             /* number of the detected face */
-  QnId block_a, block_b; /* into block_names */
-  QnVec2 point;          /* m, where the force acts; see result-contact.h */
-  QnVec2 normal;         /* unit, from block a to block b */
-  double area;           /* tributary area, m2; negative where the file does not say */
-  QnId bar;              /* reinforcing bar that the pair belongs to, or QN_NONE */
+  QnId face;      /* number of the detected face */
+  QnId blocks[2]; /* into block_names */
+  QnId bar;       /* reinforcing bar that the pair belongs to, or QN_NONE */
 } QnResultContact;
 
 /* A result file in memory: enough to draw it and to check it without solving again. */

@@ -125,10 +125,10 @@ const QnMember qn_refused_members[] = {
 
 const QnMember qn_contact_members[] = {
   QN_WHOLE ("face", REQUIRED, 0, QnContactMembers, contact.face),
-  QN_PAIR ("blocks", REQUIRED, QnContactMembers, blocks),
-  QN_TWO ("point", REQUIRED, QnContactMembers, contact.point),
-  QN_TWO ("normal", REQUIRED, QnContactMembers, contact.normal),
-  QN_NUMBER ("area", WRITTEN, FINITE, QnContactMembers, contact.area),
+  QN_PAIR ("blocks", REQUIRED, QnContactMembers, contact.blocks),
+  QN_TWO ("point", REQUIRED, QnContactMembers, point),
+  QN_TWO ("normal", REQUIRED, QnContactMembers, normal),
+  QN_NUMBER ("area", WRITTEN, FINITE, QnContactMembers, area),
   QN_WHOLE ("bar", OPTIONAL, 0, QnContactMembers, contact.bar),
   QN_NUMBER ("stress", OPTIONAL, FINITE, QnContactMembers, stress),
   QN_CHOICE ("state", REQUIRED, qn_pair_state_names, QnContactMembers, pair.state),

@@ -30,7 +30,9 @@ typedef struct QnStepMembers {
 typedef struct QnContactMembers {
   QnResultContact contact;
   QnPairResult pair;
-  QnId blocks[2];
+  QnVec2 point;  /* m, where the force acts; see result-contact.h */
+  QnVec2 normal; /* unit, from the first block to the second */
+  double area;   /* tributary area, m2 */
   double stress; /* Pa, along a bar */
 } QnContactMembers;
 

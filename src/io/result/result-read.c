@@ -148,18 +148,16 @@ read_contact (QnJson *json, gsize at, QnResultFile *file)
 {
   static const QnMember *const tables[] = { qn_contact_members, NULL };
   QnResult *result = &file->result;
-  QnContactMembers read = { .contact = { .area = -1, .bar = QN_NONE } };
+  QnContactMembers read = { .contact.bar = QN_NONE };
   if (!qn_result_members_read (json, at, tables, &read))
     return FALSE;
-  const size_t a = (size_t) read.blocks[0], b = (size_t) read.blocks[1];
+  const size_t a = (size_t) read.contact.blocks[0], b = (size_t) read.contact.blocks[1];
   if (a >= result->block_count || b >= result->block_count || a == b)
     return qn_json_fail (json, qn_json_member (json, at, "blocks"),
                          _ ("there are no such two blocks"));
-  if (!(fabs (qn_vec2_length (read.contact.normal) - 1) <= 1e-6))
+  if (!(fabs (qn_vec2_length (read.normal) - 1) <= 1e-6))
     return qn_json_fail (json, qn_json_member (json, at, "normal"),
                          _ ("normal is not of length 1"));
-  read.contact.block_a = read.blocks[0];
-  read.contact.block_b = read.blocks[1];
   file->contacts[result->pair_count] = read.contact;
   result->pairs[result->pair_count++] = read.pair;
   return TRUE;

@@ -295,17 +295,17 @@ write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *con
   const QnContactPair *pair = &contacts->pairs[index];
   const QnContactFace *face = &contacts->faces[pair->face];
   const QnPairResult *forces = &result->pairs[index];
-  QnContactMembers members = { .contact = { .face = pair->face,
-                                            .area = pair->tributary * face->thickness,
-                                            .bar = pair->bar },
-                               .pair = *forces,
-                               .blocks = { face->a, face->b } };
+  QnContactMembers members = {
+    .contact = { .face = pair->face, .blocks = { face->a, face->b }, .bar = pair->bar },
+    .pair = *forces,
+    .area = pair->tributary * face->thickness
+  };
   const QnContactMembers usual = { .contact.bar = QN_NONE };
   if (pair->bar != QN_NONE)
-    members.stress = qn_bar_axial (pair, forces->normal_force, forces->shear_force)
-                     / members.contact.area;
+    members.stress =
+      qn_bar_axial (pair, forces->normal_force, forces->shear_force) / members.area;
   qn_result_contact_place (model, contacts, index, qn_result_deformation (model, result),
-                           &members.contact.point, &members.contact.normal);
+                           &members.point, &members.normal);
   qn_result_members_write (writer, "{ ", qn_contact_members, &members, &usual, "");
   if (detail == QN_DETAIL_PAIRS && forces->has_springs) {
     /* The two springs between A, C and B; both carry the pair's force. */

@@ -14,31 +14,17 @@
 /* A displacement has reached its target within this part of it. */
 #define AT_TARGET 1e-6
 
-/* What the procedure was asked to do: the analysis as a whole, or the stage that it ended in. */
-typedef struct Task {
-  QnProcedure procedure;
-  uint32_t sets;
-  gboolean has_end; /* whether a largest multiplier is set */
-  double end;
-  QnControl control;
-} Task;
-
-static Task
+/* What the procedure was asked to do: the stage that it ended in, or the analysis as one. */
+static QnStage
 task_of (const QnModel *model, const QnResult *result)
 {
   const QnAnalysisSettings *a = &model->analysis;
-  if (result->stage < 1 || (size_t) result->stage > model->stage_count)
-    return (Task){ .procedure = a->procedure,
-                   .sets = 1,
-                   .has_end = isfinite (a->max_multiplier) != 0,
-                   .end = a->max_multiplier,
-                   .control = a->control };
-  const QnStage *stage = &model->stages[result->stage - 1];
-  return (Task){ .procedure = stage->procedure,
-                 .sets = stage->sets,
-                 .has_end = stage->has_target,
-                 .end = stage->target,
-                 .control = stage->control };
+  if (result->stage >= 1 && (size_t) result->stage <= model->stage_count)
+    return model->stages[result->stage - 1];
+  return (QnStage){ .procedure = a->procedure,
+                    .sets = 1,
+                    .has_target = isfinite (a->max_multiplier) != 0,
+                    .control = a->control };
 }
 
 const char *
@@ -362,7 +348,7 @@ explain_linearity (const QnResult *result)
 /* --- Target reached --------------------------------------------------------------------- */
 
 static gboolean
-is_controlled_displacement_reached (const QnModel *model, const Task *task,
+is_controlled_displacement_reached (const QnModel *model, const QnStage *task,
                                     const QnResult *result)
 {
   size_t body = qn_model_controlled_body (model, &task->control);
@@ -377,7 +363,7 @@ is_controlled_displacement_reached (const QnModel *model, const Task *task,
 
 /* Which displacement it was and how far it went. */
 static char *
-explain_controlled (const QnModel *model, const Task *task, double reached)
+explain_controlled (const QnModel *model, const QnStage *task, double reached)
 {
   static const char *const components[] = { "ux", "uy", "rz" };
   const char *component = components[task->control.dof];
@@ -536,7 +522,7 @@ static const struct {
 
 /* The end that a sentence needs more for than one number; NULL: it does not. */
 static char *
-explain_by_names (const QnModel *model, const Task *task, const QnResult *result,
+explain_by_names (const QnModel *model, const QnStage *task, const QnResult *result,
                   gboolean is_path)
 {
   if (result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
@@ -557,7 +543,7 @@ explain_by_names (const QnModel *model, const Task *task, const QnResult *result
 }
 
 static char *
-explain (const QnModel *model, const Task *task, const QnResult *result)
+explain (const QnModel *model, const QnStage *task, const QnResult *result)
 {
   const QnOutcome outcome = result->outcome;
   const QnStep *last = last_step (result);
@@ -576,8 +562,9 @@ explain (const QnModel *model, const Task *task, const QnResult *result)
     [FAR] = model->analysis.geometry == QN_GEOMETRY_NONLINEAR
             && number < (1 - AT_TARGET) * QN_UNBOUNDED,
     [NO_LIVE_LOAD] = target && result->stage == 0 && qn_model_lacks_live_load (model),
-    [HAS_END] = task->has_end,
-    [SETTLED] = target && !task->has_end && !qn_model_sets_have_force (model, task->sets),
+    [HAS_END] = task->has_target,
+    [SETTLED] =
+      target && !task->has_target && !qn_model_sets_have_force (model, task->sets),
     [ALL_FACTORIZATIONS] = result->stop == QN_STOP_FACTORIZATIONS,
     [ALL_TIME] = result->stop == QN_STOP_TIME,
     [ALL_STEPS] = result->stop == QN_STOP_STEPS,
@@ -617,7 +604,7 @@ stop_of (const QnModel *model, const QnResult *result)
 static char *
 explain_in_stage (const QnModel *model, const QnResult *result, const char *what)
 {
-  Task task = task_of (model, result);
+  QnStage task = task_of (model, result);
   QnResult told = *result;
   told.stop = stop_of (model, result);
   g_autofree char *outcome = explain (model, &task, &told);
