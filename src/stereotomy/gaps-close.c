@@ -523,8 +523,7 @@ static QnStatus
 trim (QnRing *ring, const QnRing *other, QnDiag *diag)
 {
   QnRings cutter = { 0 }, left = { 0 };
-  if (!qn_rings_add (&cutter, other->points, other->count))
-    return qn_diag_no_memory (diag);
+  qn_rings_add (&cutter, other->points, other->count);
   QnStatus status = qn_polygon_difference (ring, &cutter, &left, diag);
   if (status == QN_OK && left.count == 1
       && qn_ring_area (&left.items[0]) > LEAST_LEFT * qn_ring_area (ring)) {
@@ -648,22 +647,10 @@ tell (const Closing *closing, const QnRings *moved, double most, QnGapClosing *t
 {
   QnGaps left = { 0 };
   QnStatus status = qn_gaps_find (moved, closing->slack, most, &left, diag);
-  size_t before = 0;
-  *told = (QnGapClosing){ .narrowest = INFINITY, .left = left.count };
+  *told = (QnGapClosing){ .left = left.count };
   if (left.count > 0)
     told->left_at =
       qn_vec2_lerp (left.items[0].sides[0][0], left.items[0].sides[1][1], 0.5);
-  for (size_t g = 0; g < closing->gaps.count; g++) {
-    double width = closing->gaps.items[g].width;
-    if (width <= closing->slack)
-      continue;
-    before++;
-    told->narrowest = fmin (told->narrowest, width);
-    told->widest = fmax (told->widest, width);
-  }
-  told->closed = before > left.count ? before - left.count : 0;
-  if (before == 0)
-    told->narrowest = 0;
   told->grown = qn_rings_area (moved) - qn_rings_area (closing->rings);
   qn_gaps_clear (&left);
   return status;
@@ -677,7 +664,8 @@ close_once (QnRings *rings, double least, double most, QnGapClosing *told, QnDia
   QnStatus status = qn_gaps_find (rings, -least, most, &closing.gaps, diag);
   bool done = status == QN_OK && closing_init (&closing, rings) && find_lines (&closing);
   for (size_t i = 0; done && i < rings->count; i++) {
-    done = qn_rings_add (&moved, rings->items[i].points, rings->items[i].count);
+    qn_rings_add (&moved, rings->items[i].points, rings->items[i].count);
+    done = !moved.failed;
     for (size_t k = 0; done && k < rings->items[i].count; k++) {
       const ClosingSide *after = &closing.sides[closing.first_side[i] + k];
       moved.items[i].points[k] = corner (&closing.sides[after->before], after);
@@ -718,7 +706,6 @@ qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *told,
     status = close_once (rings, least, most, &again, diag);
     if (status == QN_OK) {
       first.grown += again.grown;
-      first.closed += before > again.left ? before - again.left : 0;
       first.left = again.left;
       first.left_at = again.left_at;
     }

@@ -142,9 +142,9 @@ qn_gaps_find (const QnRings *rings, double least, double most, QnGaps *gaps, QnD
                     .room = &room };
   *gaps = (QnGaps){ 0 };
   if (rings->count < 2 || !(most > least))
-    return QN_OK;
+    return qn_rings_status (rings, diag);
   qn_rings_tree (rings, 0, &search.rings_tree, &room);
-  bool done = collect (&search);
+  bool done = !rings->failed && collect (&search);
   qn_pool_clear (&room);
   if (done)
     return QN_OK;
@@ -175,19 +175,19 @@ qn_gaps_widths (const QnGaps *gaps, double *least, double *mean, double *most)
     }
 }
 
-bool
+void
 qn_gaps_fill (const QnGaps *gaps, QnRings *rings)
 {
   for (size_t i = 0; i < gaps->count; i++) {
     const QnGap *gap = &gaps->items[i];
     const QnVec2 corners[] = { gap->sides[0][1], gap->sides[0][0], gap->sides[1][0],
                                gap->sides[1][1] };
-    if (!qn_rings_add (rings, corners, QN_N_ELEMENTS (corners)))
-      return false;
-    qn_ring_simplify (&rings->items[rings->count - 1], 1e-9 * gap->width);
-    qn_ring_orient (&rings->items[rings->count - 1]);
+    QnRing body;
+    qn_ring_init (&body, corners, QN_N_ELEMENTS (corners));
+    qn_ring_simplify (&body, 1e-9 * gap->width);
+    qn_ring_orient (&body);
+    qn_rings_take (rings, &body);
   }
-  return true;
 }
 
 double

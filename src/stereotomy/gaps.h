@@ -42,11 +42,9 @@ typedef struct QnGaps {
 
 /* Closed gaps. */
 typedef struct QnGapClosing {
-  size_t closed;            /* gaps */
-  size_t left;              /* gaps that are still open */
-  QnVec2 left_at;           /* the middle of the first of them */
-  double narrowest, widest; /* m, of all before */
-  double grown;             /* m2: by how much all blocks together grew */
+  size_t left;    /* gaps that are still open */
+  QnVec2 left_at; /* the middle of the first of them */
+  double grown;   /* m2: by how much all blocks together grew */
 } QnGapClosing;
 
 /* All gaps wider than `least` and up to `most` (m) from end to end; with `least` < 0 also sides that
@@ -65,8 +63,8 @@ void qn_gaps_widths (const QnGaps *gaps, double *least, double *mean, double *mo
 QnStatus qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *closing,
                         QnDiag *diag);
 
-/* Appends to `rings` the body of mortar in each gap, a quadrangle. False without memory. */
-bool qn_gaps_fill (const QnGaps *gaps, QnRings *rings);
+/* Appends to `rings` the body of mortar in each gap, a quadrangle. */
+void qn_gaps_fill (const QnGaps *gaps, QnRings *rings);
 
 /* The width up to which gaps are looked for where nobody says: the median of area by perimeter of the
  * blocks (a quarter to half of what they are wide), at most 40 mm. */

@@ -91,7 +91,7 @@ qn_geos_collection (QnGeos *geos, const QnRings *rings)
   return qn_geos_gather (geos, GEOS_MULTIPOLYGON, parts, rings->count);
 }
 
-static bool
+static void
 read_polygon (QnGeos *geos, const GEOSGeometry *polygon, QnRings *rings)
 {
   GEOSContextHandle_t h = geos->handle;
@@ -99,43 +99,34 @@ read_polygon (QnGeos *geos, const GEOSGeometry *polygon, QnRings *rings)
   const GEOSCoordSequence *sequence =
     shell != NULL ? GEOSGeom_getCoordSeq_r (h, shell) : NULL;
   unsigned size = 0;
-  if (sequence == NULL || !GEOSCoordSeq_getSize_r (h, sequence, &size))
-    return false;
-  if (size < 4)
-    return true;
+  if (sequence != NULL && GEOSCoordSeq_getSize_r (h, sequence, &size) && size < 4)
+    return;
 
-  QnRing ring = { qn_alloc (size, sizeof *ring.points), size - 1 };
-  if (ring.points == NULL)
-    return false;
-  if (!GEOSCoordSeq_copyToBuffer_r (h, sequence, (double *) ring.points, 0, 0)) {
+  QnRing ring = { qn_alloc (size, sizeof *ring.points), 0 };
+  if (size > 0 && ring.points != NULL
+      && GEOSCoordSeq_copyToBuffer_r (h, sequence, (double *) ring.points, 0, 0))
+    ring.count = size - 1;
+  else
     qn_ring_clear (&ring);
-    return false;
-  }
   qn_ring_orient (&ring);
   qn_ring_normalize (&ring);
-  if (qn_rings_take (rings, &ring))
-    return true;
-  qn_ring_clear (&ring);
-  return false;
+  qn_rings_take (rings, &ring);
 }
 
-bool
+void
 qn_geos_read_polygons (QnGeos *geos, const GEOSGeometry *geometry, QnRings *rings,
                        size_t *holes)
 {
   GEOSContextHandle_t h = geos->handle;
   if (GEOSisEmpty_r (h, geometry))
-    return true;
+    return;
   if (GEOSGeomTypeId_r (h, geometry) == GEOS_POLYGON) {
     if (holes != NULL)
       *holes += (size_t) GEOSGetNumInteriorRings_r (h, geometry);
-    return read_polygon (geos, geometry, rings);
+    read_polygon (geos, geometry, rings);
+  } else if (GEOSGeomTypeId_r (h, geometry) >= GEOS_MULTIPOINT) {
+    int count = GEOSGetNumGeometries_r (h, geometry);
+    for (int i = 0; i < count; i++)
+      qn_geos_read_polygons (geos, GEOSGetGeometryN_r (h, geometry, i), rings, holes);
   }
-  if (GEOSGeomTypeId_r (h, geometry) < GEOS_MULTIPOINT)
-    return true;
-  int count = GEOSGetNumGeometries_r (h, geometry);
-  for (int i = 0; i < count; i++)
-    if (!qn_geos_read_polygons (geos, GEOSGetGeometryN_r (h, geometry, i), rings, holes))
-      return false;
-  return true;
 }

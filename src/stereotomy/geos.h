@@ -33,9 +33,8 @@ GEOSGeometry *qn_geos_gather (QnGeos *geos, int type, GEOSGeometry **parts, size
 GEOSGeometry *qn_geos_collection (QnGeos *geos, const QnRings *rings);
 
 /* The outer rings of all polygons in `geometry` appended to `rings`, counter-clockwise, first
- * vertex lowest left; lines and points are ignored. `holes` (nullable) counts inner rings.
- * False when memory runs out. */
-bool qn_geos_read_polygons (QnGeos *geos, const GEOSGeometry *geometry, QnRings *rings,
+ * vertex lowest left; lines and points are ignored. `holes` (nullable) counts inner rings. */
+void qn_geos_read_polygons (QnGeos *geos, const GEOSGeometry *geometry, QnRings *rings,
                             size_t *holes);
 
 /* A function above or a GEOS operation failed: QN_ERROR_NO_MEMORY, or QN_ERROR_INTERNAL with

@@ -8,11 +8,12 @@
 /* Misses below this part of the tolerance are rounding. */
 #define NEGLIGIBLE 1e-6
 
-bool
+void
 qn_segments_add (QnSegments *segments, QnVec2 a, QnVec2 b)
 {
-  return QN_ARRAY_PUSH (segments->items, segments->count, segments->capacity,
-                        (QnSegment){ a, b });
+  if (!QN_ARRAY_PUSH (segments->items, segments->count, segments->capacity,
+                      (QnSegment){ a, b }))
+    segments->failed = true;
 }
 
 void
@@ -26,8 +27,8 @@ qn_segments_clear (QnSegments *segments)
 static QnStatus
 weld_ends (QnSegments *segments, double tolerance, QnHealing *healing, QnDiag *diag)
 {
-  QnRings pairs = { qn_alloc (segments->count, sizeof *pairs.items), segments->count,
-                    segments->count };
+  QnRings pairs = { .items = qn_alloc (segments->count, sizeof *pairs.items),
+                    .count = segments->count };
   if (pairs.items == NULL)
     return qn_diag_no_memory (diag);
   for (size_t i = 0; i < segments->count; i++)
@@ -161,7 +162,7 @@ compare_splits (const void *left, const void *right)
 }
 
 /* Parts the segments at their splits; the last part takes the place of the whole. */
-static bool
+static void
 apply_splits (QnSegments *segments, Splits *splits)
 {
   if (splits->count > 1)
@@ -169,11 +170,9 @@ apply_splits (QnSegments *segments, Splits *splits)
   for (size_t i = 0; i < splits->count; i++) {
     size_t index = splits->items[i].segment;
     QnVec2 from = segments->items[index].a;
-    if (!qn_segments_add (segments, from, splits->items[i].at))
-      return false;
+    qn_segments_add (segments, from, splits->items[i].at);
     segments->items[index].a = splits->items[i].at;
   }
-  return true;
 }
 
 static QnStatus
@@ -191,10 +190,11 @@ close_gaps (QnSegments *segments, double tolerance, QnHealing *healing, QnDiag *
   for (size_t i = 0, count = segments->count; done && i < count; i++)
     done = reach (segments, i, true, &tree, tolerance, &splits, healing)
            && reach (segments, i, false, &tree, tolerance, &splits, healing);
-  done = done && apply_splits (segments, &splits);
+  if (done)
+    apply_splits (segments, &splits);
   qn_pool_clear (&room);
   free (splits.items);
-  return done ? QN_OK : qn_diag_no_memory (diag);
+  return done && !segments->failed ? QN_OK : qn_diag_no_memory (diag);
 }
 
 static bool
@@ -245,21 +245,17 @@ lines_geometry (QnGeos *geos, const QnSegments *segments)
 }
 
 /* Polygons without holes; those with holes are counted. */
-static QnStatus
-read_faces (QnGeos *geos, const GEOSGeometry *polygons, QnRings *faces, size_t *holes,
-            QnDiag *diag)
+static void
+read_faces (QnGeos *geos, const GEOSGeometry *polygons, QnRings *faces, size_t *holes)
 {
   int count = GEOSGetNumGeometries_r (geos->handle, polygons);
   for (int i = 0; i < count; i++) {
     const GEOSGeometry *polygon = GEOSGetGeometryN_r (geos->handle, polygons, i);
-    if (GEOSGetNumInteriorRings_r (geos->handle, polygon) > 0) {
-      if (holes != NULL)
-        (*holes)++;
-    } else if (!qn_geos_read_polygons (geos, polygon, faces, NULL)) {
-      return qn_diag_no_memory (diag);
-    }
+    if (GEOSGetNumInteriorRings_r (geos->handle, polygon) == 0)
+      qn_geos_read_polygons (geos, polygon, faces, NULL);
+    else if (holes != NULL)
+      (*holes)++;
   }
-  return QN_OK;
 }
 
 static int
@@ -286,7 +282,9 @@ enclosed_faces (const QnSegments *segments, double tolerance, QnRings *faces,
   const GEOSGeometry *input = noded;
   GEOSGeometry *polygons =
     noded != NULL ? GEOSPolygonize_r (geos.handle, &input, 1) : NULL;
-  status = polygons != NULL ? read_faces (&geos, polygons, faces, holes, diag)
+  if (polygons != NULL)
+    read_faces (&geos, polygons, faces, holes);
+  status = polygons != NULL ? qn_rings_status (faces, diag)
            : lines == NULL  ? qn_diag_no_memory (diag)
                             : qn_geos_failed (&geos, diag);
   GEOSGeom_destroy_r (geos.handle, lines);
@@ -304,7 +302,8 @@ QnStatus
 qn_linework_polygonize (QnSegments *segments, double tolerance, QnRings *faces,
                         size_t *holes, QnHealing *healing, QnDiag *diag)
 {
-  QnStatus status = weld_ends (segments, tolerance, healing, diag);
+  QnStatus status = segments->failed ? qn_diag_no_memory (diag)
+                                     : weld_ends (segments, tolerance, healing, diag);
   drop_needless (segments);
   if (status != QN_OK || segments->count == 0)
     return status;
@@ -319,8 +318,7 @@ qn_linework_polygonize (QnSegments *segments, double tolerance, QnRings *faces,
   if (found.count > 1)
     qsort (found.items, found.count, sizeof *found.items, compare_faces);
   for (size_t i = 0; i < found.count && status == QN_OK; i++)
-    if (!qn_rings_take (faces, &found.items[i]))
-      status = qn_diag_no_memory (diag);
+    qn_rings_take (faces, &found.items[i]);
   qn_rings_clear (&found);
-  return status;
+  return status == QN_OK ? qn_rings_status (faces, diag) : status;
 }

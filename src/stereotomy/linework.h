@@ -7,13 +7,14 @@ typedef struct QnSegment {
   QnVec2 a, b; /* m */
 } QnSegment;
 
+/* As QnRings. */
 typedef struct QnSegments {
   QnSegment *items;
   size_t count, capacity;
+  bool failed;
 } QnSegments;
 
-/* Appends; false when memory runs out. */
-bool qn_segments_add (QnSegments *segments, QnVec2 a, QnVec2 b);
+void qn_segments_add (QnSegments *segments, QnVec2 a, QnVec2 b);
 void qn_segments_clear (QnSegments *segments);
 
 /* Crossings of lines that are divided at, and pairs of lines whose boxes meet that are looked at: every

@@ -115,10 +115,10 @@ static QnStatus
 divide (const QnVec2 *sites, size_t count, const QnRing *outline, QnRings *cells,
         QnDiag *diag)
 {
-  if (count == 1)
-    return qn_rings_add (cells, outline->points, outline->count)
-             ? QN_OK
-             : qn_diag_no_memory (diag);
+  if (count == 1) {
+    qn_rings_add (cells, outline->points, outline->count);
+    return qn_rings_status (cells, diag);
+  }
   QnGeos geos = { 0 };
   QnStatus status = qn_geos_init (&geos, diag);
   if (status != QN_OK)
@@ -129,10 +129,10 @@ divide (const QnVec2 *sites, size_t count, const QnRing *outline, QnRings *cells
     status = qn_diag_no_memory (diag);
   } else {
     GEOSGeometry *diagram = GEOSVoronoiDiagram_r (geos.handle, line, frame, 0, 0);
-    if (diagram == NULL)
-      status = qn_geos_failed (&geos, diag);
-    else if (!qn_geos_read_polygons (&geos, diagram, cells, NULL))
-      status = qn_diag_no_memory (diag);
+    if (diagram != NULL)
+      qn_geos_read_polygons (&geos, diagram, cells, NULL);
+    status =
+      diagram != NULL ? qn_rings_status (cells, diag) : qn_geos_failed (&geos, diag);
     GEOSGeom_destroy_r (geos.handle, diagram);
   }
   GEOSGeom_destroy_r (geos.handle, line);
@@ -252,12 +252,9 @@ close_short_edges (QnPieces *pieces, double length, const QnRing *outline, QnDia
   QnStatus status = QN_OK;
   for (int round = 0; round < CLOSING_ROUNDS && status == QN_OK; round++, length /= 2) {
     QnRings rings = { 0 };
-    for (size_t i = 0; i < pieces->count && status == QN_OK; i++)
-      if (!qn_rings_add (&rings, pieces->items[i].ring.points,
-                         pieces->items[i].ring.count))
-        status = qn_diag_no_memory (diag);
-    if (status == QN_OK)
-      status = qn_weld_vertices (&rings, 0, length, outline, NULL, diag);
+    for (size_t i = 0; i < pieces->count; i++)
+      qn_rings_add (&rings, pieces->items[i].ring.points, pieces->items[i].ring.count);
+    status = qn_weld_vertices (&rings, 0, length, outline, NULL, diag);
     bool sound = status == QN_OK;
     for (size_t i = 0; i < rings.count && sound; i++)
       sound = qn_ring_check (&rings.items[i], 0, NULL) == QN_OK;

@@ -78,35 +78,32 @@ check_opening (const QnOpening *opening, QnDiag *diag)
 }
 
 /* The hole: jambs, and the head as its voussoirs have it. */
-static QnStatus
-make_hole (const QnOpening *opening, QnRing *hole, QnDiag *diag)
+static void
+add_hole (const QnOpening *opening, QnRings *parts)
 {
   double x0 = opening->at.x, x1 = x0 + opening->width, y0 = opening->at.y;
   if (opening->head == QN_HEAD_FLAT) {
     QnVec2 corners[4];
     qn_rectangle (x0, y0, x1, y0 + opening->height, corners);
-    return qn_ring_init (hole, corners, 4) ? QN_OK : qn_diag_no_memory (diag);
+    qn_rings_add (parts, corners, 4);
+    return;
   }
 
   QnArch arch = head_arch (opening);
   QnArchRing ring;
   qn_arch_ring_init (&ring, &arch);
-  QnRing line;
-  if (!qn_arch_ring_line (&ring, false, INFINITY, &line))
-    return qn_diag_no_memory (diag);
+  QnRing line, hole = { 0 };
+  if (qn_arch_ring_line (&ring, false, INFINITY, &line))
+    hole.points = qn_alloc (line.count + 2, sizeof *hole.points);
   QnVec2 springing = { x0, y0 + opening->height - arch.rise };
-  hole->points = qn_alloc (line.count + 2, sizeof *hole->points);
-  hole->count = 0;
-  if (hole->points != NULL) {
-    if (springing.y > y0) {
-      hole->points[hole->count++] = qn_vec2 (x0, y0);
-      hole->points[hole->count++] = qn_vec2 (x1, y0);
-    }
-    for (size_t i = line.count; i-- > 0;)
-      hole->points[hole->count++] = qn_vec2_add (springing, line.points[i]);
+  if (hole.points != NULL && springing.y > y0) {
+    hole.points[hole.count++] = qn_vec2 (x0, y0);
+    hole.points[hole.count++] = qn_vec2 (x1, y0);
   }
+  for (size_t i = line.count; hole.points != NULL && i-- > 0;)
+    hole.points[hole.count++] = qn_vec2_add (springing, line.points[i]);
   qn_ring_clear (&line);
-  return hole->points != NULL ? QN_OK : qn_diag_no_memory (diag);
+  qn_rings_take (parts, &hole);
 }
 
 static void
@@ -177,27 +174,20 @@ make_cutter (const QnMasonry *masonry, size_t index, Cutter *cutter, QnPieces *p
     snprintf (prefix, size, "%s.o%zu", masonry->name, index + 1);
 
   size_t first = pieces->count;
-  QnRing hole = { 0 };
-  QnStatus status = make_hole (opening, &hole, diag);
-  if (status == QN_OK && !qn_rings_take (&cutter->parts, &hole))
-    status = qn_diag_no_memory (diag);
-  qn_ring_clear (&hole);
-  if (status == QN_OK)
-    lay_span (opening, prefix, pieces);
-  if (status == QN_OK && opening->sill_height > 0)
+  add_hole (opening, &cutter->parts);
+  lay_span (opening, prefix, pieces);
+  if (opening->sill_height > 0)
     add_box (pieces, opening->at.x - opening->sill_bearing,
              opening->at.y - opening->sill_height,
              opening->at.x + opening->width + opening->sill_bearing, opening->at.y,
              prefix, "sill");
-  if (status == QN_OK && pieces->failed)
-    status = qn_diag_no_memory (diag);
-  for (size_t i = first; i < pieces->count && status == QN_OK; i++)
-    if (!qn_rings_add (&cutter->parts, pieces->items[i].ring.points,
-                       pieces->items[i].ring.count))
-      status = qn_diag_no_memory (diag);
+  for (size_t i = first; i < pieces->count; i++)
+    qn_rings_add (&cutter->parts, pieces->items[i].ring.points,
+                  pieces->items[i].ring.count);
   cutter->bounds = qn_rings_bounds (&cutter->parts);
   free (prefix);
-  return status;
+  return pieces->failed ? qn_diag_no_memory (diag)
+                        : qn_rings_status (&cutter->parts, diag);
 }
 
 /* Lintels, voussoirs and sills must lie within the wall; the hole may reach beyond it, not miss it. */
@@ -270,16 +260,15 @@ cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, size_t *lef
       continue;
     for (size_t k = 0; k < cutters[i].parts.count && status == QN_OK; k++) {
       const QnRing *part = &cutters[i].parts.items[k];
-      if (qn_box_meets_within (bounds, qn_ring_bounds (part), 0)
-          && !qn_rings_add (&near, part->points, part->count))
-        status = qn_diag_no_memory (diag);
-      if (status == QN_OK && near.count > *left_parts)
+      if (qn_box_meets_within (bounds, qn_ring_bounds (part), 0))
+        qn_rings_add (&near, part->points, part->count);
+      if (near.count > *left_parts)
         status = qn_masonry_problem (diag, QN_PROBLEM_TOO_MANY_BLOCKS, "openings", 0);
     }
   }
   *left_parts -= status == QN_OK ? near.count : 0;
   double whole = qn_ring_area (&unit->ring), left = whole;
-  if (status == QN_OK && near.count > 0) {
+  if (status == QN_OK && (near.count > 0 || near.failed)) {
     status = qn_polygon_difference (&unit->ring, &near, &parts, diag);
     left = qn_rings_area (&parts);
   }

@@ -36,12 +36,10 @@ qn_ring_check (const QnRing *ring, QnId index, QnDiag *diag)
 static QnStatus
 check_all (const QnRings *rings, QnDiag *diag)
 {
-  for (size_t i = 0; i < rings->count; i++) {
-    QnStatus status = qn_ring_check (&rings->items[i], (QnId) i, diag);
-    if (status != QN_OK)
-      return status;
-  }
-  return QN_OK;
+  QnStatus status = qn_rings_status (rings, diag);
+  for (size_t i = 0; i < rings->count && status == QN_OK; i++)
+    status = qn_ring_check (&rings->items[i], (QnId) i, diag);
+  return status;
 }
 
 /* Extent or distance from the origin, whichever is larger: what rounding is measured by. */
@@ -76,9 +74,11 @@ deliver (QnRings *found, double least_area, QnRings *out, QnDiag *diag)
     if (ring->count < 3 || qn_ring_area (ring) <= least_area)
       continue;
     status = qn_ring_check (ring, (QnId) i, diag);
-    if (status == QN_OK && !qn_rings_take (out, ring))
-      status = qn_diag_no_memory (diag);
+    if (status == QN_OK)
+      qn_rings_take (out, ring);
   }
+  if (status == QN_OK)
+    status = qn_rings_status (out, diag);
   if (status == QN_OK && out->count > before)
     qsort (out->items + before, out->count - before, sizeof *out->items, compare_rings);
   while (status != QN_OK && out->count > before)
@@ -128,9 +128,9 @@ collect (QnGeos *geos, GEOSGeometry *geometry, QnBox bounds, int round, QnRings 
   QnStatus status = QN_OK;
   if (!first_hole (geos, geometry, &x) || round == MAX_HOLE_ROUNDS) {
     size_t holes = 0;
-    if (!qn_geos_read_polygons (geos, geometry, found, &holes))
-      status = qn_diag_no_memory (diag);
-    else if (holes > 0)
+    qn_geos_read_polygons (geos, geometry, found, &holes);
+    status = qn_rings_status (found, diag);
+    if (status == QN_OK && holes > 0)
       status = qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_GEOMETRY_HOLE,
                             QN_ENTITY_MODEL, QN_NONE, QN_NONE);
   } else {
@@ -242,12 +242,11 @@ union_on_grid (const QnRings *rings, double grid, QnRing *out, QnDiag *diag)
   GEOSGeometry *all = merged (&geos, rings, grid);
   QnRings found = { 0 }, joined = { 0 };
   size_t holes = 0;
-  if (all == NULL)
-    status = qn_geos_failed (&geos, diag);
-  else if (!qn_geos_read_polygons (&geos, all, &found, &holes))
-    status = qn_diag_no_memory (diag);
-  else if (holes > 0)
-    status = union_problem (diag, QN_PROBLEM_GEOMETRY_HOLE);
+  if (all != NULL)
+    qn_geos_read_polygons (&geos, all, &found, &holes);
+  status = all == NULL ? qn_geos_failed (&geos, diag)
+           : holes > 0 ? union_problem (diag, QN_PROBLEM_GEOMETRY_HOLE)
+                       : qn_rings_status (&found, diag);
   if (status == QN_OK)
     status = deliver (&found, 0, &joined, diag);
   if (status == QN_OK && joined.count != 1)

@@ -143,25 +143,29 @@ qn_ring_normalize (QnRing *ring)
   reverse_points (ring->points, ring->count);
 }
 
-bool
+void
 qn_rings_add (QnRings *rings, const QnVec2 *points, size_t count)
 {
   QnRing ring;
-  if (!qn_ring_init (&ring, points, count))
-    return false;
-  if (qn_rings_take (rings, &ring))
-    return true;
-  qn_ring_clear (&ring);
-  return false;
+  qn_ring_init (&ring, points, count);
+  qn_rings_take (rings, &ring);
 }
 
-bool
+void
 qn_rings_take (QnRings *rings, QnRing *ring)
 {
-  if (!QN_ARRAY_PUSH (rings->items, rings->count, rings->capacity, *ring))
-    return false;
+  bool taken = ring->points != NULL
+               && QN_ARRAY_PUSH (rings->items, rings->count, rings->capacity, *ring);
+  if (!taken)
+    free (ring->points);
+  rings->failed |= !taken;
   *ring = (QnRing){ 0 };
-  return true;
+}
+
+QnStatus
+qn_rings_status (const QnRings *rings, QnDiag *diag)
+{
+  return rings->failed ? qn_diag_no_memory (diag) : QN_OK;
 }
 
 void

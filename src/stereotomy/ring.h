@@ -8,15 +8,18 @@
 
 #include "core/base/base.h"
 #include "core/base/box-tree.h"
+#include "core/base/status.h"
 
 typedef struct QnRing {
   QnVec2 *points; /* owned */
   size_t count;
 } QnRing;
 
+/* A list remembers that memory ran out: what it is given to refuses it then. */
 typedef struct QnRings {
   QnRing *items;
   size_t count, capacity;
+  bool failed; /* rings are missing */
 } QnRings;
 
 /* A copy of the points; false when memory runs out. `ring` is overwritten without being cleared. */
@@ -41,11 +44,14 @@ size_t qn_ring_simplify (QnRing *ring, double tolerance);
 /* Starts with the lowest, then leftmost vertex: makes equal polygons equal lists. */
 void qn_ring_normalize (QnRing *ring);
 
-/* Appends a copy of the points; false when memory runs out. */
-bool qn_rings_add (QnRings *rings, const QnVec2 *points, size_t count);
+/* Appends a copy of the points. */
+void qn_rings_add (QnRings *rings, const QnVec2 *points, size_t count);
 
-/* Moves `ring` to the end of the list and zeroes it; false (and nothing moved) without memory. */
-bool qn_rings_take (QnRings *rings, QnRing *ring);
+/* Moves `ring` to the end of the list and zeroes it. One without points is one that there was no memory for. */
+void qn_rings_take (QnRings *rings, QnRing *ring);
+
+/* QN_OK, or no memory. */
+QnStatus qn_rings_status (const QnRings *rings, QnDiag *diag);
 
 /* Removes one and closes the gap, or all. */
 void qn_rings_remove (QnRings *rings, size_t index);

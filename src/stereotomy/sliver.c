@@ -73,7 +73,8 @@ merge_sliver (QnPieces *pieces, size_t index, bool *merged, QnDiag *diag)
     QnPiece *neighbour = &pieces->items[neighbours[i].index];
     QnRing pair[] = { neighbour->ring, pieces->items[index].ring }, joined;
     QnDiag ignored;
-    status = qn_polygons_union (&(QnRings){ pair, 2, 2 }, &joined, &ignored);
+    status =
+      qn_polygons_union (&(QnRings){ .items = pair, .count = 2 }, &joined, &ignored);
     if (status == QN_OK) {
       qn_ring_clear (&neighbour->ring);
       neighbour->ring = joined;

@@ -74,9 +74,10 @@ rank_of (QnVec2 p, const QnRing *frame, double tolerance)
   return rank;
 }
 
-/* The distinct places of all vertices, sorted by coordinates. Returns their number. */
+/* The distinct places of all vertices, sorted by coordinates, and which one each vertex has. Returns their
+ * number. */
 static size_t
-collect_places (const QnRings *rings, Place *places)
+collect_places (const QnRings *rings, Place *places, size_t *place_of)
 {
   size_t n = 0;
   for (size_t i = 0; i < rings->count; i++)
@@ -85,11 +86,13 @@ collect_places (const QnRings *rings, Place *places)
   qsort (places, n, sizeof *places, compare_places);
   size_t distinct = 0;
   for (size_t i = 0; i < n; i++) {
+    const size_t vertex = places[i].first;
     if (distinct > 0 && places[distinct - 1].at.x == places[i].at.x
         && places[distinct - 1].at.y == places[i].at.y)
       places[distinct - 1].count++;
     else
       places[distinct++] = places[i];
+    place_of[vertex] = distinct - 1;
   }
   return distinct;
 }
@@ -130,37 +133,23 @@ QnStatus
 qn_weld_vertices (QnRings *rings, double least, double tolerance, const QnRing *frame,
                   QnHealing *healing, QnDiag *diag)
 {
-  size_t total = 0;
+  size_t total = 0, n = 0;
   for (size_t i = 0; i < rings->count; i++)
     total += rings->items[i].count;
-  if (total == 0)
-    return QN_OK;
-  Place *places = qn_alloc (total, sizeof *places);
-  if (places == NULL)
-    return qn_diag_no_memory (diag);
-  size_t count = collect_places (rings, places);
+  if (total == 0 || rings->failed)
+    return qn_rings_status (rings, diag);
+  QnPool room = { 0 };
+  Place *places = qn_pool_alloc (&room, total, sizeof *places);
+  size_t *place_of = qn_pool_alloc (&room, total, sizeof *place_of);
+  size_t count = room.failed ? 0 : collect_places (rings, places, place_of);
   for (size_t i = 0; i < count; i++)
     places[i].rank = rank_of (places[i].at, frame, NEGLIGIBLE * tolerance);
-  if (!choose_targets (places, count, tolerance)) {
-    free (places);
-    return qn_diag_no_memory (diag);
-  }
-  for (size_t i = 0; i < rings->count; i++) {
+  bool done = !room.failed && choose_targets (places, count, tolerance);
+  for (size_t i = 0; done && i < rings->count; i++) {
     QnRing *ring = &rings->items[i];
     bool moved = false;
     for (size_t k = 0; k < ring->count; k++) {
-      Place key = { .at = ring->points[k], .first = 0 };
-      /* Places are sorted by coordinates first, and these are distinct. */
-      size_t low = 0, high = count;
-      while (high - low > 1) {
-        size_t middle = low + (high - low) / 2;
-        key.first = places[middle].first;
-        if (compare_places (&key, &places[middle]) < 0)
-          high = middle;
-        else
-          low = middle;
-      }
-      QnVec2 to = places[places[low].target].at;
+      QnVec2 to = places[places[place_of[n++]].target].at;
       double way = qn_vec2_length (qn_vec2_sub (to, ring->points[k]));
       if (way > least) {
         if (way > NEGLIGIBLE * tolerance)
@@ -172,8 +161,8 @@ qn_weld_vertices (QnRings *rings, double least, double tolerance, const QnRing *
     if (moved && ring->count > 2)
       qn_ring_simplify (ring, NEGLIGIBLE * tolerance);
   }
-  free (places);
-  return QN_OK;
+  qn_pool_clear (&room);
+  return done ? QN_OK : qn_diag_no_memory (diag);
 }
 
 /* Notes by 1 + index the rings that come near to a side of ring `index`. */
@@ -294,8 +283,8 @@ fit_edges (QnRings *rings, size_t index, const QnBoxTree *tree, const size_t *ne
 QnStatus
 qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing, QnDiag *diag)
 {
-  if (rings->count == 0)
-    return QN_OK;
+  if (rings->count == 0 || rings->failed)
+    return qn_rings_status (rings, diag);
   QnPool room = { 0 };
   QnBoxTree tree, side_tree;
   QnHealing own = { 0 };

@@ -32,23 +32,26 @@ test_difference (void)
   QnRing unit = box (0, 0, 1, 1), notch = box (0.5, 0.5, 2, 2),
          hole = box (0.25, 0.25, 0.5, 0.5);
   QnRings out = { 0 };
-  g_assert_cmpint (qn_polygon_difference (&unit, &(QnRings){ &notch, 1, 1 }, &out, NULL),
-                   ==, QN_OK);
+  g_assert_cmpint (
+    qn_polygon_difference (&unit, &(QnRings){ .items = &notch, .count = 1 }, &out, NULL),
+    ==, QN_OK);
   g_assert_cmpuint (out.count, ==, 1);
   g_assert_cmpuint (out.items[0].count, ==, 6);
   g_assert_cmpfloat (total_area (&out), ==, 0.75);
   qn_rings_clear (&out);
 
   /* A hole parts the rest in two. */
-  g_assert_cmpint (qn_polygon_difference (&unit, &(QnRings){ &hole, 1, 1 }, &out, NULL),
-                   ==, QN_OK);
+  g_assert_cmpint (
+    qn_polygon_difference (&unit, &(QnRings){ .items = &hole, .count = 1 }, &out, NULL),
+    ==, QN_OK);
   g_assert_cmpuint (out.count, ==, 2);
   g_assert_cmpfloat_with_epsilon (total_area (&out), 1 - 0.0625, 1e-15);
   qn_rings_clear (&out);
 
   QnRing both[] = { box (-1, -1, 0.6, 2), box (0.5, -1, 2, 2) };
-  g_assert_cmpint (qn_polygon_difference (&unit, &(QnRings){ both, 2, 2 }, &out, NULL),
-                   ==, QN_OK);
+  g_assert_cmpint (
+    qn_polygon_difference (&unit, &(QnRings){ .items = both, .count = 2 }, &out, NULL),
+    ==, QN_OK);
   g_assert_cmpuint (out.count, ==, 0);
 
   free (both[0].points);
@@ -63,26 +66,30 @@ test_union (void)
 {
   QnRing parts[] = { box (0, 0, 1, 1), box (1, 0, 2, 1), box (3, 0, 4, 1) }, joined;
   QnDiag diag = { 0 };
-  g_assert_cmpint (qn_polygons_union (&(QnRings){ parts, 2, 2 }, &joined, &diag), ==,
-                   QN_OK);
+  g_assert_cmpint (
+    qn_polygons_union (&(QnRings){ .items = parts, .count = 2 }, &joined, &diag), ==,
+    QN_OK);
   g_assert_cmpuint (joined.count, ==, 4);
   g_assert_cmpfloat (qn_ring_area (&joined), ==, 2);
   qn_ring_clear (&joined);
 
-  g_assert_cmpint (qn_polygons_union (&(QnRings){ parts, 3, 3 }, &joined, &diag), ==,
-                   QN_ERROR_INVALID);
+  g_assert_cmpint (
+    qn_polygons_union (&(QnRings){ .items = parts, .count = 3 }, &joined, &diag), ==,
+    QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_GEOMETRY_SEVERAL);
 
   QnRing around[] = { box (0, 0, 3, 1), box (0, 2, 3, 3), box (0, 1, 1, 2),
                       box (2, 1, 3, 2) };
-  g_assert_cmpint (qn_polygons_union (&(QnRings){ around, 4, 4 }, &joined, &diag), ==,
-                   QN_ERROR_INVALID);
+  g_assert_cmpint (
+    qn_polygons_union (&(QnRings){ .items = around, .count = 4 }, &joined, &diag), ==,
+    QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_GEOMETRY_HOLE);
 
   /* Corner to corner is no joint. */
   QnRing corners[] = { box (0, 0, 1, 1), box (1, 1, 2, 2) };
-  g_assert_cmpint (qn_polygons_union (&(QnRings){ corners, 2, 2 }, &joined, &diag), ==,
-                   QN_ERROR_INVALID);
+  g_assert_cmpint (
+    qn_polygons_union (&(QnRings){ .items = corners, .count = 2 }, &joined, &diag), ==,
+    QN_ERROR_INVALID);
   g_assert_cmpint (diag.problem, ==, QN_PROBLEM_GEOMETRY_SEVERAL);
   for (int i = 0; i < 4; i++)
     qn_ring_clear (&around[i]);
@@ -134,8 +141,9 @@ test_refuses (void)
     g_assert_true (qn_ring_init (&bad, cases[i].points, cases[i].count));
     QnRings out = { 0 };
     QnDiag diag = { 0 };
-    g_assert_cmpint (qn_polygon_difference (&unit, &(QnRings){ &bad, 1, 1 }, &out, &diag),
-                     ==, QN_ERROR_INVALID);
+    g_assert_cmpint (
+      qn_polygon_difference (&unit, &(QnRings){ .items = &bad, .count = 1 }, &out, &diag),
+      ==, QN_ERROR_INVALID);
     g_assert_cmpint (diag.problem, ==, cases[i].problem);
     g_assert_cmpint (qn_polygon_cut (&bad, qn_vec2 (0, 0), qn_vec2 (1, 0), &out, &diag),
                      ==, QN_ERROR_INVALID);

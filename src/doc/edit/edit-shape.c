@@ -239,19 +239,17 @@ qn_edit_join_blocks (QnModel *model, QnBlockSet set, GError **error)
   QnRings rings = { 0 }, joined = { 0 };
   QnRing whole = { 0 };
   QnDiag diag = { 0 };
-  gboolean fine = TRUE;
-  for (guint i = 0; i < set.count && fine; i++)
-    fine = qn_rings_add (&rings, qn_model_block_vertices (model, ids[i]),
-                         (gsize) model->blocks[ids[i]].vertex_count);
-  if (!fine)
-    qn_edit_no_memory (error);
-  else if (qn_polygons_union (&rings, &whole, &diag) != QN_OK)
-    fine = qn_edit_refuse_diag (error, model, &diag);
-  else
-    fine = qn_rings_take (&joined, &whole) || qn_edit_no_memory (error);
+  for (guint i = 0; i < set.count; i++)
+    qn_rings_add (&rings, qn_model_block_vertices (model, ids[i]),
+                  (gsize) model->blocks[ids[i]].vertex_count);
+  gboolean fine = qn_polygons_union (&rings, &whole, &diag) == QN_OK
+                  || qn_edit_refuse_diag (error, model, &diag);
+  if (fine)
+    qn_rings_take (&joined, &whole);
+  if (joined.failed)
+    fine = qn_edit_no_memory (error);
   qn_rings_clear (&rings);
   fine = fine && qn_edit_replace_blocks (model, ids, set.count, &joined, error);
-  qn_ring_clear (&whole);
   qn_rings_clear (&joined);
   return fine;
 }

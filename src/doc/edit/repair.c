@@ -238,17 +238,14 @@ snapped (const QnModel *model, QnId mover, QnId keeper, double gap, QnRings *lef
 {
   const QnId order[] = { keeper, mover };
   QnRings rings = { 0 };
-  QnStatus status = QN_OK;
-  for (int i = 0; i < 2 && status == QN_OK; i++)
-    if (!qn_rings_add (&rings, qn_model_block_vertices (model, order[i]),
-                       (gsize) model->blocks[order[i]].vertex_count))
-      status = qn_diag_no_memory (diag);
+  for (int i = 0; i < 2; i++)
+    qn_rings_add (&rings, qn_model_block_vertices (model, order[i]),
+                  (gsize) model->blocks[order[i]].vertex_count);
+  QnStatus status = qn_snap_neighbours (&rings, SNAP_REACH * gap, NULL, diag);
   if (status == QN_OK)
-    status = qn_snap_neighbours (&rings, SNAP_REACH * gap, NULL, diag);
-  if (status == QN_OK && !qn_rings_take (left, &rings.items[1]))
-    status = qn_diag_no_memory (diag);
+    qn_rings_take (left, &rings.items[1]);
   qn_rings_clear (&rings);
-  return status;
+  return status == QN_OK ? qn_rings_status (left, diag) : status;
 }
 
 static QnStatus
@@ -257,12 +254,11 @@ trimmed (const QnModel *model, QnId mover, QnId keeper, double gap, QnRings *lef
 {
   QnRing subject = { 0 };
   QnRings cutters = { 0 };
-  QnStatus status =
-    qn_block_to_ring (model, mover, &subject)
-        && qn_rings_add (&cutters, qn_model_block_vertices (model, keeper),
-                         (gsize) model->blocks[keeper].vertex_count)
-      ? qn_polygon_difference (&subject, &cutters, left, diag)
-      : qn_diag_no_memory (diag);
+  qn_rings_add (&cutters, qn_model_block_vertices (model, keeper),
+                (gsize) model->blocks[keeper].vertex_count);
+  QnStatus status = qn_block_to_ring (model, mover, &subject)
+                      ? qn_polygon_difference (&subject, &cutters, left, diag)
+                      : qn_diag_no_memory (diag);
   qn_ring_clear (&subject);
   qn_rings_clear (&cutters);
   return status;
@@ -475,26 +471,20 @@ least_gap (const QnModel *model)
   return LEAST_GAP * model->contact.tolerance * model->characteristic_length;
 }
 
-static gboolean
-to_rings (const QnModel *model, QnRings *rings)
+static QnRings
+to_rings (const QnModel *model)
 {
-  *rings = (QnRings){ 0 };
+  QnRings rings = { 0 };
   for (QnId i = 0; i < (QnId) model->block_count; i++)
-    if (!qn_rings_add (rings, qn_model_block_vertices (model, i),
-                       (gsize) model->blocks[i].vertex_count)) {
-      qn_rings_clear (rings);
-      return FALSE;
-    }
-  return TRUE;
+    qn_rings_add (&rings, qn_model_block_vertices (model, i),
+                  (gsize) model->blocks[i].vertex_count);
+  return rings;
 }
 
 gboolean
 qn_model_find_gaps (const QnModel *model, double width, QnGaps *gaps)
 {
-  QnRings rings;
-  *gaps = (QnGaps){ 0 };
-  if (!to_rings (model, &rings))
-    return FALSE;
+  QnRings rings = to_rings (model);
   QnStatus status =
     qn_gaps_find (&rings, least_gap (model),
                   width > 0.0 ? width : qn_gaps_usual_width (&rings), gaps, NULL);
@@ -505,9 +495,7 @@ qn_model_find_gaps (const QnModel *model, double width, QnGaps *gaps)
 double
 qn_model_usual_gap (const QnModel *model)
 {
-  QnRings rings;
-  if (!to_rings (model, &rings))
-    return 0.0;
+  QnRings rings = to_rings (model);
   double width = qn_gaps_usual_width (&rings);
   qn_rings_clear (&rings);
   return width;
@@ -557,7 +545,7 @@ set_shapes (QnModel *model, const QnId *ids, guint count, const QnRing *shapes,
   for (guint i = 0; i < others->len; i++) {
     QnId id = qn_model_find_block (model, names->pdata[i]);
     QnRing ring = shapes[g_array_index (others, guint, i)];
-    QnRings one = { &ring, 1, 1 };
+    QnRings one = { .items = &ring, .count = 1 };
     if (!qn_edit_replace_blocks (model, &id, 1, &one, error))
       return FALSE;
   }
@@ -567,10 +555,8 @@ set_shapes (QnModel *model, const QnId *ids, guint count, const QnRing *shapes,
 gboolean
 qn_edit_close_gaps (QnModel *model, double width, GError **error)
 {
-  QnRings rings;
+  QnRings rings = to_rings (model);
   QnGapClosing closing;
-  if (!to_rings (model, &rings))
-    return qn_edit_no_memory (error);
   if (qn_gaps_close (&rings, least_gap (model), width, &closing, NULL) != QN_OK) {
     qn_rings_clear (&rings);
     return qn_edit_no_memory (error);

@@ -78,15 +78,14 @@ qn_drawing_join_parts (QnDrawing *drawing, guint first, guint end, gboolean even
     const Part *part = &parts[i];
     Part *parent = &parts[part->parent];
     if (part->depth % 2 == 1 && (even_odd || part->area * parent->area < 0))
-      memory =
-        qn_rings_add (&parent->holes, part->ring.points, part->ring.count) && memory;
+      qn_rings_add (&parent->holes, part->ring.points, part->ring.count);
     else if (part->depth % 2 == 1)
       qn_drawing_note (drawing, _ ("parts of shapes that others cover left out"),
                        path[i].line);
   }
   for (guint i = 0; i < count; i++) {
     gboolean whole = TRUE;
-    if (parts[i].holes.count > 0)
+    if (parts[i].holes.count > 0 || parts[i].holes.failed)
       memory = cut_holes (&path[i], &parts[i], &whole) && memory;
     if (!whole)
       qn_drawing_note (drawing, _ ("shapes with holes, whose blocks are solid"),

@@ -141,8 +141,7 @@ qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag)
   guint outlines = work->outlines->len;
   QnSegments lines = { 0 };
   for (gsize i = 0; i < soup->count; i++)
-    if (!qn_segments_add (&lines, soup->items[i].a, soup->items[i].b))
-      work->no_memory = TRUE;
+    qn_segments_add (&lines, soup->items[i].a, soup->items[i].b);
   for (guint i = 0; i < outlines; i++) {
     const QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
     if (outline->role == role)
@@ -152,7 +151,7 @@ qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag)
   QnHealing healing = { 0 };
   gsize holes = 0;
   QnStatus status =
-    work->no_memory
+    work->no_memory || lines.failed
       ? qn_diag_no_memory (diag)
       : qn_linework_polygonize (soup, work->tolerance, &faces, &holes, &healing, diag);
   qn_import_tell_healing (work, _ ("ends of lines joined"), &healing);

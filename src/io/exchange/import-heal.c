@@ -15,10 +15,7 @@ exchange_rings (QnImportWork *work, QnRings *rings, gboolean out)
     if (outline->role == QN_ROLE_OPENING)
       continue;
     if (out) {
-      if (!qn_rings_take (rings, &outline->ring)) {
-        work->no_memory = TRUE;
-        return;
-      }
+      qn_rings_take (rings, &outline->ring);
     } else if (next < rings->count) {
       outline->ring = rings->items[next];
       rings->items[next++] = (QnRing){ 0 };
@@ -32,10 +29,8 @@ qn_import_heal (QnImportWork *work, QnDiag *diag)
   QnRings rings = { 0 };
   QnHealing welded = { 0 }, snapped = { 0 };
   exchange_rings (work, &rings, TRUE);
-  QnStatus status = work->no_memory
-                      ? qn_diag_no_memory (diag)
-                      : qn_weld_vertices (&rings, 1e-6 * work->tolerance, work->tolerance,
-                                          NULL, &welded, diag);
+  QnStatus status = qn_weld_vertices (&rings, 1e-6 * work->tolerance, work->tolerance,
+                                      NULL, &welded, diag);
   if (status == QN_OK)
     status = qn_snap_neighbours (&rings, work->tolerance, &snapped, diag);
   exchange_rings (work, &rings, FALSE);
@@ -97,9 +92,8 @@ qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
   double width = work->settings->gap_width;
   if (!(width > 0))
     width = qn_gaps_usual_width (&rings);
-  QnStatus status = work->no_memory ? qn_diag_no_memory (diag)
-                                    : qn_gaps_find (&rings, work->tolerance, width,
-                                                    &work->report->gaps, diag);
+  QnStatus status =
+    qn_gaps_find (&rings, work->tolerance, width, &work->report->gaps, diag);
   gboolean any = status == QN_OK && work->report->gaps.count > 0;
   if (any && treatment == QN_GAPS_CLOSED)
     status = qn_gaps_close (&rings, work->tolerance, width, &closing, diag);
@@ -112,8 +106,8 @@ qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
     for (guint i = 0; i < work->outlines->len; i++)
       mortar.thickness =
         fmax (mortar.thickness, g_array_index (work->outlines, QnOutline, i).thickness);
-    if (!qn_gaps_fill (&work->report->gaps, &bodies))
-      work->no_memory = TRUE;
+    qn_gaps_fill (&work->report->gaps, &bodies);
+    work->no_memory |= bodies.failed;
     for (gsize i = 0; i < bodies.count; i++)
       qn_import_add_outline (work, &bodies.items[i], &mortar);
     qn_rings_clear (&bodies);
@@ -134,11 +128,10 @@ qn_import_cut_openings (QnImportWork *work, QnDiag *diag)
     QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
     if (outline->role != QN_ROLE_OPENING)
       continue;
-    if (!qn_rings_add (&cutters, outline->ring.points, outline->ring.count))
-      work->no_memory = TRUE;
+    qn_rings_add (&cutters, outline->ring.points, outline->ring.count);
     outline->ring.count = 0;
   }
-  QnStatus status = work->no_memory ? qn_diag_no_memory (diag) : QN_OK;
+  QnStatus status = qn_rings_status (&cutters, diag);
   guint count = work->outlines->len;
   for (guint i = 0; cutters.count > 0 && i < count && status == QN_OK; i++) {
     QnOutline outline = g_array_index (work->outlines, QnOutline, i);

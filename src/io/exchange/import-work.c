@@ -41,9 +41,8 @@ qn_import_add_segments (QnImportWork *work, const QnRing *path, gboolean closed,
                         QnRole role)
 {
   for (gsize i = 0; i + 1 < path->count + (closed ? 1 : 0); i++)
-    if (!qn_segments_add (&work->soups[role], path->points[i],
-                          path->points[(i + 1) % path->count]))
-      work->no_memory = TRUE;
+    qn_segments_add (&work->soups[role], path->points[i],
+                     path->points[(i + 1) % path->count]);
 }
 
 gsize
