@@ -7,13 +7,13 @@ set -euo pipefail
 # What to install where there is no apt: building, the window, the manual; tests need more.
 fedora=(
   gcc pkgconf-pkg-config meson ninja-build gettext glib2-devel cjson-devel suitesparse-devel
-  lapack-devel geos-devel libxml2-devel cairo-devel pango-devel libpng-devel giflib-devel
+  lapack-devel geos-devel libxml2-devel cairo-devel pango-devel zlib-devel giflib-devel
   gdk-pixbuf2-devel dejavu-sans-fonts mesa-libEGL-devel mesa-dri-drivers gstreamer1-devel
   gstreamer1-plugins-base-devel gstreamer1-plugins-good gsl-devel sqlite-devel gtk4-devel
   python3-cffi python3-numpy python3-markdown-it-py yelp-tools yelp-xsl desktop-file-utils appstream
 )
 arch=(
-  base-devel meson gettext glib2-devel cjson suitesparse lapack geos libxml2 cairo pango libpng giflib
+  base-devel meson gettext glib2-devel cjson suitesparse lapack geos libxml2 cairo pango zlib giflib
   gdk-pixbuf2 ttf-dejavu mesa gst-plugins-base gst-plugins-good gsl sqlite gtk4 python-cffi
   python-numpy python-markdown-it-py yelp-tools yelp-xsl desktop-file-utils appstream
 )
@@ -40,7 +40,7 @@ packages=(
   # files, mechanics, geometry
   libglib2.0-dev libcjson-dev libsuitesparse-dev liblapack-dev libgeos-dev libxml2-dev
   # pictures and animations, with OpenGL where there is no display
-  libcairo2-dev libpango1.0-dev libpng-dev libgif-dev libgdk-pixbuf-2.0-dev fonts-dejavu-core
+  libcairo2-dev libpango1.0-dev zlib1g-dev libgif-dev libgdk-pixbuf-2.0-dev fonts-dejavu-core
   libosmesa6-dev libegl-dev libgl1-mesa-dri
   libgstreamer1.0-dev libgstreamer-plugins-base1.0-dev gstreamer1.0-plugins-good
   # the Python package and its tests

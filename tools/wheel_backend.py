@@ -17,7 +17,7 @@ DEBIAN = "/usr/lib/python3/dist-packages"
 LIBRARIES = {
     "glib-2.0": "libglib2.0-dev", "gio-2.0": "libglib2.0-dev", "libcjson": "libcjson-dev",
     "libxml-2.0": "libxml2-dev", "lapack": "liblapack-dev", "cairo": "libcairo2-dev",
-    "pangocairo": "libpango1.0-dev", "libpng": "libpng-dev",
+    "pangocairo": "libpango1.0-dev", "zlib": "zlib1g-dev",
     "gdk-pixbuf-2.0": "libgdk-pixbuf-2.0-dev", "gsl": "libgsl-dev", "sqlite3": "libsqlite3-dev",
 }
 HEADERS = {"geos_c.h": "libgeos-dev", "gif_lib.h": "libgif-dev", "cholmod.h": "libsuitesparse-dev"}

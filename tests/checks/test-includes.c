@@ -30,7 +30,7 @@ static const Layer layers[] = {
     { "drawing", "scene", "backend", "figure", "movie" },
     { "core/", "disk/", "render/" },
     { "glib", "gio/", "gmodule.h", "cairo", "pango/", "gdk-pixbuf/", "GL/", "EGL/",
-      "png.h", "gif_lib.h", "gst/" } },
+      "zlib.h", "gif_lib.h", "gst/" } },
   { "doc",
     { "text", "edit", "masonry", "document", "view" },
     { "core/", "stereotomy/", "io/", "render/", "doc/" },
