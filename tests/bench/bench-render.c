@@ -27,12 +27,12 @@ draw (Bench *bench)
 {
   GError *error = NULL;
   if (bench->renderer == NULL) {
-    qn_draw_cairo (bench->scene, &bench->camera, QN_LAYERS_ALL, true, bench->cr,
+    qn_draw_cairo (bench->scene, &bench->camera, QN_LAYERS_ALL, bench->cr,
                    &bench->counts);
     return;
   }
   cairo_surface_destroy (qn_gl_renderer_draw_image (
-    bench->renderer, bench->scene, &bench->camera, true, &bench->counts, &error));
+    bench->renderer, bench->scene, &bench->camera, &bench->counts, &error));
   g_assert_no_error (error);
 }
 

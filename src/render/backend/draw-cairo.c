@@ -281,8 +281,8 @@ draw_text (cairo_t *cr, const QnCommand *command, QnVec2 at, Labels *labels)
 }
 
 void
-qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
-               bool antialias, cairo_t *cr, QnDrawCounts *counts)
+qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers, cairo_t *cr,
+               QnDrawCounts *counts)
 {
   QnBox visible = qn_camera_visible_box (camera);
   double line_factor = qn_scene_line_factor (scene, camera);
@@ -294,7 +294,6 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
   cairo_save (cr);
   cairo_rectangle (cr, camera->x, camera->y, camera->width, camera->height);
   cairo_clip (cr);
-  cairo_set_antialias (cr, antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
   cairo_set_line_join (cr, CAIRO_LINE_JOIN_MITER);
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_BUTT);
   for (guint i = 0; i < scene->commands->len; i++) {

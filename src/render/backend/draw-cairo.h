@@ -18,7 +18,7 @@ typedef struct QnDrawCounts {
 /* Draws the visible commands of the layers in the set, clipped to the camera's viewport.
  * `counts` may be NULL. */
 void qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers,
-                    bool antialias, cairo_t *cr, QnDrawCounts *counts);
+                    cairo_t *cr, QnDrawCounts *counts);
 
 /* Draws one marker of `size` px at a place of the page. `angle` is counter-clockwise on the page; `unit`
  * px are a point. */

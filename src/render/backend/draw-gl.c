@@ -14,7 +14,7 @@
 struct QnGlRenderer {
   const QnGl *gl;
   GLuint program, array, vertices, indices;
-  GLint scale, shift, pixel, metric, growth, smoothness, dash;
+  GLint scale, shift, pixel, metric, dash;
   QnGlBatch batch;
   GLuint framebuffer, renderbuffer; /* for pictures that are read back, of this size: */
   int width, height;                /* px; 0: there is none yet */
@@ -35,26 +35,27 @@ static const char vertex_source[] =
   "layout(location = 6) in vec4 rim;\n"
   "uniform vec2 scale, shift, pixel;\n"
   "uniform vec3 metric;\n" /* px per m, px per pt, px per pt of thinned lines */
-  "uniform float growth;\n"
-  "flat out vec4 paint;\n"
-  "flat out float dashed;\n"
-  "out vec4 edges;\n" /* px */
-  "void main() {\n"
-  "  float point = mix(metric.y, metric.z, flags.x);\n"
-  "  vec2 units = mix(metric.xx, vec2(point), flags.yz);\n"
-  "  paint = vec4(color.rgb * color.a, color.a);\n"
-  "  dashed = flags.w;\n"
-  "  edges = reach * units.xyxy + growth * rim;\n"
-  "  gl_Position = vec4(place * scale + shift\n"
-  "                     + (offset * point + growth * grow) * pixel, 0.0, 1.0);\n"
-  "}\n";
+  "const float growth = 1.0 / " G_STRINGIFY (
+    QN_GL_GROWTH_STEPS) ".0;\n" /* px */
+                        "flat out vec4 paint;\n"
+                        "flat out float dashed;\n"
+                        "out vec4 edges;\n" /* px */
+                        "void main() {\n"
+                        "  float point = mix(metric.y, metric.z, flags.x);\n"
+                        "  vec2 units = mix(metric.xx, vec2(point), flags.yz);\n"
+                        "  paint = vec4(color.rgb * color.a, color.a);\n"
+                        "  dashed = flags.w;\n"
+                        "  edges = reach * units.xyxy + growth * rim;\n"
+                        "  gl_Position = vec4(place * scale + shift\n"
+                        "                     + (offset * point + growth * grow) * "
+                        "pixel, 0.0, 1.0);\n"
+                        "}\n";
 
 static const char fragment_source[] =
   "#version 330 core\n"
   "flat in vec4 paint;\n"
   "flat in float dashed;\n"
   "in vec4 edges;\n"
-  "uniform float smoothness;\n"
   "uniform vec2 dash;\n" /* period and length of a dash, px */
   "out vec4 result;\n"
   "void main() {\n"
@@ -65,11 +66,11 @@ static const char fragment_source[] =
   "    float away = abs(mod(edges.y - 0.5 * dash.y + 0.5 * dash.x, dash.x)\n"
   "                     - 0.5 * dash.x);\n"
   "    float within = clamp(0.5 * dash.y - away + 0.5, 0.0, 1.0);\n"
-  "    if (mix(step(0.5, within), within, smoothness) == 0.0)\n"
+  "    if (within == 0.0)\n"
   "      discard;\n"
   "    cover *= within;\n"
   "  }\n"
-  "  result = paint * mix(1.0, cover, smoothness);\n"
+  "  result = paint * cover;\n"
   "}\n";
 
 static GLuint
@@ -99,8 +100,6 @@ link_program (QnGlRenderer *r)
   r->shift = gl->GetUniformLocation (r->program, "shift");
   r->pixel = gl->GetUniformLocation (r->program, "pixel");
   r->metric = gl->GetUniformLocation (r->program, "metric");
-  r->growth = gl->GetUniformLocation (r->program, "growth");
-  r->smoothness = gl->GetUniformLocation (r->program, "smoothness");
   r->dash = gl->GetUniformLocation (r->program, "dash");
   return linked != 0;
 }
@@ -236,8 +235,7 @@ collect_runs (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera)
 }
 
 static void
-set_camera (const QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
-            bool antialias)
+set_camera (const QnGlRenderer *r, const QnScene *scene, const QnCamera *camera)
 {
   const QnGl *gl = r->gl;
   double sx = 2 * camera->scale / camera->width, sy = 2 * camera->scale / camera->height;
@@ -247,8 +245,6 @@ set_camera (const QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
   gl->Uniform2f (r->pixel, (float) (2 / camera->width), (float) (2 / camera->height));
   gl->Uniform3f (r->metric, (float) camera->scale, (float) camera->unit,
                  (float) (camera->unit * qn_scene_line_factor (scene, camera)));
-  gl->Uniform1f (r->growth, antialias ? 1.0f / QN_GL_GROWTH_STEPS : 0.0f);
-  gl->Uniform1f (r->smoothness, antialias ? 1 : 0);
   gl->Uniform2f (r->dash, (float) (6.5 * camera->unit), (float) (4 * camera->unit));
 }
 
@@ -260,7 +256,7 @@ whole (double px)
 
 void
 qn_gl_renderer_draw (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
-                     int framebuffer_height, bool antialias, QnDrawCounts *counts)
+                     int framebuffer_height, QnDrawCounts *counts)
 {
   const QnGl *gl = r->gl;
   gl->UseProgram (r->program);
@@ -277,7 +273,7 @@ qn_gl_renderer_draw (QnGlRenderer *r, const QnScene *scene, const QnCamera *came
   gl->Disable (GL_DEPTH_TEST);
   gl->Enable (GL_BLEND);
   gl->BlendFunc (GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  set_camera (r, scene, camera, antialias);
+  set_camera (r, scene, camera);
 
   QnDrawCounts tally = collect_runs (r, scene, camera);
   if (r->counts->len > 0)
@@ -348,7 +344,7 @@ tile_camera (const QnCamera *whole, int left, int top, int width, int height)
 }
 
 static void
-draw_tiles (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera, bool antialias,
+draw_tiles (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
             cairo_surface_t *image, guint8 *rows, QnDrawCounts *counts)
 {
   const QnGl *gl = r->gl;
@@ -362,7 +358,7 @@ draw_tiles (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera, bool 
       gl->Disable (GL_SCISSOR_TEST);
       gl->ClearColor (0, 0, 0, 0);
       gl->Clear (GL_COLOR_BUFFER_BIT);
-      qn_gl_renderer_draw (r, scene, &tile, r->height, antialias, counts);
+      qn_gl_renderer_draw (r, scene, &tile, r->height, counts);
       read_back (r, image, left, top, w, h, rows);
     }
   }
@@ -370,7 +366,7 @@ draw_tiles (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera, bool 
 
 cairo_surface_t *
 qn_gl_renderer_draw_image (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
-                           bool antialias, QnDrawCounts *counts, GError **error)
+                           QnDrawCounts *counts, GError **error)
 {
   int width = (int) qn_to_integer (ceil (camera->width), 1, G_MAXINT16);
   int height = (int) qn_to_integer (ceil (camera->height), 1, G_MAXINT16);
@@ -386,7 +382,7 @@ qn_gl_renderer_draw_image (QnGlRenderer *r, const QnScene *scene, const QnCamera
     whole.center.x += 0.5 * (width - camera->width) / camera->scale;
     whole.center.y -= 0.5 * (height - camera->height) / camera->scale;
     cairo_surface_flush (image);
-    draw_tiles (r, scene, &whole, antialias, image, rows, counts);
+    draw_tiles (r, scene, &whole, image, rows, counts);
     cairo_surface_mark_dirty (image);
   } else {
     g_clear_pointer (&image, cairo_surface_destroy);

@@ -16,7 +16,7 @@ void qn_gl_renderer_free (QnGlRenderer *renderer);
  * is there, with premultiplied alpha. The scene's triangles are uploaded when its revision is
  * another than last time. `counts` may be NULL. */
 void qn_gl_renderer_draw (QnGlRenderer *renderer, const QnScene *scene,
-                          const QnCamera *camera, int framebuffer_height, bool antialias,
+                          const QnCamera *camera, int framebuffer_height,
                           QnDrawCounts *counts);
 
 /* How often a scene was uploaded since the renderer was made. */
@@ -25,5 +25,5 @@ unsigned qn_gl_renderer_uploads (const QnGlRenderer *renderer);
 /* Draws the camera's viewport into a new image of its size with a transparent ground. NULL with
  * an error. */
 cairo_surface_t *qn_gl_renderer_draw_image (QnGlRenderer *renderer, const QnScene *scene,
-                                            const QnCamera *camera, bool antialias,
-                                            QnDrawCounts *counts, GError **error);
+                                            const QnCamera *camera, QnDrawCounts *counts,
+                                            GError **error);

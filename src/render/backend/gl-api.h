@@ -44,7 +44,6 @@
   X (PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)                                  \
   X (PFNGLSCISSORPROC, Scissor)                                                          \
   X (PFNGLSHADERSOURCEPROC, ShaderSource)                                                \
-  X (PFNGLUNIFORM1FPROC, Uniform1f)                                                      \
   X (PFNGLUNIFORM2FPROC, Uniform2f)                                                      \
   X (PFNGLUNIFORM3FPROC, Uniform3f)                                                      \
   X (PFNGLUSEPROGRAMPROC, UseProgram)                                                    \

@@ -41,7 +41,7 @@ qn_scene_draw (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
                const QnPage *page, GError **error)
 {
   if (page->painter == NULL) {
-    qn_draw_cairo (scene, camera, QN_LAYERS_ALL, page->antialias, cr, NULL);
+    qn_draw_cairo (scene, camera, QN_LAYERS_ALL, cr, NULL);
     return true;
   }
 
@@ -53,11 +53,11 @@ qn_scene_draw (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
   snapped.height = ceil (camera->y + camera->height) - snapped.y;
   QnVec2 middle = { snapped.x + 0.5 * snapped.width, snapped.y + 0.5 * snapped.height };
   snapped.center = qn_camera_to_model (camera, middle);
-  cairo_surface_t *image = qn_gl_renderer_draw_image (
-    page->painter->renderer, scene, &snapped, page->antialias, NULL, error);
+  cairo_surface_t *image =
+    qn_gl_renderer_draw_image (page->painter->renderer, scene, &snapped, NULL, error);
   if (image == NULL)
     return false;
-  qn_draw_cairo (scene, camera, QN_LAYERS_CAIRO_BELOW, page->antialias, cr, NULL);
+  qn_draw_cairo (scene, camera, QN_LAYERS_CAIRO_BELOW, cr, NULL);
   cairo_save (cr);
   cairo_set_source_surface (cr, image, snapped.x, snapped.y);
   cairo_pattern_set_filter (cairo_get_source (cr), CAIRO_FILTER_NEAREST);
@@ -65,7 +65,7 @@ qn_scene_draw (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
   cairo_fill (cr);
   cairo_restore (cr);
   cairo_surface_destroy (image);
-  qn_draw_cairo (scene, camera, QN_LAYERS_CAIRO_ABOVE, page->antialias, cr, NULL);
+  qn_draw_cairo (scene, camera, QN_LAYERS_CAIRO_ABOVE, cr, NULL);
   return true;
 }
 

@@ -23,7 +23,7 @@
 void
 qn_output_init (QnOutput *output)
 {
-  *output = (QnOutput){ .width = 1600, .height = 1200, .antialias = true };
+  *output = (QnOutput){ .width = 1600, .height = 1200 };
 }
 
 void
@@ -106,7 +106,6 @@ qn_output_page (const QnOutput *output, QnPage *page, GError **error)
     .width = width,
     .height = height,
     .unit = dpi > 0 ? dpi / 72 : fmin (width, height * 1.4) / NOMINAL_WIDTH_PT,
-    .antialias = output->antialias,
     .transparent = output->transparent,
   };
   return true;
@@ -144,8 +143,6 @@ draw_page (cairo_t *cr, const QnPage *page, QnPageFunc draw, void *data, GError 
     cairo_set_source_rgb (cr, 1, 1, 1);
     cairo_paint (cr);
   }
-  cairo_set_antialias (cr,
-                       page->antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
   return draw (cr, page, data, error) && qn_output_succeeded (cairo_status (cr), error);
 }
 

@@ -22,7 +22,6 @@ typedef struct QnOutput {
   bool millimetres;
   double dpi; /* 0: not given; 300 is used for mm, 96 recorded for px */
   bool transparent;
-  bool antialias;
   QnBackend backend; /* GL applies to PNG figures; vector formats are always Cairo */
 } QnOutput;
 
@@ -40,11 +39,11 @@ typedef struct QnMetadata {
 typedef struct QnPage {
   double width, height; /* px */
   double unit;          /* px per typographic point, as styles use it */
-  bool antialias, transparent;
+  bool transparent;
   struct QnGlPainter *painter; /* borrowed; NULL: Cairo draws */
 } QnPage;
 
-/* 1600 x 1200 px on white, Cairo, antialiased. */
+/* 1600 x 1200 px on white, Cairo. */
 void qn_output_init (QnOutput *output);
 
 /* No metadata. */
@@ -66,7 +65,7 @@ cairo_surface_t *qn_page_create_image (const QnPage *page);
 /* Whether Cairo has done what it should; else an error (FAILED). */
 bool qn_output_succeeded (cairo_status_t status, GError **error);
 
-/* Draws one page, with its antialiasing set; false with an error to give up. */
+/* Draws one page; false with an error to give up. */
 typedef bool (*QnPageFunc) (cairo_t *cr, const QnPage *page, void *data, GError **error);
 
 /* Draws, encodes and writes, whole or not at all; "-" writes to standard output. False with an

@@ -54,9 +54,7 @@ create_layout (cairo_t *cr, const QnTextStyle *style, const char *text)
   cairo_font_options_t *options = cairo_font_options_create ();
   cairo_font_options_set_hint_style (options, CAIRO_HINT_STYLE_NONE);
   cairo_font_options_set_hint_metrics (options, CAIRO_HINT_METRICS_OFF);
-  cairo_font_options_set_antialias (
-    options, cairo_get_antialias (cr) == CAIRO_ANTIALIAS_NONE ? CAIRO_ANTIALIAS_NONE
-                                                              : CAIRO_ANTIALIAS_GRAY);
+  cairo_font_options_set_antialias (options, CAIRO_ANTIALIAS_GRAY);
   pango_cairo_context_set_font_options (context, options);
   cairo_font_options_destroy (options);
   pango_context_set_round_glyph_positions (context, FALSE);

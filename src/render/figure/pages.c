@@ -404,8 +404,7 @@ page_of (const QnPages *pages)
 {
   return (QnPage){ .width = papers[pages->paper].width,
                    .height = papers[pages->paper].height,
-                   .unit = 1,
-                   .antialias = true };
+                   .unit = 1 };
 }
 
 /* A figure is made lower by so much rather than begun on the next page. */

@@ -326,8 +326,6 @@ qn_animation_export (const QnAnimation *animation, const char *path,
 
   cairo_surface_t *surface = qn_page_create_image (&page);
   cairo_t *cr = cairo_create (surface);
-  cairo_set_antialias (cr,
-                       page.antialias ? CAIRO_ANTIALIAS_DEFAULT : CAIRO_ANTIALIAS_NONE);
   Player player;
   bool done = player_init (&player, animation, &page, cr, error)
               && play (&player, cr, format, path, &full, error);

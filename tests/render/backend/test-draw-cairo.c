@@ -17,7 +17,7 @@ extents_of (QnScene *scene)
   };
   cairo_rectangle_t box;
   qn_scene_finish (scene);
-  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, NULL);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, cr, NULL);
   cairo_recording_surface_ink_extents (page, &box.x, &box.y, &box.width, &box.height);
   cairo_destroy (cr);
   cairo_surface_destroy (page);
@@ -38,7 +38,8 @@ test_dashes (void)
   QnScene *scene = qn_scene_new ();
   qn_scene_stroke (scene, QN_LAYER_BLOCKS, line, 2, false, 4, black)->dashed = true;
   qn_scene_finish (scene);
-  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, false, cr, NULL);
+  cairo_set_antialias (cr, CAIRO_ANTIALIAS_NONE);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, cr, NULL);
   cairo_surface_flush (page);
   const guchar *row =
     cairo_image_surface_get_data (page) + 10 * cairo_image_surface_get_stride (page);

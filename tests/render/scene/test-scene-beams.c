@@ -239,8 +239,8 @@ test_golden (void)
     cairo_t *cr = cairo_create (image);
     cairo_set_source_rgb (cr, 1, 1, 1);
     cairo_paint (cr);
-    qn_draw_cairo (scene, &camera, QN_LAYERS_ALL & ~QN_LAYERS_CAIRO_ABOVE, false, cr,
-                   NULL);
+    cairo_set_antialias (cr, CAIRO_ANTIALIAS_NONE);
+    qn_draw_cairo (scene, &camera, QN_LAYERS_ALL & ~QN_LAYERS_CAIRO_ABOVE, cr, NULL);
     cairo_destroy (cr);
     image_assert_golden (pictures[i].name, image, IMAGE_EXACT);
     cairo_surface_destroy (image);

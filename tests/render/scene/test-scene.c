@@ -185,7 +185,7 @@ test_culling (void)
 
   qn_camera_fit (&camera, scene->box, 0);
   camera.scale = 400;
-  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &near);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, cr, &near);
   g_assert_cmpuint (near.drawn + near.skipped, ==, scene->commands->len);
   g_assert_cmpuint (near.drawn, <, 60);
   g_assert_cmpuint (near.drawn, >, 8);
@@ -193,13 +193,13 @@ test_culling (void)
   camera.width = 3000;
   camera.height = 2000;
   qn_camera_fit (&camera, scene->box, 0);
-  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &all);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, cr, &all);
   for (guint i = 0; i < scene->commands->len; i++)
     other_heads += !qn_command_has_size (qn_scene_command (scene, i), &camera);
   g_assert_cmpuint (all.skipped, ==, other_heads);
 
   camera.scale = 1;
-  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &far);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, cr, &far);
   g_assert_cmpuint (far.drawn, <, all.drawn / 2);
   g_assert_cmpuint (far.drawn, >=, f.model.block_count);
   cairo_destroy (cr);
@@ -261,14 +261,14 @@ test_culling_large (void)
   size_t commands = scene->commands->len;
 
   qn_camera_fit (&camera, scene->box, 10);
-  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &full);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, cr, &full);
   g_assert_cmpuint (full.drawn + full.skipped, ==, commands);
   g_assert_cmpuint (full.drawn, >=, f.model.block_count);
   g_assert_cmpuint (full.skipped, >=, f.model.block_count);
 
   /* A fortieth of the width: some eight blocks abreast. */
   camera.scale *= 40;
-  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, true, cr, &zoomed);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, cr, &zoomed);
   g_assert_cmpuint (zoomed.drawn + zoomed.skipped, ==, commands);
   g_assert_cmpuint (zoomed.drawn, >=, 100);
   g_assert_cmpuint (zoomed.drawn, <=, 600);
