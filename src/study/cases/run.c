@@ -24,9 +24,8 @@ typedef struct Run {
   const char *folder;
   QnSample sample;
   QnStore *store;
-  guint8 *taken;    /* per case: has a row, or a worker has it, or not of this slice */
-  gsize next;       /* no case before it is free */
-  GArray *returned; /* of gsize: cases that a worker left behind */
+  guint8 *taken; /* per case: has a row, or a worker has it, or not of this slice */
+  gsize next;    /* no case before it is free */
   QnWorker *workers;
   QnStudyProgress progress;
   double begun, committed;
@@ -39,11 +38,6 @@ typedef struct Run {
 static gboolean
 take_case (Run *run, gsize *index)
 {
-  if (run->returned->len > 0) {
-    *index = g_array_index (run->returned, gsize, run->returned->len - 1);
-    g_array_set_size (run->returned, run->returned->len - 1);
-    return TRUE;
-  }
   while (run->next < run->sample.count && run->taken[run->next])
     run->next++;
   if (run->next == run->sample.count)
@@ -63,50 +57,39 @@ keep_row (Run *run, gsize index, const QnCaseResult *result, GError **error)
                        error);
 }
 
-/* Fills the queue of a worker, and starts it before where there is none. */
+/* Gives a case to a worker that has none, and starts it before where there is none. */
 static gboolean
 feed (Run *run, QnWorker *worker, GError **error)
 {
   gsize index;
-  while (worker->queued < QN_WORKER_AHEAD && take_case (run, &index)) {
-    if (worker->pid == 0
-        && !qn_worker_start (worker, run->settings->program, run->folder,
-                             run->settings->keep, error)) {
-      g_array_append_val (run->returned, index);
-      return FALSE;
-    }
-    /* One that has gone is found at the end of its output. */
-    if (!qn_worker_give (worker, index, qn_sample_case (&run->sample, index),
-                         run->sample.width))
-      break;
-  }
+  if (worker->busy || !take_case (run, &index))
+    return TRUE;
+  if (worker->pid == 0
+      && !qn_worker_start (worker, run->settings->program, run->folder,
+                           run->settings->keep, error))
+    return FALSE;
+  qn_worker_give (worker, index, qn_sample_case (&run->sample, index), run->sample.width);
   return TRUE;
 }
 
-/* A worker has ended, or is ended for a reason (nullable): the case that it had begun failed, the
- * others go back. */
+/* A worker has ended, or is ended for a reason (nullable): its case failed. */
 static gboolean
 bury (Run *run, QnWorker *worker, const char *reason, GError **error)
 {
-  gboolean ready = worker->ready;
-  guint queued = worker->queued;
-  gsize queue[QN_WORKER_AHEAD] = { 0 };
-  for (guint i = 0; i < queued; i++)
-    queue[i] = worker->queue[i];
+  const gboolean ready = worker->ready, busy = worker->busy;
+  const gsize index = worker->index;
   g_autofree char *how = qn_worker_end (worker, reason != NULL);
   if (!ready)
     return qn_io_fail (error, QN_IO_ERROR_FILE, "%s: %s", run->settings->program,
                        how != NULL ? how : _ ("cannot be started"));
-  for (guint i = 1; i < queued; i++)
-    g_array_append_val (run->returned, queue[i]);
-  if (queued == 0)
+  if (!busy)
     return TRUE;
   QnCaseResult result;
   qn_case_result_fail (&result, reason != NULL ? reason
                                 : how != NULL
                                   ? how
                                   : _ ("the process of the case ended early"));
-  gboolean ok = keep_row (run, queue[0], &result, error);
+  gboolean ok = keep_row (run, index, &result, error);
   qn_case_result_clear (&result);
   return ok;
 }
@@ -114,11 +97,10 @@ bury (Run *run, QnWorker *worker, const char *reason, GError **error)
 static gboolean
 hear (Run *run, QnWorker *worker, GError **error)
 {
-  gsize index;
   QnCaseResult result;
   gboolean more = qn_worker_receive (worker), ok = TRUE;
-  while (ok && qn_worker_answer (worker, &index, &result)) {
-    ok = keep_row (run, index, &result, error);
+  while (ok && qn_worker_answer (worker, &result)) {
+    ok = keep_row (run, worker->index, &result, error);
     qn_case_result_clear (&result);
   }
   return ok && (more || bury (run, worker, NULL, error));
@@ -129,8 +111,7 @@ static gboolean
 check_time (Run *run, QnWorker *worker, GError **error)
 {
   double allowed = run->study->seconds;
-  if (worker->queued == 0 || !worker->ready
-      || qn_clock_seconds () - worker->begun < allowed)
+  if (!worker->busy || !worker->ready || qn_clock_seconds () - worker->begun < allowed)
     return TRUE;
   g_autofree char *reason =
     g_strdup_printf (_ ("the case took longer than %g s (limits.seconds)"), allowed);
@@ -166,7 +147,7 @@ wait_for_workers (Run *run, gboolean *busy, GError **error)
   *busy = FALSE;
   for (guint i = 0; i < jobs; i++) {
     polls[i] = (struct pollfd){ .fd = run->workers[i].output, .events = POLLIN };
-    *busy |= run->workers[i].queued > 0;
+    *busy |= run->workers[i].busy;
   }
   if (!*busy)
     return TRUE;
@@ -243,7 +224,6 @@ qn_study_run (const QnStudy *study, const char *folder,
   void (*before) (int) = signal (SIGPIPE, SIG_IGN);
   qn_sample_init (&run.sample, study);
   run.taken = g_new0 (guint8, run.sample.count);
-  run.returned = g_array_new (FALSE, FALSE, sizeof (gsize));
   run.workers = g_new (QnWorker, settings->jobs);
   for (guint i = 0; i < settings->jobs; i++)
     run.workers[i] = (QnWorker){ .input = -1, .output = -1 };
@@ -256,7 +236,6 @@ qn_study_run (const QnStudy *study, const char *folder,
 
   qn_store_close (run.store);
   qn_sample_clear (&run.sample);
-  g_array_unref (run.returned);
   g_free (run.workers);
   g_free (run.taken);
   signal (SIGPIPE, before);

@@ -7,7 +7,6 @@
 
 #include <errno.h>
 #include <glib/gi18n-lib.h>
-#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,65 +14,41 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static void
-print_number (FILE *output, double number)
-{
-  char text[QN_NUMBER_TEXT_SIZE];
-  fprintf (output, "\t%s", isnan (number) ? "" : qn_number_text (number, text));
-}
+/* Of a result: whether it failed, seconds; outcome, reason, kind and shape of the mechanism; numbers. */
+#define RESULT "(bdmsmsmsms@ad)"
 
 static void
-print_text (FILE *output, const char *text)
+print_result (FILE *output, const QnCaseResult *result)
 {
-  g_autofree char *line = g_strdup (text != NULL ? text : "");
-  g_strdelimit (line, "\t\r\n", ' ');
-  fprintf (output, "\t%s", line);
-}
-
-static void
-print_result (FILE *output, gsize number, const QnCaseResult *result)
-{
-  fprintf (output, "%" G_GSIZE_FORMAT "\t%s", number, result->failed ? "failed" : "done");
-  print_number (output, result->seconds);
-  print_text (output, result->outcome);
-  print_text (output, result->reason);
-  print_text (output, result->mechanism);
-  print_text (output, result->shape);
-  for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++)
-    print_number (output, result->numbers[i]);
-  fputc ('\n', output);
+  /* Names in a reason may have any bytes. */
+  g_autofree char *reason =
+    g_utf8_make_valid (result->reason != NULL ? result->reason : "", -1);
+  g_strdelimit (reason, "\t\r\n", ' ');
+  g_autoptr (GVariant) fields = g_variant_ref_sink (g_variant_new (
+    RESULT, result->failed, result->seconds, result->outcome,
+    *reason != '\0' ? reason : NULL, result->mechanism, result->shape,
+    g_variant_new_fixed_array (G_VARIANT_TYPE_DOUBLE, result->numbers,
+                               QN_STUDY_OUTPUT_COUNT, sizeof *result->numbers)));
+  g_autofree char *line = g_variant_print (fields, FALSE);
+  fprintf (output, "%s\n", line);
   fflush (output);
 }
 
-/* A field that may be empty. */
-static double
-number_of (const char *field)
-{
-  return *field != '\0' ? g_ascii_strtod (field, NULL) : NAN;
-}
-
-static char *
-text_of (const char *field)
-{
-  return *field != '\0' ? g_strdup (field) : NULL;
-}
-
 static gboolean
-parse_result (const char *line, gsize *number, QnCaseResult *result)
+parse_result (const char *line, QnCaseResult *result)
 {
-  enum { NUMBER, STATUS, SECONDS, OUTCOME, REASON, MECHANISM, SHAPE, OUTPUTS };
-  g_auto (GStrv) fields = g_strsplit (line, "\t", -1);
-  if (g_strv_length (fields) != OUTPUTS + QN_STUDY_OUTPUT_COUNT)
+  gsize count = 0;
+  g_autoptr (GVariant) numbers = NULL;
+  g_autoptr (GVariant) fields =
+    g_variant_parse (G_VARIANT_TYPE ("(bdmsmsmsmsad)"), line, NULL, NULL, NULL);
+  if (fields == NULL)
     return FALSE;
-  *number = (gsize) g_ascii_strtoull (fields[NUMBER], NULL, 10);
-  *result = (QnCaseResult){ .failed = strcmp (fields[STATUS], "failed") == 0,
-                            .seconds = number_of (fields[SECONDS]),
-                            .outcome = text_of (fields[OUTCOME]),
-                            .reason = text_of (fields[REASON]),
-                            .mechanism = text_of (fields[MECHANISM]),
-                            .shape = text_of (fields[SHAPE]) };
-  for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++)
-    result->numbers[i] = number_of (fields[OUTPUTS + i]);
+  g_variant_get (fields, RESULT, &result->failed, &result->seconds, &result->outcome,
+                 &result->reason, &result->mechanism, &result->shape, &numbers);
+  const double *values =
+    g_variant_get_fixed_array (numbers, &count, sizeof *result->numbers);
+  memcpy (result->numbers, values,
+          MIN (count, QN_STUDY_OUTPUT_COUNT) * sizeof *result->numbers);
   return TRUE;
 }
 
@@ -95,7 +70,7 @@ qn_worker_serve (const QnStudy *study, const char *folder, gboolean keep, FILE *
       values[i] = g_ascii_strtod (at, &at);
     g_autofree char *path = keep ? qn_folder_dup_result (folder, number) : NULL;
     qn_case_solve (study, values, path, NULL, &result);
-    print_result (output, number, &result);
+    print_result (output, &result);
     qn_case_result_clear (&result);
   }
   free (line);
@@ -135,7 +110,7 @@ qn_worker_start (QnWorker *worker, const char *program, const char *folder, gboo
   return TRUE;
 }
 
-gboolean
+void
 qn_worker_give (QnWorker *worker, gsize index, const double *values, gsize width)
 {
   g_autoptr (GString) line = g_string_new (NULL);
@@ -144,16 +119,15 @@ qn_worker_give (QnWorker *worker, gsize index, const double *values, gsize width
   for (gsize i = 0; i < width; i++)
     g_string_append_printf (line, "\t%s", qn_number_text (values[i], number));
   g_string_append_c (line, '\n');
-  if (worker->queued == 0 && worker->ready)
-    worker->begun = qn_clock_seconds ();
-  worker->queue[worker->queued++] = index;
+  worker->begun = qn_clock_seconds ();
+  worker->index = index;
+  worker->busy = TRUE;
   for (gsize sent = 0; sent < line->len;) {
     ssize_t count = write (worker->input, line->str + sent, line->len - sent);
     if (count < 0 && errno != EINTR)
-      return FALSE;
+      return;
     sent += count > 0 ? (gsize) count : 0;
   }
-  return TRUE;
 }
 
 gboolean
@@ -180,22 +154,17 @@ take_line (QnWorker *worker)
 }
 
 gboolean
-qn_worker_answer (QnWorker *worker, gsize *index, QnCaseResult *result)
+qn_worker_answer (QnWorker *worker, QnCaseResult *result)
 {
   for (;;) {
     g_autofree char *line = take_line (worker);
-    gsize number;
     if (line == NULL)
       return FALSE;
     if (strcmp (line, "ready") == 0) {
       worker->ready = TRUE;
       worker->begun = qn_clock_seconds ();
-    } else if (worker->queued > 0 && parse_result (line, &number, result)) {
-      *index = worker->queue[0];
-      g_return_val_if_fail (number == *index + 1, FALSE);
-      worker->queued--;
-      worker->begun = qn_clock_seconds ();
-      memmove (worker->queue, worker->queue + 1, worker->queued * sizeof *worker->queue);
+    } else if (worker->busy && parse_result (line, result)) {
+      worker->busy = FALSE;
       return TRUE;
     }
   }

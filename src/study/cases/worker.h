@@ -3,7 +3,7 @@
  *
  * A worker is this program again (`quoin-cli study worker FOLDER`). It says "ready", then reads
  * lines "number, values" from standard input and answers each with one line on standard output,
- * fields separated by tabs. It ends with its input, or with the process that started it.
+ * a GVariant as text. It ends with its input, or with the process that started it.
  */
 #pragma once
 
@@ -15,34 +15,28 @@
 void qn_worker_serve (const QnStudy *study, const char *folder, gboolean keep,
                       FILE *input, FILE *output);
 
-/* Cases that a worker is given ahead, so that it need not wait for the next one. */
-#define QN_WORKER_AHEAD 2
-
 typedef struct QnWorker {
   int pid;           /* 0: none */
   int input, output; /* to write to and to read from; -1 */
-  gboolean ready;
+  gboolean ready, busy;
   GString *received; /* what has come of the next line */
-  gsize
-    queue[QN_WORKER_AHEAD]; /* places of the cases that it has, the present one first */
-  guint queued;
-  double begun; /* the present case, where the worker is ready; qn_clock_seconds() */
+  gsize index;       /* place of its case, where it is busy, */
+  double begun;      /* and when that began, where it is ready; qn_clock_seconds() */
 } QnWorker;
 
 /* Starts `program` with the arguments of a worker. Errors: QN_IO_ERROR. */
 gboolean qn_worker_start (QnWorker *worker, const char *program, const char *folder,
                           gboolean keep, GError **error);
 
-/* Hands over a case; FALSE where the worker has gone. */
-gboolean qn_worker_give (QnWorker *worker, gsize index, const double *values,
-                         gsize width);
+/* Hands over a case to a worker that has none. One that has gone is found at the end of its output. */
+void qn_worker_give (QnWorker *worker, gsize index, const double *values, gsize width);
 
 /* Reads the worker's output. FALSE at its end. */
 gboolean qn_worker_receive (QnWorker *worker);
 
-/* The next answer that is complete: place and result of the first case of the queue, which it
- * leaves. FALSE where there is none. *result is overwritten; to be cleared. */
-gboolean qn_worker_answer (QnWorker *worker, gsize *index, QnCaseResult *result);
+/* The result of its case, once that is complete: it is free for the next one then. FALSE where there is
+ * none. *result is overwritten; to be cleared. */
+gboolean qn_worker_answer (QnWorker *worker, QnCaseResult *result);
 
 /* Waits for a worker that has ended, or kills it first; how it ended, in words, or NULL where it
  * ended as it should. Free with g_free(). */
