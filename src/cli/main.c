@@ -70,7 +70,6 @@ main (int argc, char **argv)
   bind_textdomain_codeset (GETTEXT_PACKAGE, "UTF-8");
   textdomain (GETTEXT_PACKAGE);
   g_set_prgname ("quoin-cli");
-  qn_shown_text_on_standard_output ();
   /* A file beyond what the user may write is an error like others, not a reason to end
    * the program. */
   signal (SIGXFSZ, SIG_IGN);

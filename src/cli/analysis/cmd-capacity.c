@@ -11,8 +11,6 @@
 #include "io/text/io-error.h"
 
 #include <glib/gi18n.h>
-#include <stdio.h>
-#include <string.h>
 
 enum { TIE_STRAIN = 7, PART_PERIOD, SETTINGS = 14 };
 
@@ -98,8 +96,8 @@ print (const Answer *answer)
     &answer->answer, model->blocks[answer->answer.capacity.block].name, answer->reason,
     QN_UNITS_SI);
   qn_print ("%s\n", model->title != NULL ? model->title : answer->input->project.name);
-  fputs (facts, stdout);
-  fputc ('\n', stdout);
+  qn_print_text (facts);
+  qn_print ("\n");
   if (states == 0)
     return;
   g_autoptr (GPtrArray) cells =

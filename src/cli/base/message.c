@@ -8,17 +8,15 @@
 #include <gio/gio.h>
 #include <glib/gi18n.h>
 #include <stdio.h>
-#include <string.h>
 
 G_GNUC_PRINTF (2, 0)
 static void
 print_line (const char *kind, const char *format, va_list arguments)
 {
   g_autofree char *text = g_strdup_vprintf (format, arguments);
-  g_autoptr (GString) shown = g_string_new (NULL);
   g_strdelimit (text, "\r\n", ' ');
-  qn_shown_text_append (shown, text, strlen (text));
-  fprintf (stderr, "quoin-cli: %s%s\n", kind, shown->str);
+  g_autofree char *shown = qn_shown_text_dup (text);
+  fprintf (stderr, "quoin-cli: %s%s\n", kind, shown);
 }
 
 void

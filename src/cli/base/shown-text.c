@@ -3,35 +3,35 @@
 #include "cli/base/message.h"
 #include "io/text/text-format.h"
 
-#include <errno.h>
 #include <glib/gi18n.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
-gsize
-qn_shown_text_append (GString *shown, const char *text, gsize length)
+char *
+qn_shown_text_dup (const char *text)
 {
-  gsize at = 0;
-  while (at < length) {
-    gunichar c = text[at] != '\0'
-                   ? g_utf8_get_char_validated (text + at, (gssize) (length - at))
-                   : 0;
-    if (c == (gunichar) -2) /* the rest is to come */
-      return at;
-    if (c == (gunichar) -1) {
-      g_string_append_printf (shown, "\\x%02x", (guint) (guchar) text[at++]);
-      continue;
-    }
-    gsize bytes = (gsize) (g_utf8_next_char (text + at) - (text + at));
-    if (qn_is_plain_character (c))
-      g_string_append_len (shown, text + at, (gssize) bytes);
-    else
+  GString *shown = g_string_new (NULL);
+  while (*text != '\0') {
+    const gunichar c = g_utf8_get_char_validated (text, -1);
+    const char *next = g_utf8_next_char (text);
+    if (c >= (gunichar) -2) {
+      g_string_append_printf (shown, "\\x%02x", (guint) (guchar) *text);
+      next = text + 1;
+    } else if (qn_is_plain_character (c)) {
+      g_string_append_len (shown, text, next - text);
+    } else {
       g_string_append_printf (shown, "\\u%04x", c);
-    at += bytes;
+    }
+    text = next;
   }
-  return at;
+  return g_string_free (shown, FALSE);
+}
+
+void
+qn_print_text (const char *text)
+{
+  g_autofree char *shown = qn_shown_text_dup (text);
+  fputs (shown, stdout);
 }
 
 static gboolean all_finite = TRUE;
@@ -43,7 +43,7 @@ qn_print (const char *format, ...)
   va_start (arguments, format);
   g_autofree char *text = qn_text_vprintf (&all_finite, format, arguments);
   va_end (arguments);
-  fputs (text, stdout);
+  qn_print_text (text);
 }
 
 QnExit
@@ -65,48 +65,4 @@ void
 qn_cli_stop (QnExit code)
 {
   exit ((int) qn_shown_text_end (code));
-}
-
-/* Bytes of a character whose rest has not been printed yet. */
-typedef struct Rest {
-  char bytes[8];
-  gsize length;
-} Rest;
-
-static gboolean
-write_all (const char *text, gsize length)
-{
-  while (length > 0) {
-    ssize_t count = write (STDOUT_FILENO, text, length);
-    if (count < 0 && errno != EINTR)
-      return FALSE;
-    text += MAX (count, 0);
-    length -= (gsize) MAX (count, 0);
-  }
-  return TRUE;
-}
-
-static ssize_t
-print (void *cookie, const char *text, size_t length)
-{
-  Rest *rest = cookie;
-  g_autoptr (GString) all = g_string_new_len (rest->bytes, (gssize) rest->length);
-  g_autoptr (GString) shown = g_string_new (NULL);
-  g_string_append_len (all, text, (gssize) length);
-  gsize taken = qn_shown_text_append (shown, all->str, all->len);
-  rest->length = all->len - taken;
-  memcpy (rest->bytes, all->str + taken, rest->length);
-  return write_all (shown->str, shown->len) ? (ssize_t) length : 0;
-}
-
-void
-qn_shown_text_on_standard_output (void)
-{
-  static Rest rest;
-  const cookie_io_functions_t functions = { .write = print };
-  FILE *shown = fopencookie (&rest, "w", functions);
-  if (shown == NULL)
-    return;
-  setvbuf (shown, NULL, isatty (STDOUT_FILENO) ? _IOLBF : _IOFBF, BUFSIZ);
-  stdout = shown;
 }

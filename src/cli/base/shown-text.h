@@ -7,18 +7,17 @@
 
 #include <glib.h>
 
-/* Appends text with all control characters but tab and line break, and those that turn the direction
- * of writing, as \uXXXX; bytes that are no UTF-8 as \xXX. Of `length` bytes it takes all but the
- * beginning of a character at the end; returns how many. */
-gsize qn_shown_text_append (GString *shown, const char *text, gsize length);
+/* The text with all control characters but tab and line break, and those that turn the direction of
+ * writing, as \uXXXX; bytes that are no UTF-8 as \xXX. Free with g_free(). */
+char *qn_shown_text_dup (const char *text);
 
 /* Prints on standard output, as qn_text_printf() writes: a line break in a name begins no line, and what
- * is no number is shown as "–" and ends the program with QN_EXIT_NO_ANSWER. */
+ * is no number is shown as "–" and ends the program with QN_EXIT_NO_ANSWER. Files that are written there
+ * ("-o -") do not go this way. */
 void qn_print (const char *format, ...) G_GNUC_PRINTF (1, 2);
+
+/* The same of lines that are complete. */
+void qn_print_text (const char *text);
 
 /* Completes standard output; the exit code of a program that would end with this one. */
 QnExit qn_shown_text_end (QnExit code);
-
-/* Lets everything that is printed on standard output pass through it. Files that are written there
- * ("-o -") do not. */
-void qn_shown_text_on_standard_output (void);

@@ -90,7 +90,7 @@ end_by_help (GOptionContext *context, int argc, char **argv)
     if (strcmp (argv[i], "--help") == 0 || strcmp (argv[i], "-h") == 0
         || strcmp (argv[i], "-?") == 0) {
       g_autofree char *help = g_option_context_get_help (context, TRUE, NULL);
-      fputs (help, stdout);
+      qn_print_text (help);
       qn_cli_stop (QN_EXIT_DONE);
     }
 }

@@ -6,7 +6,6 @@
 
 #include <glib/gi18n.h>
 #include <stdio.h>
-#include <string.h>
 
 typedef struct ImportOptions {
   char *output;
@@ -21,12 +20,11 @@ tell_import (const ImportOptions *options, const QnImportReport *report)
   if (report->lines == NULL) /* the file could not be read */
     return;
   if (options->report) {
-    g_autoptr (GString) shown = g_string_new (NULL);
     for (guint i = 0; i < report->lines->len; i++) {
       g_autofree char *line = qn_text_printf ("%s\n", (char *) report->lines->pdata[i]);
-      qn_shown_text_append (shown, line, strlen (line));
+      g_autofree char *shown = qn_shown_text_dup (line);
+      fputs (shown, g_strcmp0 (options->output, "-") != 0 ? stdout : stderr);
     }
-    fputs (shown->str, g_strcmp0 (options->output, "-") != 0 ? stdout : stderr);
     return;
   }
   for (guint i = 0; i < report->warnings->len; i++)

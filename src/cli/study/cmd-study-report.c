@@ -1,5 +1,6 @@
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
+#include "cli/base/shown-text.h"
 #include "cli/study/cmd-study.h"
 #include "core/base/word.h"
 #include "study/cases/folder.h"
@@ -7,7 +8,6 @@
 #include "study/report/summary.h"
 
 #include <glib/gi18n.h>
-#include <stdio.h>
 
 /* The rows of the study of a folder, for the rest of the program. */
 static QnTable *
@@ -48,7 +48,7 @@ run_summary (const QnSubcommand *self, int argc, char **argv)
   if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
     return;
   g_autofree char *text = qn_summary_dup_text (load_table (argv[1]));
-  fputs (text, stdout);
+  qn_print_text (text);
 }
 
 const QnSubcommand qn_study_action_summary = {

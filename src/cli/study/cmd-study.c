@@ -224,7 +224,7 @@ run_submit (const QnSubcommand *self, int argc, char **argv)
     qn_print (_ ("%s: nothing to submit: %zu cases missing, %u tasks wait or run\n"),
               folder, submission.missing, submission.active);
   else if (submission.job == NULL)
-    fputs (submission.script, stdout);
+    qn_print_text (submission.script);
   else
     qn_print (_ ("%s: %zu cases missing, %u tasks submitted as array %s\n"), folder,
               submission.missing, submission.tasks, submission.job);

@@ -336,9 +336,8 @@ verify (const VerifyOptions *options, char **names)
       run_case (options, group, &group->cases[k], &tally);
     qn_print ("\n");
   }
-  fputs (_ ("* HybriDFEM as published, for comparison.\n"
-            "† Upper bound of the associative limit analysis, computed now.\n"),
-         stdout);
+  qn_print (_ ("* HybriDFEM as published, for comparison.\n"
+               "† Upper bound of the associative limit analysis, computed now.\n"));
   if (tally.uncertain > 0)
     qn_print ("%s\n", _ ("‡ How the structure moves above its multiplier was not "
                          "determined: the mechanism is its last motion."));
