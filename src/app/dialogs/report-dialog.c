@@ -5,6 +5,7 @@
 #include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"
+#include "doc/edit/edit.h"
 #include "doc/text/units.h"
 #include "doc/view/report-template.h"
 
@@ -38,11 +39,9 @@ read_demand (Dialog *dialog, double *demand, GError **error)
     return TRUE;
   if (!qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, text, demand, error))
     return FALSE;
-  if (*demand > 0 && isfinite (*demand))
-    return TRUE;
-  g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_NOT_A_NUMBER,
-               _ ("The demand is a load multiplier, a positive number"));
-  return FALSE;
+  return (*demand > 0 && isfinite (*demand))
+         || qn_edit_refuse (error,
+                            _ ("The demand is a load multiplier, a positive number"));
 }
 
 static gboolean

@@ -64,9 +64,8 @@ take_corners (QnBar *bar, const char *text, GError **error)
   int32_t count = 0;
   if (text != NULL && *text != '\0'
       && !qn_points_parse (text, points, QN_MAX_BAR_CORNERS, &count))
-    return qn_edit_refuse_nothing (error,
-                                   _ ("Corners are pairs of numbers, x and y in m, "
-                                      "a space between them, up to 30"));
+    return qn_edit_refuse (error, _ ("Corners are pairs of numbers, x and y in m, "
+                                     "a space between them, up to 30"));
   memcpy (bar->via, points, (gsize) count * sizeof points[0]);
   bar->via_count = count;
   return TRUE;

@@ -409,8 +409,8 @@ make_force (const Form *form, const QnModel *model, QnLoad *load, GError **error
   else if (beams.count > 0)
     load->node = model->beams[beams.ids[0]].nodes[1];
   else
-    return qn_edit_refuse_nothing (
-      error, _ ("Select the block or the beam that the force acts on"));
+    return qn_edit_refuse (error,
+                           _ ("Select the block or the beam that the force acts on"));
   return TRUE;
 }
 
@@ -420,7 +420,7 @@ make_line (const Form *form, QnLoad *load, GError **error)
 {
   QnBeamSet beams = qn_canvas_get_parts (form->base.canvas).beams;
   if (beams.count == 0)
-    return qn_edit_refuse_nothing (error, _ ("Select the beam that the load lies on"));
+    return qn_edit_refuse (error, _ ("Select the beam that the load lies on"));
   load->kind = QN_LOAD_LINE;
   load->beam = beams.ids[0];
   load->vector.y = -USUAL_LINE_LOAD;
@@ -437,7 +437,7 @@ make_settlement (const Form *form, const QnModel *model, QnLoad *load, GError **
          && !model->blocks[set.ids[0]].support[dof % QN_DOF_COUNT])
     dof++;
   if (set.count == 0 || dof == QN_DOF_UY + QN_DOF_COUNT)
-    return qn_edit_refuse_nothing (error, _ ("Select the fixed block that settles"));
+    return qn_edit_refuse (error, _ ("Select the fixed block that settles"));
   load->kind = QN_LOAD_SETTLEMENT;
   load->block = set.ids[0];
   load->dof = (QnDof) (dof % QN_DOF_COUNT);

@@ -134,7 +134,7 @@ take_control (const QnBoundForm *form, const QnModel *model, QnStage *stage,
 {
   const QnPartSet set = qn_canvas_get_parts (form->canvas);
   if (set.blocks.count == 0 && set.beams.count == 0)
-    return qn_edit_refuse_nothing (
+    return qn_edit_refuse (
       error, _ ("Select the block or the beam whose displacement ends the stage"));
   stage->control.block = set.blocks.count > 0 ? set.blocks.ids[0] : QN_NONE;
   stage->control.node =

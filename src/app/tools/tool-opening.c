@@ -42,7 +42,7 @@ add_opening (QnMasonry *masonry, gpointer data, GError **error)
   Opening *o = data;
   QnOpening plan;
   if (!qn_plan_opening (masonry, &o->style, o->from, o->to, o->snap, &plan))
-    return qn_edit_refuse_nothing (
+    return qn_edit_refuse (
       error, _ ("The opening is smaller than half a block or outside the wall"));
   QnOpening *opening = qn_masonry_add_opening (masonry);
   if (opening == NULL)
@@ -66,8 +66,7 @@ cut (QnProject *draft, Opening *o, GError **error)
   if (o->object == QN_NONE) {
     QnId wall = qn_model_wall_at (&draft->model, middle);
     if (wall == QN_NONE)
-      return qn_edit_refuse_nothing (error,
-                                     _ ("Openings are cut into walls: drag on a wall"));
+      return qn_edit_refuse (error, _ ("Openings are cut into walls: drag on a wall"));
     if (!qn_edit_convert_wall (draft, wall, error))
       return FALSE;
     o->object = (QnId) count;

@@ -77,8 +77,7 @@ start (QnDocument *self, const QnModel *model, const char *name, const QnRun *as
        GError **error)
 {
   if (model->block_count == 0 && model->beam_count == 0)
-    return qn_edit_refuse_nothing (error,
-                                   _ ("There is nothing to analyse: draw a wall first"));
+    return qn_edit_refuse (error, _ ("There is nothing to analyse: draw a wall first"));
   QnJob *job = qn_job_new (model, name, qn_document_get_fingerprint (self), error);
   if (job == NULL)
     return FALSE;

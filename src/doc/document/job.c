@@ -3,7 +3,7 @@
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
 #include "core/path/stability.h"
-#include "doc/text/explain.h"
+#include "doc/edit/edit.h"
 
 #include <glib.h>
 #include <glib/gi18n-lib.h>
@@ -42,10 +42,6 @@ struct _QnJob {
 };
 
 G_DEFINE_FINAL_TYPE (QnJob, qn_job, G_TYPE_OBJECT)
-/* The formatter would set spaces around dashes that are part of the name. */
-/* clang-format off */
-G_DEFINE_QUARK (qn-job-error-quark, qn_job_error)
-/* clang-format on */
 
 enum { SIGNAL_PROGRESS, SIGNAL_COUNT };
 static guint job_signals[SIGNAL_COUNT];
@@ -81,27 +77,14 @@ qn_job_init (QnJob *self)
   pthread_cond_init (&self->resumed, NULL);
 }
 
-static void
-set_error (GError **error, const QnModel *model, const QnDiag *diag, QnStatus status)
-{
-  QnJobError code = QN_JOB_ERROR_INTERNAL;
-  if (status == QN_ERROR_NO_MEMORY)
-    code = QN_JOB_ERROR_NO_MEMORY;
-  else if (status == QN_ERROR_INVALID)
-    code = QN_JOB_ERROR_INVALID;
-  g_autofree char *message = qn_explain_diag (model, diag);
-  g_set_error_literal (error, QN_JOB_ERROR, (int) code, message);
-}
-
 QnJob *
 qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
             GError **error)
 {
   g_autoptr (QnJob) self = g_object_new (QN_TYPE_JOB, NULL);
   self->run = qn_run_new (name, fingerprint);
-  QnStatus status = qn_model_copy (model, &self->run->model, &self->diag);
-  if (status != QN_OK) {
-    set_error (error, model, &self->diag, status);
+  if (qn_model_copy (model, &self->run->model, &self->diag) != QN_OK) {
+    qn_edit_refuse_diag (error, model, &self->diag);
     return NULL;
   }
   self->run->model.analysis.workers = qn_threads_get ();
@@ -241,7 +224,7 @@ run_in_thread (gpointer data)
                              _ ("The analysis was cancelled before its first step"));
   } else {
     GError *error = NULL;
-    set_error (&error, &self->run->model, &self->diag, status);
+    qn_edit_refuse_diag (&error, &self->run->model, &self->diag);
     g_task_return_error (task, error);
   }
   return NULL;

@@ -62,16 +62,6 @@ double qn_job_get_remaining (QnJob *job);
 /* For other work in threads, as a QnProgressFunc: until `cancellable` is cancelled. */
 bool qn_job_may_go_on (const QnProgress *progress, void *cancellable);
 
-/* Errors of qn_job_finish() and qn_job_new(): the core's problem as an error. */
-#define QN_JOB_ERROR (qn_job_error_quark ())
-GQuark qn_job_error_quark (void);
-
-typedef enum {
-  QN_JOB_ERROR_NO_MEMORY,
-  QN_JOB_ERROR_INVALID,
-  QN_JOB_ERROR_INTERNAL
-} QnJobError;
-
 /* Diagnosis of the analysis, with its place; valid after a failed finish. */
 const QnDiag *qn_job_get_diag (QnJob *job);
 

@@ -315,8 +315,7 @@ dup_image (QnDocument *document, QnUnderlay *underlay, GError **error)
   if (qn_underlay_locate (qn_document_get_project (document), NULL, &path, underlay,
                           error)
       && path == NULL)
-    g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                         _ ("There is no picture behind the drawing"));
+    qn_edit_refuse (error, _ ("There is no picture behind the drawing"));
   return path;
 }
 

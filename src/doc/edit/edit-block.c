@@ -51,7 +51,7 @@ qn_transform_apply (QnTransform t, QnVec2 p)
 static gboolean
 refuse_nothing (GError **error)
 {
-  return qn_edit_refuse_nothing (error, _ ("No block is selected"));
+  return qn_edit_refuse (error, _ ("No block is selected"));
 }
 
 gboolean
@@ -133,8 +133,7 @@ qn_edit_detach (QnModel *model, QnBlockSet set, GError **error)
   for (guint i = 0; i < set.count; i++)
     any = any || model->blocks[set.ids[i]].masonry != QN_NONE;
   if (!any)
-    return qn_edit_refuse_nothing (error,
-                                   _ ("None of the selected blocks belongs to a wall"));
+    return qn_edit_refuse (error, _ ("None of the selected blocks belongs to a wall"));
   detach_masonry (model, set);
   detach_walls (model, walls);
   return qn_edit_rebuild (model, NULL, error);

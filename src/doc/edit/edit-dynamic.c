@@ -94,11 +94,9 @@ put_moving (QnModel *model, const QnInitialMotion *motion, GError **error)
   const QnBlock *block = &model->blocks[motion->block];
   for (int i = 0; i < QN_DOF_COUNT; i++)
     if (block->support[i]
-        && (motion->displacement[i] != 0.0 || motion->velocity[i] != 0.0)) {
-      g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                   _ ("Block %s is fixed: it cannot start from elsewhere"), block->name);
-      return FALSE;
-    }
+        && (motion->displacement[i] != 0.0 || motion->velocity[i] != 0.0))
+      return qn_edit_refuse (
+        error, _ ("Block %s is fixed: it cannot start from elsewhere"), block->name);
   return put_initial (model, motion, error)
          && (rests (motion) || qn_edit_choose_dynamic (model, error));
 }

@@ -52,7 +52,7 @@ qn_edit_set_faces (QnModel *model, QnFaceSet set, const QnId *law, const QnPairR
                    GError **error)
 {
   if (set.count == 0)
-    return qn_edit_refuse_nothing (error, _ ("No contact face is selected"));
+    return qn_edit_refuse (error, _ ("No contact face is selected"));
   for (guint i = 0; i < set.count; i++) {
     if ((gsize) set.ids[i] >= set.contacts->face_count)
       continue;

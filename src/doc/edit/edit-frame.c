@@ -12,7 +12,7 @@
 static gboolean
 refuse_no_beam (GError **error)
 {
-  return qn_edit_refuse_nothing (error, _ ("No beam is selected"));
+  return qn_edit_refuse (error, _ ("No beam is selected"));
 }
 
 /* Places nearer to each other, relative to their coordinates, are one. */
@@ -656,7 +656,7 @@ qn_edit_part_beam (QnModel *model, QnId beam, int end, GError **error)
 {
   QnId shared = model->beams[beam].nodes[end];
   if (qn_model_node_beams (model, shared) < 2)
-    return qn_edit_refuse_nothing (error, _ ("No other beam ends here"));
+    return qn_edit_refuse (error, _ ("No other beam ends here"));
   g_autofree char *name =
     qn_edit_dup_new_name (model, qn_model_find_node, model->nodes[shared].name, "-", 2);
   QnNode *node = qn_model_add_node (model, name);

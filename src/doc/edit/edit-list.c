@@ -77,7 +77,7 @@ gboolean
 qn_edit_has_item (const QnModel *model, QnItemKind kind, QnId item, GError **error)
 {
   return (item >= 0 && (gsize) item < qn_model_count_items (model, kind))
-         || qn_edit_refuse_nothing (error, _ (lists[kind].missing));
+         || qn_edit_refuse (error, "%s", _ (lists[kind].missing));
 }
 
 gboolean

@@ -55,8 +55,7 @@ close_list (QnProject *draft, QnMasonries *list, GError **error)
 static gboolean
 refuse_object (GError **error)
 {
-  return qn_edit_refuse_nothing (error,
-                                 _ ("This masonry object does not exist any more"));
+  return qn_edit_refuse (error, _ ("This masonry object does not exist any more"));
 }
 
 gboolean

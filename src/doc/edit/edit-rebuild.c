@@ -29,9 +29,7 @@ typedef struct Rebuild {
 gboolean
 qn_edit_no_memory (GError **error)
 {
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NO_MEMORY,
-                       _ ("Not enough memory"));
-  return FALSE;
+  return qn_edit_refuse (error, _ ("Not enough memory"));
 }
 
 gboolean
@@ -41,7 +39,7 @@ qn_edit_refuse (GError **error, const char *format, ...)
   va_start (arguments, format);
   g_autofree char *message = g_strdup_vprintf (format, arguments);
   va_end (arguments);
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_IMPOSSIBLE, message);
+  g_set_error_literal (error, QN_EDIT_ERROR, 0, message);
   return FALSE;
 }
 
@@ -50,13 +48,6 @@ qn_edit_refuse_diag (GError **error, const QnModel *model, const QnDiag *diag)
 {
   g_autofree char *message = qn_explain_diag (model, diag);
   return qn_edit_refuse (error, "%s", message);
-}
-
-gboolean
-qn_edit_refuse_nothing (GError **error, const char *message)
-{
-  g_set_error_literal (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING, message);
-  return FALSE;
 }
 
 gboolean *

@@ -221,9 +221,9 @@ qn_edit_cut_blocks (QnModel *model, QnBlockSet set, QnVec2 a, QnVec2 b, GError *
   }
   if (any)
     return TRUE;
-  return qn_edit_refuse_nothing (
-    error, set.count > 0 ? _ ("The line crosses none of the selected blocks")
-                         : _ ("The line crosses no block"));
+  return qn_edit_refuse (error, set.count > 0
+                                  ? _ ("The line crosses none of the selected blocks")
+                                  : _ ("The line crosses no block"));
 }
 
 /* ---- joining ---- */
@@ -232,7 +232,7 @@ gboolean
 qn_edit_join_blocks (QnModel *model, QnBlockSet set, GError **error)
 {
   if (set.count < 2)
-    return qn_edit_refuse_nothing (error, _ ("Select the blocks that are to become one"));
+    return qn_edit_refuse (error, _ ("Select the blocks that are to become one"));
   g_autofree QnId *ids = g_memdup2 (set.ids, set.count * sizeof *set.ids);
   if (!qn_edit_take_apart (model, ids, set.count, error))
     return FALSE;
@@ -299,7 +299,7 @@ qn_edit_move_corner (QnModel *model, QnBlockSet set, QnVec2 from, QnVec2 to,
   }
   QnId *ids = (QnId *) touched->data;
   if (touched->len == 0)
-    return qn_edit_refuse_nothing (error, _ ("There is no corner of a block here"));
+    return qn_edit_refuse (error, _ ("There is no corner of a block here"));
   if (!qn_edit_take_apart (model, ids, touched->len, error))
     return FALSE;
   for (guint i = 0; i < touched->len; i++) {

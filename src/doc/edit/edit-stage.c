@@ -311,7 +311,7 @@ qn_edit_move_stage (QnModel *model, gsize index, int by, GError **error)
       ;
   const gsize ahead = qn_stage_span (model, first);
   if (first + ahead >= model->stage_count || (by < 0 && index == 0)) {
-    qn_edit_refuse_nothing (error, _ ("There is no stage to swap with"));
+    qn_edit_refuse (error, _ ("There is no stage to swap with"));
     return -1;
   }
   const gsize behind = qn_stage_span (model, first + ahead);

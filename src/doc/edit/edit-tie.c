@@ -270,8 +270,7 @@ qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error)
 {
   QnBox box = qn_edit_box_of (model, set);
   if (set.count == 0)
-    return qn_edit_refuse_nothing (error,
-                                   _ ("Select the blocks that the bar goes through"));
+    return qn_edit_refuse (error, _ ("Select the blocks that the bar goes through"));
   QnVec2 size = qn_vec2_sub (box.max, box.min);
   QnVec2 middle = qn_vec2_lerp (box.min, box.max, 0.5);
   double cover = COVER * fmin (size.x, size.y);

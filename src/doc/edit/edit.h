@@ -11,14 +11,9 @@
 #include "stereotomy/masonry.h"
 #include <glib.h>
 
+/* Its message says all: it has no codes. */
 #define QN_EDIT_ERROR (qn_edit_error_quark ())
 GQuark qn_edit_error_quark (void);
-
-typedef enum {
-  QN_EDIT_ERROR_NO_MEMORY,
-  QN_EDIT_ERROR_NOTHING,   /* there is nothing to do it to */
-  QN_EDIT_ERROR_IMPOSSIBLE /* it cannot be done here */
-} QnEditError;
 
 /* A set of blocks, by number. */
 typedef struct QnBlockSet {
@@ -175,12 +170,10 @@ gboolean qn_edit_take_text (char **place, const char *text, GError **error);
 /* Takes an item, whose own memory is free already, out of an array of `count`. */
 void qn_edit_drop (gpointer items, size_t *count, gsize size, gsize index);
 
-/* Set the error of an edit that ran out of memory, that cannot be done here, for which there is
- * nothing; return FALSE. */
+/* Set the error of an edit that ran out of memory, or that cannot be done here; return FALSE. */
 gboolean qn_edit_no_memory (GError **error);
 gboolean qn_edit_refuse (GError **error, const char *format, ...) G_GNUC_PRINTF (2, 3);
 gboolean qn_edit_refuse_diag (GError **error, const QnModel *model, const QnDiag *diag);
-gboolean qn_edit_refuse_nothing (GError **error, const char *message);
 
 /* The box of some blocks, or of all that are not fixed. */
 QnBox qn_edit_box_of (const QnModel *model, QnBlockSet set);

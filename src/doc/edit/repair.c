@@ -458,8 +458,8 @@ qn_edit_repair_all (QnModel *model, guint *count, GError **error)
     (*count)++;
   if (*count > 0)
     return TRUE;
-  return qn_edit_refuse_nothing (
-    error, _ ("There is nothing here that can be repaired automatically"));
+  return qn_edit_refuse (error,
+                         _ ("There is nothing here that can be repaired automatically"));
 }
 
 /* Gaps below so many tolerances of contacts are none. */
@@ -571,8 +571,8 @@ qn_edit_close_gaps (QnModel *model, double width, GError **error)
   QnId *ids = (QnId *) changed->data;
   gboolean done = changed->len > 0;
   if (!done)
-    g_set_error (error, QN_EDIT_ERROR, QN_EDIT_ERROR_NOTHING,
-                 _ ("There are no gaps up to %.3g mm between blocks"), 1e3 * width);
+    qn_edit_refuse (error, _ ("There are no gaps up to %.3g mm between blocks"),
+                    1e3 * width);
   done = done && qn_edit_take_apart (model, ids, changed->len, error)
          && set_shapes (model, ids, changed->len, (const QnRing *) shapes->data, error);
   qn_rings_clear (&rings);

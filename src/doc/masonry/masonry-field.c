@@ -1,5 +1,6 @@
 #include "doc/masonry/masonry-field.h"
 #include "core/base/integer.h"
+#include "doc/edit/edit.h"
 #include "doc/masonry/masonry-shape.h"
 
 #include <glib/gi18n-lib.h>
@@ -321,11 +322,8 @@ qn_portal_take_list (QnPortal *portal, QnPortalList list, QnUnits units, const c
                             MIN (places, QN_MOST_UNEQUAL), &count, error))
     return FALSE;
   for (gsize i = 0; i < count; i++)
-    if (!(numbers[i] >= SMALL && numbers[i] <= LARGEST)) {
-      g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_TOO_LARGE,
-                   _ ("number must be positive"));
-      return FALSE;
-    }
+    if (!(numbers[i] >= SMALL && numbers[i] <= LARGEST))
+      return qn_edit_refuse (error, _ ("number must be positive"));
   memcpy (portal_list (portal, list), numbers, sizeof numbers);
   return TRUE;
 }

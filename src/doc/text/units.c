@@ -1,14 +1,11 @@
 #include "doc/text/units.h"
 
+#include "io/text/io-error.h"
+
 #include <glib/gi18n-lib.h>
 #include <locale.h>
 #include <math.h>
 #include <string.h>
-
-/* The formatter would set spaces around dashes that are part of the name. */
-/* clang-format off */
-G_DEFINE_QUARK (qn-units-error-quark, qn_units_error)
-/* clang-format on */
 
 typedef struct UnitRow {
   QnQuantity quantity;
@@ -185,9 +182,7 @@ static gboolean read_sum (Reader *r, Term *term);
 static gboolean
 refuse (Reader *r)
 {
-  g_set_error (r->error, QN_UNITS_ERROR, QN_UNITS_ERROR_NOT_A_NUMBER,
-               _ ("“%s” is not a number"), r->whole);
-  return FALSE;
+  return qn_io_fail (r->error, QN_IO_ERROR_INVALID, _ ("“%s” is not a number"), r->whole);
 }
 
 static void
@@ -364,17 +359,12 @@ qn_units_parse (QnUnits units, QnQuantity quantity, const char *text, double *va
   if (!read_sum (&reader, &term))
     return FALSE;
   skip_spaces (&reader);
-  if (*reader.at != '\0') {
-    g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_UNKNOWN_UNIT,
-                 _ ("“%s” is not a unit that fits here"), reader.at);
-    return FALSE;
-  }
+  if (*reader.at != '\0')
+    return qn_io_fail (error, QN_IO_ERROR_INVALID,
+                       _ ("“%s” is not a unit that fits here"), reader.at);
   give_unit (&reader, &term);
-  if (!isfinite (term.value)) {
-    g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_TOO_LARGE, _ ("“%s” is too large"),
-                 text);
-    return FALSE;
-  }
+  if (!isfinite (term.value))
+    return qn_io_fail (error, QN_IO_ERROR_INVALID, _ ("“%s” is too large"), text);
   *value = term.value;
   return TRUE;
 }
@@ -400,11 +390,9 @@ qn_units_parse_list (QnUnits units, QnQuantity quantity, const char *text, doubl
   if (g_strv_length (parts) == 1 && *g_strstrip (parts[0]) == '\0')
     return TRUE;
   for (; parts[*count] != NULL; ++*count) {
-    if (*count == most) {
-      g_set_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_TOO_LARGE,
-                   _ ("expected up to %d numbers"), (int) most);
-      return FALSE;
-    }
+    if (*count == most)
+      return qn_io_fail (error, QN_IO_ERROR_INVALID, _ ("expected up to %d numbers"),
+                         (int) most);
     if (!qn_units_parse (units, quantity, parts[*count], &values[*count], error))
       return FALSE;
   }

@@ -40,15 +40,6 @@ typedef struct QnUnits {
 
 #define QN_UNITS_SI ((QnUnits){ QN_LENGTH_M, QN_FORCE_N, QN_STRESS_PA })
 
-#define QN_UNITS_ERROR (qn_units_error_quark ())
-GQuark qn_units_error_quark (void);
-
-typedef enum {
-  QN_UNITS_ERROR_NOT_A_NUMBER,
-  QN_UNITS_ERROR_UNKNOWN_UNIT,
-  QN_UNITS_ERROR_TOO_LARGE
-} QnUnitsError;
-
 /* Symbol of the unit in which a quantity is shown, "" for plain numbers; a static string. */
 const char *qn_units_symbol (QnUnits units, QnQuantity quantity);
 

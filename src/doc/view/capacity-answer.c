@@ -3,6 +3,7 @@
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
 #include "doc/document/job.h"
+#include "doc/edit/edit.h"
 #include "doc/text/explain.h"
 #include "doc/view/report-parts.h"
 #include "doc/view/sheet.h"
@@ -548,7 +549,7 @@ find_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cance
     g_task_return_new_error (task, G_IO_ERROR, G_IO_ERROR_CANCELLED, "%s",
                              _ ("Cancelled"));
   else
-    g_task_return_new_error (task, QN_JOB_ERROR, QN_JOB_ERROR_INVALID, "%s",
+    g_task_return_new_error (task, QN_EDIT_ERROR, 0, "%s",
                              refused != NULL ? refused : work->reason);
 }
 
@@ -566,8 +567,9 @@ qn_capacity_find_async (const QnModel *model, const QnCapacityAnswer *asked,
   work->answer.has_spectrum = TRUE; /* one may be given later */
   g_task_set_task_data (task, work, capacity_work_free);
   if (qn_model_copy (model, &work->model, &work->diag) != QN_OK) {
-    g_autofree char *message = qn_explain_diag (model, &work->diag);
-    g_task_return_new_error (task, QN_JOB_ERROR, QN_JOB_ERROR_NO_MEMORY, "%s", message);
+    GError *error = NULL;
+    qn_edit_refuse_diag (&error, model, &work->diag);
+    g_task_return_error (task, error);
     return;
   }
   g_task_run_in_thread (task, find_in_thread);

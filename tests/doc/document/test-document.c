@@ -374,7 +374,7 @@ test_explained_failure (void)
   wait_for_job (document);
   g_assert_null (qn_document_get_run (document));
   const GError *error = qn_document_get_job_error (document);
-  g_assert_error (error, QN_JOB_ERROR, QN_JOB_ERROR_INVALID);
+  g_assert_error (error, QN_EDIT_ERROR, 0);
   const QnDiag *diag = qn_document_get_job_diag (document);
   g_assert_cmpint (diag->entity, ==, QN_ENTITY_BLOCK);
   g_assert_nonnull (

@@ -214,7 +214,7 @@ test_unsound (void)
   g_auto (Outcome) outcome = { 0 };
   qn_job_start (job, on_done, &outcome);
   wait_for (&outcome);
-  g_assert_error (outcome.error, QN_JOB_ERROR, QN_JOB_ERROR_INVALID);
+  g_assert_error (outcome.error, QN_EDIT_ERROR, 0);
   g_assert_nonnull (strstr (outcome.error->message, "cloud"));
   g_assert_cmpint (qn_job_get_diag (job)->entity, ==, QN_ENTITY_BLOCK);
   g_assert_cmpint (qn_job_get_diag (job)->index, ==, 1);

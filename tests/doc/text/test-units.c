@@ -3,6 +3,7 @@
 #include "support/locale.h"
 #include "support/room.h"
 #include <math.h>
+#include <string.h>
 
 static const QnUnits cm_kn = { QN_LENGTH_CM, QN_FORCE_KN, QN_STRESS_MPA };
 
@@ -37,7 +38,7 @@ test_list (void)
   g_assert_cmpuint (count, ==, 0);
   g_assert_false (qn_units_parse_list (cm_kn, QN_QUANTITY_NUMBER, "1;2;3;4", values, 3,
                                        &count, &error));
-  g_assert_error (error, QN_UNITS_ERROR, QN_UNITS_ERROR_TOO_LARGE);
+  g_assert_nonnull (strstr (error->message, "expected up to 3 numbers"));
   g_clear_error (&error);
   g_assert_false (
     qn_units_parse_list (cm_kn, QN_QUANTITY_NUMBER, "1;", values, 3, &count, &error));
@@ -94,34 +95,34 @@ test_refuse (void)
 {
   static const struct {
     const char *text;
-    QnUnitsError code;
+    const char *said;
   } cases[] = {
-    { "", QN_UNITS_ERROR_NOT_A_NUMBER },
-    { "abc", QN_UNITS_ERROR_NOT_A_NUMBER },
-    { "1.2.3", QN_UNITS_ERROR_NOT_A_NUMBER },
-    { "--4", QN_UNITS_ERROR_NOT_A_NUMBER },
-    { "3 kN", QN_UNITS_ERROR_UNKNOWN_UNIT },
-    { "3 furlong", QN_UNITS_ERROR_UNKNOWN_UNIT },
-    { "1e999", QN_UNITS_ERROR_TOO_LARGE },
-    { "nan", QN_UNITS_ERROR_NOT_A_NUMBER },
-    { "1+", QN_UNITS_ERROR_NOT_A_NUMBER },
-    { "(1", QN_UNITS_ERROR_NOT_A_NUMBER },
-    { "1)", QN_UNITS_ERROR_UNKNOWN_UNIT },
-    { "1 m * 2 m", QN_UNITS_ERROR_NOT_A_NUMBER },
-    { "1 / 2 m", QN_UNITS_ERROR_NOT_A_NUMBER },
-    { "1/0", QN_UNITS_ERROR_TOO_LARGE },
-    { "0/0", QN_UNITS_ERROR_TOO_LARGE },
-    { "1 2", QN_UNITS_ERROR_UNKNOWN_UNIT },
-    { "\xff", QN_UNITS_ERROR_NOT_A_NUMBER },
-    { "((((((((((((((((((((((((((((((((((((((((((1", QN_UNITS_ERROR_NOT_A_NUMBER },
-    { "1e308 km", QN_UNITS_ERROR_UNKNOWN_UNIT },
+    { "", "is not a number" },
+    { "abc", "is not a number" },
+    { "1.2.3", "is not a number" },
+    { "--4", "is not a number" },
+    { "3 kN", "is not a unit" },
+    { "3 furlong", "is not a unit" },
+    { "1e999", "is too large" },
+    { "nan", "is not a number" },
+    { "1+", "is not a number" },
+    { "(1", "is not a number" },
+    { "1)", "is not a unit" },
+    { "1 m * 2 m", "is not a number" },
+    { "1 / 2 m", "is not a number" },
+    { "1/0", "is too large" },
+    { "0/0", "is too large" },
+    { "1 2", "is not a unit" },
+    { "\xff", "is not a number" },
+    { "((((((((((((((((((((((((((((((((((((((((((1", "is not a number" },
+    { "1e308 km", "is not a unit" },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
     double value = 7.0;
     g_autoptr (GError) error = NULL;
     g_assert_false (
       qn_units_parse (QN_UNITS_SI, QN_QUANTITY_LENGTH, cases[i].text, &value, &error));
-    g_assert_error (error, QN_UNITS_ERROR, (int) cases[i].code);
+    g_assert_nonnull (strstr (error->message, cases[i].said));
     g_assert_cmpfloat (value, ==, 7.0);
   }
 }
