@@ -731,8 +731,8 @@ void
 driver_lay_large_wall (QnWindow *window)
 {
   g_autoptr (GError) error = NULL;
-  qn_document_edit_project (qn_window_get_document (window), "Wall", NULL, add_large_wall,
-                            NULL, &error);
+  qn_document_edit (qn_window_get_document (window), "Wall", NULL, add_large_wall, NULL,
+                    &error);
   g_assert_no_error (error);
 }
 

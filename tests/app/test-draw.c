@@ -9,6 +9,7 @@
 #include "doc/text/law-text.h"
 #include "io/project/project-masonry.h"
 #include "support/auto-clear-stereotomy.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 #include <string.h>
@@ -236,8 +237,8 @@ test_laws (void)
     driver_open_analysis (window);
     for (int kind = 0; kind < QN_LAW_KIND_COUNT; kind++) {
       g_autoptr (GError) error = NULL;
-      qn_document_edit (qn_window_get_document (window), "Kind", NULL, change_kind, &kind,
-                        &error);
+      edit_model (qn_window_get_document (window), "Kind", NULL, change_kind, &kind,
+                  &error);
       g_assert_no_error (error);
       driver_settle ();
     }
@@ -530,7 +531,7 @@ test_joints (void)
   QnDocument *document = qn_window_get_document (window);
   QnSelection *selection = qn_document_get_selection (document);
   driver_drag (window, 0.0, 0.0, 2.4, 1.75);
-  g_assert_true (qn_document_edit (document, "Law", NULL, add_law, NULL, NULL));
+  g_assert_true (edit_model (document, "Law", NULL, add_law, NULL, NULL));
   driver_key ("l");
   QnCanvas *canvas = canvas_of (window);
   g_free (qn_canvas_get_tool_settings (canvas)->joint_law);

@@ -7,6 +7,7 @@
 #include "doc/edit/edit-dynamic.h"
 #include "doc/view/capacity-settings.h"
 #include "io/project/project.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 #include <math.h>
@@ -42,7 +43,7 @@ test_live_history (void)
 {
   QnWindow *window = driver_open_example ("43-shaken-wall.quoin");
   QnDocument *document = qn_window_get_document (window);
-  g_assert_true (qn_document_edit (document, "Longer", NULL, take_long, NULL, NULL));
+  g_assert_true (edit_model (document, "Longer", NULL, take_long, NULL, NULL));
   driver_activate (window, "win.show-panel::result");
   driver_activate (window, "win.run");
   driver_wait (has_live_history, window);
@@ -260,8 +261,7 @@ test_initial (void)
   for (gsize i = 0; i < model->block_count; i++)
     if (!model->blocks[i].support[0])
       top = (QnId) i;
-  g_assert_true (
-    qn_document_edit (document, "In Time", NULL, choose_dynamic, NULL, NULL));
+  g_assert_true (edit_model (document, "In Time", NULL, choose_dynamic, NULL, NULL));
   qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &top, 1);
   driver_open_analysis (window);
   driver_settle ();
@@ -292,8 +292,7 @@ test_initial_fixed (void)
   for (gsize i = 0; i < model->block_count; i++)
     if (model->blocks[i].support[0])
       base = (QnId) i;
-  g_assert_true (
-    qn_document_edit (document, "In Time", NULL, choose_dynamic, NULL, NULL));
+  g_assert_true (edit_model (document, "In Time", NULL, choose_dynamic, NULL, NULL));
   qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &base, 1);
   driver_open_analysis (window);
   type_start (window, "0.1 m");
@@ -519,10 +518,10 @@ test_record (void)
     g_assert_true (gtk_widget_get_mapped (plot));
     driver_screenshot (root, name);
   }
-  g_assert_true (qn_document_edit (document, "Longer", NULL, take_long, NULL, NULL));
+  g_assert_true (edit_model (document, "Longer", NULL, take_long, NULL, NULL));
   driver_settle ();
   g_assert_true (gtk_widget_get_mapped (plot));
-  g_assert_true (qn_document_edit (document, "Lose", NULL, lose_record, NULL, NULL));
+  g_assert_true (edit_model (document, "Lose", NULL, lose_record, NULL, NULL));
   driver_settle ();
   g_assert_false (gtk_widget_get_mapped (plot));
   g_assert_true (gtk_widget_get_mapped (fault));

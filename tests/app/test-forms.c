@@ -3,6 +3,7 @@
 #include "driver.h"
 
 #include "io/project/typical-joint.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 #include "support/scratch.h"
 
@@ -453,8 +454,7 @@ test_softening (void)
   GtkWidget *softening = driver_find_widget (GTK_WIDGET (window), is_called, "softening");
   g_assert_nonnull (softening);
   g_assert_false (gtk_widget_get_visible (gtk_widget_get_parent (softening)));
-  g_assert_true (
-    qn_document_edit (document, "Bond", NULL, take_fracture_energy, NULL, NULL));
+  g_assert_true (edit_model (document, "Bond", NULL, take_fracture_energy, NULL, NULL));
   driver_settle ();
   g_assert_true (gtk_widget_get_visible (gtk_widget_get_parent (softening)));
   g_autofree char *before = g_strdup (qn_document_get_text (document));

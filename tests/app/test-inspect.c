@@ -3,6 +3,7 @@
 #include "driver.h"
 
 #include "doc/view/inspect.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 #include <glib/gstdio.h>
@@ -321,8 +322,7 @@ test_stale_result (void)
   QnId joint = pressed_joint (window);
   QnVec2 at = middle_of (window, joint);
   driver_activate (window, "win.view::forces");
-  g_assert_true (
-    qn_document_edit (document, "Delete", NULL, edit_delete_first, NULL, NULL));
+  g_assert_true (edit_model (document, "Delete", NULL, edit_delete_first, NULL, NULL));
   driver_settle ();
   driver_click (window, at.x, at.y);
   g_assert_cmpint (qn_selection_get_face (selection), ==, QN_NONE);

@@ -7,6 +7,7 @@
 #include "app/widgets/quantity-entry.h"
 #include "app/window/action-table.h"
 #include "io/project/typical-joint.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 static const char two_blocks[] =
@@ -372,8 +373,8 @@ test_renamed_stays_selected (void)
 {
   QnWindow *window = open_blocks ();
   driver_click (window, 4.3, 0.3);
-  g_assert_true (qn_document_edit (qn_window_get_document (window), "Rename", NULL,
-                                   rename_other, "pier", NULL));
+  g_assert_true (edit_model (qn_window_get_document (window), "Rename", NULL,
+                             rename_other, "pier", NULL));
   g_assert_true (qn_selection_has (selection_of (window), QN_PART_BLOCK, 2));
   driver_discard (window);
 }

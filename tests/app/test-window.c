@@ -6,6 +6,7 @@
 #include "app/window/action-table.h"
 #include "doc/long-analysis.h"
 #include "doc/view/figures.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 #include <dlfcn.h>
@@ -605,7 +606,7 @@ test_large_model (void)
   driver_screenshot (GTK_WIDGET (window), "large-model");
 
   before = g_get_monotonic_time ();
-  qn_document_edit (document, "Nudge", NULL, edit_nudge, NULL, &error);
+  edit_model (document, "Nudge", NULL, edit_nudge, NULL, &error);
   g_assert_no_error (error);
   g_test_message ("one block moved in %.3f s",
                   1e-6 * (double) (g_get_monotonic_time () - before));

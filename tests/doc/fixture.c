@@ -137,11 +137,11 @@ check_state (QnDocument *document)
 }
 
 const QnModel *
-edit (QnDocument *document, QnEditFunc func, gconstpointer data)
+edit (QnDocument *document, ModelEdit func, gconstpointer data)
 {
   g_autofree char *before = g_strdup (qn_document_get_text (document));
   g_autoptr (GError) error = NULL;
-  qn_document_edit (document, "edit", NULL, func, (gpointer) data, &error);
+  edit_model (document, "edit", NULL, func, (gpointer) data, &error);
   g_assert_no_error (error);
   check_state (document);
   g_autofree char *after = g_strdup (qn_document_get_text (document));
@@ -155,12 +155,11 @@ edit (QnDocument *document, QnEditFunc func, gconstpointer data)
 }
 
 void
-refuse (QnDocument *document, QnEditFunc func, gconstpointer data)
+refuse (QnDocument *document, ModelEdit func, gconstpointer data)
 {
   g_autofree char *before = g_strdup (qn_document_get_text (document));
   g_autoptr (GError) error = NULL;
-  g_assert_false (
-    qn_document_edit (document, "edit", NULL, func, (gpointer) data, &error));
+  g_assert_false (edit_model (document, "edit", NULL, func, (gpointer) data, &error));
   g_assert_nonnull (error);
   g_assert_cmpstr (qn_document_get_text (document), ==, before);
 }

@@ -2,17 +2,17 @@
  * fails the test. */
 #pragma once
 
-#include "doc/document/document.h"
+#include "support/edit-model.h"
 
 /* A document with a file of the examples, or with a project given as text. */
 QnDocument *open_example (const char *name);
 QnDocument *open_text (const char *text);
 
 /* Edits, undoes it to the byte, and makes it again. Returns the model, borrowed. */
-const QnModel *edit (QnDocument *document, QnEditFunc func, gconstpointer data);
+const QnModel *edit (QnDocument *document, ModelEdit func, gconstpointer data);
 
 /* An edit that is refused, with an error, and leaves everything as it was. */
-void refuse (QnDocument *document, QnEditFunc func, gconstpointer data);
+void refuse (QnDocument *document, ModelEdit func, gconstpointer data);
 
 /* Runs the main loop until no analysis runs (fails after a minute). */
 void wait_for_job (QnDocument *document);

@@ -52,7 +52,7 @@ void
 large_drawing_move (QnDocument *document, double by)
 {
   g_autoptr (GError) error = NULL;
-  qn_document_edit_project (document, "Move", NULL, move_one, &by, &error);
+  qn_document_edit (document, "Move", NULL, move_one, &by, &error);
   g_assert_no_error (error);
 }
 

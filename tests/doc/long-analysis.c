@@ -1,4 +1,5 @@
 #include "long-analysis.h"
+#include "support/edit-model.h"
 
 /* Nobody waits for its end: a day of slow motion of the ground, in steps of a hundredth of a second. */
 static gboolean
@@ -27,6 +28,6 @@ long_analysis_ask (QnDocument *document)
 {
   g_autoptr (GError) error = NULL;
 
-  qn_document_edit (document, "Shake", NULL, shake, NULL, &error);
+  edit_model (document, "Shake", NULL, shake, NULL, &error);
   g_assert_no_error (error);
 }

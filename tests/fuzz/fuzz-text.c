@@ -63,7 +63,7 @@ check_history (const char *text)
   QnEditHistory *history = qn_history_from_json (text, "{\n}\n");
   if (history == NULL)
     return;
-  g_free (qn_history_undo (history, "{\n}\n"));
+  g_free (qn_history_go_to (history, "{\n}\n", 0));
   g_free (qn_history_to_json (history, "{\n}\n"));
   qn_history_free (history);
 }

@@ -539,8 +539,8 @@ on_entered (GtkWidget *widget)
     done = TRUE;
   } else if (name != NULL) {
     g_autofree char *step = dup_step (is_row ? name : _ (name), widget);
-    done = qn_document_edit_project (qn_canvas_get_document (form->canvas), step, NULL,
-                                     edit, &entered, &error);
+    done = qn_document_edit (qn_canvas_get_document (form->canvas), step, NULL, edit,
+                             &entered, &error);
   } else {
     done = take (&entered, NULL, &error);
   }

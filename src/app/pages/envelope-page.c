@@ -210,8 +210,9 @@ animate (Page *self, gboolean on)
 /* ---- what is chosen ---- */
 
 static gboolean
-set_convoy (QnModel *model, gpointer data, GError **error)
+set_convoy (QnProject *draft, gpointer data, GError **error)
 {
+  QnModel *model = &draft->model;
   model->live_loads[qn_find_vehicle_load (model)].convoy = *(const int32_t *) data;
   return TRUE;
 }
@@ -448,8 +449,9 @@ go_to_worst (GSimpleAction *action, GVariant *parameter, gpointer data)
 }
 
 static gboolean
-put_vehicle (QnModel *model, gpointer data, GError **error)
+put_vehicle (QnProject *draft, gpointer data, GError **error)
 {
+  QnModel *model = &draft->model;
   const Page *self = data;
   const QnEnvelopeLine *line = &self->envelope.lines[self->figure.shown.line];
   QnLoad *load = &model->live_loads[qn_find_vehicle_load (model)];

@@ -74,24 +74,6 @@ name_in_messages (QnDocument *self)
   return self->path != NULL ? self->path : _ ("Untitled");
 }
 
-/* Makes a text of the history (taken over) the state. */
-static gboolean
-go_back_to (QnDocument *self, char *text)
-{
-  QnProject project;
-  g_autoptr (GError) error = NULL;
-  if (!parse (text, name_in_messages (self), &project, &error)) {
-    /* The text was written from a state. */
-    g_critical ("history: %s", error->message);
-    g_free (text);
-    return FALSE;
-  }
-  QnProjectText *state = g_new0 (QnProjectText, 1);
-  state->text = text;
-  state->length = strlen (text);
-  return adopt (self, &project, state, NULL);
-}
-
 const char *
 qn_document_get_fingerprint (QnDocument *self)
 {
@@ -493,8 +475,8 @@ qn_document_end_edit (QnDocument *self, QnProject *draft, const char *name,
 }
 
 gboolean
-qn_document_edit_project (QnDocument *self, const char *name, const char *key,
-                          QnProjectEditFunc func, gpointer user_data, GError **error)
+qn_document_edit (QnDocument *self, const char *name, const char *key, QnEditFunc func,
+                  gpointer user_data, GError **error)
 {
   QnProject draft;
   return qn_document_begin_edit (self, &draft, error)
@@ -510,7 +492,7 @@ qn_document_has_dissolved (QnDocument *self)
 
 /* The text of the project after an edit; NULL where that is refused. */
 static QnProjectText *
-write_edited (QnDocument *self, QnProjectEditFunc func, gpointer user_data)
+write_edited (QnDocument *self, QnEditFunc func, gpointer user_data)
 {
   QnProject draft;
   if (!qn_document_begin_edit (self, &draft, NULL)
@@ -522,7 +504,7 @@ write_edited (QnDocument *self, QnProjectEditFunc func, gpointer user_data)
 }
 
 char *
-qn_document_dup_number_path (QnDocument *self, QnProjectEditFunc func, gpointer same,
+qn_document_dup_number_path (QnDocument *self, QnEditFunc func, gpointer same,
                              gpointer other, double value, double *number)
 {
   QnProjectText *before = write_edited (self, func, same);
@@ -533,26 +515,6 @@ qn_document_dup_number_path (QnDocument *self, QnProjectEditFunc func, gpointer 
   qn_project_text_free (before);
   qn_project_text_free (after);
   return path;
-}
-
-typedef struct ModelEdit {
-  QnEditFunc func;
-  gpointer user_data;
-} ModelEdit;
-
-static gboolean
-edit_model (QnProject *draft, gpointer user_data, GError **error)
-{
-  const ModelEdit *edit = user_data;
-  return edit->func (&draft->model, edit->user_data, error);
-}
-
-gboolean
-qn_document_edit (QnDocument *self, const char *name, const char *key, QnEditFunc func,
-                  gpointer user_data, GError **error)
-{
-  ModelEdit edit = { func, user_data };
-  return qn_document_edit_project (self, name, key, edit_model, &edit, error);
 }
 
 gboolean
@@ -574,42 +536,37 @@ qn_document_get_history (QnDocument *self)
   return self->history;
 }
 
-static gboolean
-walk (QnDocument *self, gboolean back)
+gboolean
+qn_document_go_to (QnDocument *self, guint position)
 {
-  char *text = back ? qn_history_undo (self->history, self->text->text)
-                    : qn_history_redo (self->history, self->text->text);
-  gboolean done = text != NULL && go_back_to (self, text);
-  if (done)
-    qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  QnProject project;
+  g_autoptr (GError) error = NULL;
+  char *text = qn_history_go_to (self->history, self->text->text, position);
+  if (text == NULL)
+    return FALSE;
+  if (!parse (text, name_in_messages (self), &project, &error)) {
+    /* The text was written from a state. */
+    g_critical ("history: %s", error->message);
+    g_free (text);
+    return FALSE;
+  }
+  QnProjectText *state = g_new0 (QnProjectText, 1);
+  state->text = text;
+  state->length = strlen (text);
+  gboolean done = adopt (self, &project, state, NULL);
+  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
   return done;
 }
 
 gboolean
 qn_document_undo (QnDocument *self)
 {
-  return walk (self, TRUE);
+  return qn_history_can_undo (self->history)
+         && qn_document_go_to (self, qn_history_get_position (self->history) - 1);
 }
 
 gboolean
 qn_document_redo (QnDocument *self)
 {
-  return walk (self, FALSE);
-}
-
-void
-qn_document_go_to (QnDocument *self, guint position)
-{
-  g_autofree char *text = g_strdup (self->text->text);
-  while (qn_history_get_position (self->history) != position) {
-    gboolean back = qn_history_get_position (self->history) > position;
-    char *next = back ? qn_history_undo (self->history, text)
-                      : qn_history_redo (self->history, text);
-    if (next == NULL)
-      break;
-    g_free (text);
-    text = next;
-  }
-  go_back_to (self, g_steal_pointer (&text));
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  return qn_document_go_to (self, qn_history_get_position (self->history) + 1);
 }

@@ -88,29 +88,21 @@ gboolean qn_document_begin_edit (QnDocument *document, QnProject *draft, GError 
 gboolean qn_document_end_edit (QnDocument *document, QnProject *draft, const char *name,
                                const char *key, gboolean done, GError **error);
 
-/* The same by a function. Changes a copy of the model. Blocks may be appended behind the wall blocks; for
- * removals and changes of walls see edit.h. False with an error refuses the edit. */
-typedef gboolean (*QnEditFunc) (QnModel *model, gpointer user_data, GError **error);
+/* The same by a function that changes the draft, whose model and extras may be replaced. Blocks may be
+ * appended behind the wall blocks; for removals and changes of walls see edit.h and edit-masonry.h. False
+ * with an error refuses the edit. */
+typedef gboolean (*QnEditFunc) (QnProject *draft, gpointer user_data, GError **error);
 
 /* Makes one step of the history; an edit that changes nothing makes none. `name` and `key`
  * are those of qn_history_record(); a gesture ends when the selection changes. */
 gboolean qn_document_edit (QnDocument *document, const char *name, const char *key,
                            QnEditFunc func, gpointer user_data, GError **error);
 
-/* The same for edits of what the file says besides the model: parametric masonry
- * (edit-masonry.h). The draft owns its model and its extras; both may be replaced. */
-typedef gboolean (*QnProjectEditFunc) (QnProject *draft, gpointer user_data,
-                                       GError **error);
-gboolean qn_document_edit_project (QnDocument *document, const char *name,
-                                   const char *key, QnProjectEditFunc func,
-                                   gpointer user_data, GError **error);
-
 /* Compares the edit `other`, with the number `value`, with the edit `same`, with the present value. Returns the
  * path in the file of the only number that differs (*number: its text there, NaN: not written); NULL if an
  * edit is refused or anything else differs. Does not change the document. The caller frees it. */
-char *qn_document_dup_number_path (QnDocument *document, QnProjectEditFunc func,
-                                   gpointer same, gpointer other, double value,
-                                   double *number);
+char *qn_document_dup_number_path (QnDocument *document, QnEditFunc func, gpointer same,
+                                   gpointer other, double value, double *number);
 
 /* Whether the last edit has made free blocks of a parametric wall or another object that was moved,
  * turned or cut in part. Its step says so in its name. */
@@ -124,8 +116,8 @@ gboolean qn_document_edit_extra (QnDocument *document, const char *name, const c
 QnEditHistory *qn_document_get_history (QnDocument *document); /* for reading */
 gboolean qn_document_undo (QnDocument *document);
 gboolean qn_document_redo (QnDocument *document);
-/* Walks to the state after `position` steps. */
-void qn_document_go_to (QnDocument *document, guint position);
+/* Walks to the state after `position` steps; FALSE where there are not so many. */
+gboolean qn_document_go_to (QnDocument *document, guint position);
 
 /* ---- analyses ---- */
 

@@ -1,6 +1,30 @@
-#include "doc/document/history-private.h"
+#include "doc/document/history.h"
+
+#include "core/base/integer.h"
+#include "io/json/json-value.h"
+#include "io/text/json-text.h"
 
 #include <string.h>
+
+/* One run of bytes that differs. Offsets count in the text after the step. */
+typedef struct QnHunk {
+  gsize offset;
+  char *removed;  /* owned */
+  char *inserted; /* owned */
+} QnHunk;
+
+typedef struct QnEditStep {
+  char *name;
+  char *key;
+  GArray *hunks; /* of QnHunk, by offset */
+} QnEditStep;
+
+struct QnEditHistory {
+  GPtrArray *steps; /* of QnEditStep */
+  guint position;
+  gint64 clean; /* position of the clean state; -1: it cannot be reached any more */
+  gboolean broken;
+};
 
 static void
 hunk_clear (gpointer data)
@@ -106,24 +130,33 @@ diff (const char *before, const char *after)
   return hunks;
 }
 
+/* The text on the other side of a step; NULL where the step does not fit to this one. */
 static char *
 apply (const QnEditStep *step, const char *at, gboolean forward)
 {
-  GString *text = g_string_new (NULL);
+  g_autoptr (GString) text = g_string_new (NULL);
+  const gsize length = strlen (at);
   gsize read = 0;
   for (guint i = 0; i < step->hunks->len; i++) {
     const QnHunk *hunk = &g_array_index (step->hunks, QnHunk, i);
-    gsize kept = hunk->offset - (forward ? text->len : read); /* a place after the edit */
+    const char *gone = forward ? hunk->removed : hunk->inserted;
+    const gsize behind = forward ? text->len : read; /* a place after the edit */
+    if (hunk->offset < behind || hunk->offset - behind > length - read)
+      return NULL;
+    const gsize kept = hunk->offset - behind;
+    if (!g_str_has_prefix (at + read + kept, gone))
+      return NULL;
     g_string_append_len (text, at + read, (gssize) kept);
     g_string_append (text, forward ? hunk->inserted : hunk->removed);
-    read += kept + strlen (forward ? hunk->removed : hunk->inserted);
+    read += kept + strlen (gone);
   }
   g_string_append (text, at + read);
-  return g_string_free (text, FALSE);
+  return g_string_free (g_steal_pointer (&text), FALSE);
 }
 
-QnEditStep *
-qn_history_add_step (QnEditHistory *history, const char *name)
+/* Appends a step without hunks behind all others; does not move the position. */
+static QnEditStep *
+add_step (QnEditHistory *history, const char *name)
 {
   QnEditStep *step = g_new0 (QnEditStep, 1);
   step->name = g_strdup (name);
@@ -178,7 +211,7 @@ qn_history_record (QnEditHistory *history, const char *name, const char *key,
     return;
   }
 
-  QnEditStep *step = qn_history_add_step (history, name);
+  QnEditStep *step = add_step (history, name);
   step->key = g_strdup (key);
   g_array_unref (step->hunks);
   step->hunks = diff (before, after);
@@ -205,21 +238,21 @@ qn_history_can_redo (const QnEditHistory *history)
 }
 
 char *
-qn_history_undo (QnEditHistory *history, const char *text)
+qn_history_go_to (QnEditHistory *history, const char *text, guint position)
 {
-  if (!qn_history_can_undo (history))
+  if (position > history->steps->len)
     return NULL;
+  char *state = g_strdup (text);
   history->broken = TRUE;
-  return apply (g_ptr_array_index (history->steps, --history->position), text, FALSE);
-}
-
-char *
-qn_history_redo (QnEditHistory *history, const char *text)
-{
-  if (!qn_history_can_redo (history))
-    return NULL;
-  history->broken = TRUE;
-  return apply (g_ptr_array_index (history->steps, history->position++), text, TRUE);
+  while (state != NULL && history->position != position) {
+    const gboolean back = history->position > position;
+    char *next =
+      apply (history->steps->pdata[history->position - (back ? 1 : 0)], state, !back);
+    g_free (state);
+    state = next;
+    history->position += back ? -1 : 1;
+  }
+  return state;
 }
 
 guint
@@ -251,4 +284,134 @@ gboolean
 qn_history_is_clean (const QnEditHistory *history)
 {
   return history->clean == (gint64) history->position;
+}
+
+/* ---- writing ----
+ A history beside the text that it belongs to:
+ *
+ *   { "position": 1, "steps": [ { "name": "Draw Wall", "hunks": [ [120, "before", "after"] ] } ] }
+ *
+ * A hunk is the place in the text after the step, what the step took away there and what it put
+ * in its place. */
+
+static void
+append_hunks (GString *json, const QnEditStep *step)
+{
+  for (guint i = 0; i < step->hunks->len; i++) {
+    const QnHunk *hunk = &g_array_index (step->hunks, QnHunk, i);
+    g_string_append (json, i > 0 ? ", [" : "[");
+    qn_json_append_number (json, (double) hunk->offset);
+    g_string_append (json, ", ");
+    qn_json_append_string (json, hunk->removed);
+    g_string_append (json, ", ");
+    qn_json_append_string (json, hunk->inserted);
+    g_string_append_c (json, ']');
+  }
+}
+
+char *
+qn_history_to_json (const QnEditHistory *history, const char *text)
+{
+  GString *json = g_string_new ("{");
+  g_autofree char *digest = g_compute_checksum_for_string (G_CHECKSUM_SHA256, text, -1);
+  qn_json_put_string (json, "text_sha256", digest);
+  qn_json_put_number (json, "position", history->position);
+  qn_json_begin_member (json, "steps");
+  g_string_append_c (json, '[');
+  for (guint i = 0; i < history->steps->len; i++) {
+    const QnEditStep *step = g_ptr_array_index (history->steps, i);
+    g_string_append (json, i > 0 ? ", {" : "{");
+    qn_json_put_string (json, "name", step->name);
+    qn_json_begin_member (json, "hunks");
+    g_string_append_c (json, '[');
+    append_hunks (json, step);
+    g_string_append (json, "]}");
+  }
+  g_string_append (json, "]}");
+  return g_string_free (json, FALSE);
+}
+
+/* ---- reading ---- */
+
+static gboolean
+read_hunk (const cJSON *value, QnEditStep *step)
+{
+  const cJSON *offset = cJSON_GetArrayItem (value, 0);
+  const cJSON *removed = cJSON_GetArrayItem (value, 1);
+  const cJSON *inserted = cJSON_GetArrayItem (value, 2);
+  if (!cJSON_IsNumber (offset) || !(offset->valuedouble >= 0.0)
+      || offset->valuedouble > (double) G_MAXINT32 || !cJSON_IsString (removed)
+      || !cJSON_IsString (inserted))
+    return FALSE;
+  QnHunk hunk = { (gsize) qn_to_integer (offset->valuedouble, 0, G_MAXINT32),
+                  g_strdup (removed->valuestring), g_strdup (inserted->valuestring) };
+  g_array_append_val (step->hunks, hunk);
+  return TRUE;
+}
+
+static gboolean
+read_steps (const cJSON *steps, QnEditHistory *history)
+{
+  const cJSON *value, *element;
+  cJSON_ArrayForEach (value, steps)
+  {
+    const cJSON *name = cJSON_GetObjectItemCaseSensitive (value, "name");
+    const cJSON *hunks = cJSON_GetObjectItemCaseSensitive (value, "hunks");
+    if (!cJSON_IsString (name) || !cJSON_IsArray (hunks))
+      return FALSE;
+    QnEditStep *step = add_step (history, name->valuestring);
+    cJSON_ArrayForEach (element, hunks)
+    {
+      if (!read_hunk (element, step))
+        return FALSE;
+    }
+  }
+  return TRUE;
+}
+
+/* Walks to both ends of the history to see that every step can be taken. */
+static gboolean
+try_steps (QnEditHistory *history, const char *text)
+{
+  const guint position = history->position, ends[] = { 0, history->steps->len };
+  gboolean fit = TRUE;
+  for (int i = 0; i < 2 && fit; i++) {
+    g_autofree char *end = qn_history_go_to (history, text, ends[i]);
+    fit = end != NULL;
+    history->position = position;
+  }
+  return fit;
+}
+
+static gboolean
+read_history (const cJSON *root, const char *text, QnEditHistory *history)
+{
+  const cJSON *digest = cJSON_GetObjectItemCaseSensitive (root, "text_sha256");
+  const cJSON *position = cJSON_GetObjectItemCaseSensitive (root, "position");
+  const cJSON *steps = cJSON_GetObjectItemCaseSensitive (root, "steps");
+  g_autofree char *expected = g_compute_checksum_for_string (G_CHECKSUM_SHA256, text, -1);
+  if (!cJSON_IsString (digest) || strcmp (digest->valuestring, expected) != 0
+      || !cJSON_IsNumber (position) || !cJSON_IsArray (steps)
+      || !read_steps (steps, history))
+    return FALSE;
+  if (!(position->valuedouble >= 0.0)
+      || position->valuedouble > (double) history->steps->len)
+    return FALSE;
+  history->position =
+    (guint) qn_to_integer (position->valuedouble, 0, history->steps->len);
+  if (!try_steps (history, text))
+    return FALSE;
+  qn_history_mark_clean (history);
+  return TRUE;
+}
+
+QnEditHistory *
+qn_history_from_json (const char *json, const char *text)
+{
+  cJSON *root = qn_json_parse (json, strlen (json), "", NULL);
+  QnEditHistory *history = qn_history_new ();
+  if (root == NULL || !read_history (root, text, history))
+    g_clear_pointer (&history, qn_history_free);
+  cJSON_Delete (root);
+  return history;
 }

@@ -30,10 +30,9 @@ void qn_history_break (QnEditHistory *history);
 gboolean qn_history_can_undo (const QnEditHistory *history);
 gboolean qn_history_can_redo (const QnEditHistory *history);
 
-/* The text before the last step, or after the next one; `text` is the present one. NULL where
- * there is no such step. The caller frees it. */
-char *qn_history_undo (QnEditHistory *history, const char *text);
-char *qn_history_redo (QnEditHistory *history, const char *text);
+/* Walks to the state after so many steps: its text, where `text` is the present one. NULL where there are
+ * not so many. The caller frees it. */
+char *qn_history_go_to (QnEditHistory *history, const char *text, guint position);
 
 /* Steps that can be walked to: those done first, then those undone, oldest first. */
 guint qn_history_get_count (const QnEditHistory *history);
@@ -44,7 +43,7 @@ const char *qn_history_get_name (const QnEditHistory *history, guint step);
 void qn_history_mark_clean (QnEditHistory *history);
 gboolean qn_history_is_clean (const QnEditHistory *history);
 
-/* ---- in a file (history-file.c) ---- */
+/* ---- in a file ---- */
 
 /* The history as a JSON object, to be kept beside `text`, the present state. The caller frees
  * it. */

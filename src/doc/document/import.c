@@ -77,6 +77,6 @@ qn_document_import (QnDocument *document, const char *step, const QnProject *imp
 {
   g_autofree char *base = g_path_get_basename (imported->name);
   g_autofree char *name = g_strdup_printf (_ ("Import %s"), base);
-  return qn_document_edit_project (document, step != NULL ? step : name, NULL, take_over,
-                                   (gpointer) imported, error);
+  return qn_document_edit (document, step != NULL ? step : name, NULL, take_over,
+                           (gpointer) imported, error);
 }

@@ -1,6 +1,6 @@
 /* Edits of parametric masonry: walls, openings, arches and columns that stay parameters.
  *
- * They work on the draft that qn_document_edit_project() hands out, like those of edit.h on its
+ * They work on the draft that qn_document_edit() hands out, like those of edit.h on its
  * model, with errors in the same domain. Objects are told by their position in the project's
  * list, which is QnBlock.masonry of their blocks. Loads and exceptions for faces follow the
  * blocks they were at: by name, or where that is gone by place.

@@ -1,6 +1,6 @@
 /* Edits of where things are, by numbers.
  *
- * As in edit.h: on the draft that qn_document_edit_project() hands out, whole or refused. Lengths
+ * As in edit.h: on the draft that qn_document_edit() hands out, whole or refused. Lengths
  * are m, angles rad. A wall or another object of which every block is in the set moves as one
  * thing and stays parametric; other blocks and beams move one by one. */
 #pragma once

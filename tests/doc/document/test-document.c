@@ -3,6 +3,7 @@
 
 #include "doc/fixture.h"
 #include "doc/long-analysis.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 #include <glib/gstdio.h>
@@ -50,7 +51,7 @@ break_polygon (QnModel *model, gpointer data, GError **error)
 static gboolean
 change (QnDocument *document, double friction, const char *key)
 {
-  return qn_document_edit (document, "Set Friction", key, set_friction, &friction, NULL);
+  return edit_model (document, "Set Friction", key, set_friction, &friction, NULL);
 }
 
 static void
@@ -127,8 +128,7 @@ test_refused_edit (void)
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
   g_autofree char *text = g_strdup (qn_document_get_text (document));
   g_autoptr (GError) error = NULL;
-  g_assert_false (
-    qn_document_edit (document, "Break", NULL, break_polygon, NULL, &error));
+  g_assert_false (edit_model (document, "Break", NULL, break_polygon, NULL, &error));
   g_assert_nonnull (strstr (error->message, "blocks[0]"));
   g_assert_cmpstr (qn_document_get_text (document), ==, text);
   g_assert_false (qn_document_is_modified (document));
@@ -289,13 +289,13 @@ test_analysis (void)
   g_assert_false (qn_document_is_stale (document, run));
 
   /* A title does not make a result outdated. */
-  qn_document_edit (document, "Rename", NULL, set_title, (char *) "Another", NULL);
+  edit_model (document, "Rename", NULL, set_title, (char *) "Another", NULL);
   g_assert_false (qn_document_is_stale (document, run));
 
   /* Settings of the analysis are told apart from changes of the model, also when both change. */
   g_assert_cmpint (qn_document_get_run_age (document, run), ==, QN_RUN_CURRENT);
   g_assert_cmpstr (qn_run_age_text (QN_RUN_CURRENT), ==, "");
-  qn_document_edit (document, "Steps", NULL, set_steps, NULL, NULL);
+  edit_model (document, "Steps", NULL, set_steps, NULL, NULL);
   g_assert_cmpint (qn_document_get_run_age (document, run), ==, QN_RUN_OTHER_SETTINGS);
   g_assert_true (qn_document_is_stale (document, run));
   change (document, 0.6, NULL);
@@ -369,7 +369,7 @@ static void
 test_explained_failure (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
-  qn_document_edit (document, "Lift", NULL, lift_block, NULL, NULL);
+  edit_model (document, "Lift", NULL, lift_block, NULL, NULL);
   qn_document_analyse (document, NULL);
   wait_for_job (document);
   g_assert_null (qn_document_get_run (document));

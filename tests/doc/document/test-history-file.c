@@ -1,6 +1,7 @@
 #include "doc/document/history.h"
 
 #include "doc/fixture.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 #include <glib/gstdio.h>
@@ -21,7 +22,7 @@ test_round_trip (void)
 {
   g_autofree char *text = g_strdup ("a\nc\nd\n");
   QnEditHistory *history = make_history ();
-  g_autofree char *back = qn_history_undo (history, text);
+  g_autofree char *back = qn_history_go_to (history, text, 2);
   g_autofree char *json = qn_history_to_json (history, back);
   QnEditHistory *read = qn_history_from_json (json, back);
   g_assert_nonnull (read);
@@ -29,11 +30,9 @@ test_round_trip (void)
   g_assert_cmpuint (qn_history_get_position (read), ==, 2);
   g_assert_cmpstr (qn_history_get_name (read, 1), ==, "Two");
   g_assert_true (qn_history_is_clean (read));
-  g_autofree char *forth = qn_history_redo (read, back);
+  g_autofree char *forth = qn_history_go_to (read, back, 3);
   g_assert_cmpstr (forth, ==, text);
-  g_autofree char *second = qn_history_undo (read, forth);
-  g_autofree char *first = qn_history_undo (read, second);
-  g_autofree char *start = qn_history_undo (read, first);
+  g_autofree char *start = qn_history_go_to (read, forth, 0);
   g_assert_cmpstr (start, ==, "a\nb\nc\n");
   qn_history_free (history);
   qn_history_free (read);
@@ -85,7 +84,7 @@ test_document (void)
   g_autofree char *opened = g_strdup (qn_document_get_text (document));
   for (double friction = 0.3; friction < 0.55; friction += 0.1)
     g_assert_true (
-      qn_document_edit (document, "Set Friction", NULL, set_friction, &friction, NULL));
+      edit_model (document, "Set Friction", NULL, set_friction, &friction, NULL));
   g_assert_false (qn_document_get_keeps_history (document));
   qn_document_set_keeps_history (document, TRUE);
   g_autofree char *digest = g_strdup (qn_document_get_text (document));

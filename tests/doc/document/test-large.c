@@ -31,7 +31,7 @@ open_large (void)
   g_autoptr (GError) error = NULL;
   QnDocument *document = qn_document_new ();
   large_drawing_load (document);
-  qn_document_edit_project (document, "Move", NULL, move_all, NULL, &error);
+  qn_document_edit (document, "Move", NULL, move_all, NULL, &error);
   g_assert_no_error (error);
   return document;
 }

@@ -1,4 +1,5 @@
 #include "doc/document/recovery.h"
+#include "support/edit-model.h"
 
 #include <glib/gstdio.h>
 #include <unistd.h>
@@ -32,7 +33,7 @@ test_life (void)
   g_autoptr (QnDocument) document = qn_document_new ();
   QnRecovery *recovery = qn_recovery_watch (document);
   g_assert_cmpuint (count_files (), ==, 0);
-  qn_document_edit (document, "Add", NULL, add_block, NULL, NULL);
+  edit_model (document, "Add", NULL, add_block, NULL, NULL);
   qn_recovery_flush (recovery);
   g_assert_cmpuint (count_files (), ==, 1);
   /* Nothing is offered while the program that wrote it runs. */
@@ -56,7 +57,7 @@ test_after_a_crash (void)
   if (g_test_subprocess ()) {
     QnDocument *document = qn_document_new ();
     QnRecovery *recovery = qn_recovery_watch (document);
-    qn_document_edit (document, "Add", NULL, add_block, NULL, NULL);
+    edit_model (document, "Add", NULL, add_block, NULL, NULL);
     qn_recovery_flush (recovery);
     _exit (0);
   }

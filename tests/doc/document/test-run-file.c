@@ -2,6 +2,7 @@
 
 #include "doc/fixture.h"
 #include "io/result/result-file.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 #include <glib/gstdio.h>
@@ -43,7 +44,7 @@ edit_friction (QnModel *model, gpointer data, GError **error)
 static gboolean
 change (QnDocument *document, double friction)
 {
-  return qn_document_edit (document, "Friction", NULL, edit_friction, &friction, NULL);
+  return edit_model (document, "Friction", NULL, edit_friction, &friction, NULL);
 }
 
 /* Written, and read again by another document of the same file, a run is what it was. */
@@ -125,7 +126,7 @@ test_live_limit (Place *place, gconstpointer data)
   (void) data;
   g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall3.quoin");
   g_autoptr (GError) error = NULL;
-  qn_document_edit (document, "Limit", NULL, choose_limit, NULL, &error);
+  edit_model (document, "Limit", NULL, choose_limit, NULL, &error);
   g_assert_no_error (error);
   g_assert_true (qn_document_analyse_live (document, &error));
   wait_for_job (document);

@@ -4,6 +4,7 @@
 #include "doc/edit/edit.h"
 #include "doc/fixture.h"
 #include "io/project/project.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 static gboolean
@@ -17,8 +18,7 @@ set_friction (QnModel *model, gpointer data, GError **error)
 static void
 vary (QnDocument *document, double friction)
 {
-  g_assert_true (
-    qn_document_edit (document, "Friction", NULL, set_friction, &friction, NULL));
+  g_assert_true (edit_model (document, "Friction", NULL, set_friction, &friction, NULL));
 }
 
 static void
@@ -125,7 +125,7 @@ test_removed (void)
   g_autoptr (QnDocument) document = open_example ("05-stack.quoin");
   QnRun *first = solve_example (document);
   QnId last = (QnId) first->model.block_count - 1;
-  g_assert_true (qn_document_edit (document, "Delete", NULL, remove_block, &last, NULL));
+  g_assert_true (edit_model (document, "Delete", NULL, remove_block, &last, NULL));
   g_assert_cmpstr (solve_example (document)->label, ==, "1 block removed");
 }
 

@@ -1,6 +1,7 @@
 #include "doc/edit/edit.h"
 
 #include "doc/fixture.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 #include <math.h>
@@ -180,10 +181,10 @@ test_nothing_selected (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
   Edit edit = { .set = { NULL, 0 } };
-  QnEditFunc funcs[] = { transform, copy, delete_blocks, support };
+  ModelEdit funcs[] = { transform, copy, delete_blocks, support };
   for (gsize i = 0; i < G_N_ELEMENTS (funcs); i++) {
     g_autoptr (GError) error = NULL;
-    g_assert_false (qn_document_edit (document, "edit", NULL, funcs[i], &edit, &error));
+    g_assert_false (edit_model (document, "edit", NULL, funcs[i], &edit, &error));
     g_assert_error (error, QN_EDIT_ERROR, 0);
   }
   g_assert_false (qn_history_can_undo (qn_document_get_history (document)));

@@ -1,6 +1,7 @@
 #include "doc/edit/edit-face.h"
 
 #include "doc/fixture.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 typedef struct Change {
@@ -39,7 +40,7 @@ open_stack (void)
 }
 
 static void
-apply (QnDocument *document, QnEditFunc func, Change change)
+apply (QnDocument *document, ModelEdit func, Change change)
 {
   edit (document, func, &change);
 }

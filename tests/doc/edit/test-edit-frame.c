@@ -228,10 +228,10 @@ copy_parts (QnProject *draft, gpointer data, GError **error)
 }
 
 static const QnModel *
-edit_parts (QnDocument *document, QnProjectEditFunc func, Motion motion)
+edit_parts (QnDocument *document, QnEditFunc func, Motion motion)
 {
   g_autoptr (GError) error = NULL;
-  qn_document_edit_project (document, "parts", NULL, func, &motion, &error);
+  qn_document_edit (document, "parts", NULL, func, &motion, &error);
   g_assert_no_error (error);
   return qn_document_get_model (document);
 }

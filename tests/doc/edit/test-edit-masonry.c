@@ -2,6 +2,7 @@
 #include "doc/edit/edit-masonry.h"
 #include "doc/edit/edit-tie.h"
 #include "doc/masonry/masonry-shape.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 #include <malloc.h>
@@ -108,10 +109,10 @@ make_impossible (QnMasonry *masonry, gpointer data, GError **error)
 }
 
 static void
-apply (QnDocument *document, const char *name, QnProjectEditFunc func, Change *c)
+apply (QnDocument *document, const char *name, QnEditFunc func, Change *c)
 {
   g_autoptr (GError) error = NULL;
-  qn_document_edit_project (document, name, NULL, func, c, &error);
+  qn_document_edit (document, name, NULL, func, c, &error);
   g_assert_no_error (error);
 }
 
@@ -183,12 +184,11 @@ test_refused (void)
   g_autofree char *before = g_strdup (qn_document_get_text (document));
   g_autoptr (GError) error = NULL;
   Change bad = { .object = 0, .func = make_impossible };
-  g_assert_false (qn_document_edit_project (document, "Bad", NULL, change, &bad, &error));
+  g_assert_false (qn_document_edit (document, "Bad", NULL, change, &bad, &error));
   g_assert_error (error, QN_EDIT_ERROR, 0);
   g_clear_error (&error);
   Change none = { .object = 7, .func = make_english };
-  g_assert_false (
-    qn_document_edit_project (document, "Bad", NULL, change, &none, &error));
+  g_assert_false (qn_document_edit (document, "Bad", NULL, change, &none, &error));
   g_assert_error (error, QN_EDIT_ERROR, 0);
   g_assert_cmpstr (qn_document_get_text (document), ==, before);
 }
@@ -208,7 +208,7 @@ test_loads_follow (void)
 {
   g_autoptr (QnDocument) document = document_with_window ();
   g_autoptr (GError) error = NULL;
-  qn_document_edit (document, "Force", NULL, load_block, (gpointer) "w1.10.3", &error);
+  edit_model (document, "Force", NULL, load_block, (gpointer) "w1.10.3", &error);
   g_assert_no_error (error);
   const QnModel *model = qn_document_get_model (document);
   gsize loads = model->live_load_count;
@@ -221,8 +221,7 @@ test_loads_follow (void)
   g_assert_cmpfloat (model->live_loads[loads - 1].at.x, ==, at.x);
 
   qn_document_undo (document);
-  qn_document_edit (document, "Force", NULL, load_block, (gpointer) "w1.o1.lintel",
-                    &error);
+  edit_model (document, "Force", NULL, load_block, (gpointer) "w1.o1.lintel", &error);
   g_assert_no_error (error);
   Change closed = { .object = 0, .opening = 0 };
   apply (document, "Remove Opening", remove_opening, &closed);
@@ -248,7 +247,7 @@ test_transform (void)
   for (gsize i = 0; i < model->block_count; i++)
     all[i] = (QnId) i;
   QnVec2 before = model->blocks[block_called (document, "w1.10.3")].centroid;
-  g_assert_true (qn_document_edit (document, "Tie", NULL, tie_to_ground, &before, NULL));
+  g_assert_true (edit_model (document, "Tie", NULL, tie_to_ground, &before, NULL));
   Change turn = { .set = { all, (guint) model->block_count },
                   .transform = qn_transform_rotation (qn_vec2 (0.0, 0.0), 0.3) };
   apply (document, "Rotate", transform, &turn);

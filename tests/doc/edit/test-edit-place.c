@@ -34,20 +34,18 @@ set_extent (QnProject *draft, gpointer data, GError **error)
 }
 
 static void
-edit_place (QnDocument *document, QnProjectEditFunc func, Place place)
+edit_place (QnDocument *document, QnEditFunc func, Place place)
 {
   g_autoptr (GError) error = NULL;
-  g_assert_true (
-    qn_document_edit_project (document, "place", NULL, func, &place, &error));
+  g_assert_true (qn_document_edit (document, "place", NULL, func, &place, &error));
   g_assert_no_error (error);
 }
 
 static void
-refuse_place (QnDocument *document, QnProjectEditFunc func, Place place)
+refuse_place (QnDocument *document, QnEditFunc func, Place place)
 {
   g_autoptr (GError) error = NULL;
-  g_assert_false (
-    qn_document_edit_project (document, "place", NULL, func, &place, &error));
+  g_assert_false (qn_document_edit (document, "place", NULL, func, &place, &error));
   g_assert_error (error, QN_EDIT_ERROR, 0);
 }
 
@@ -144,8 +142,7 @@ test_walls (void)
 {
   g_autoptr (QnDocument) document = open_text (project);
   g_autoptr (GError) error = NULL;
-  g_assert_true (
-    qn_document_edit_project (document, "walls", NULL, add_walls, NULL, &error));
+  g_assert_true (qn_document_edit (document, "walls", NULL, add_walls, NULL, &error));
   const QnModel *model = qn_document_get_model (document);
   g_autofree QnId *walls = g_new (QnId, model->block_count);
   guint count = 0;

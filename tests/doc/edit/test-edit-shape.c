@@ -1,6 +1,7 @@
 #include "doc/edit/edit-shape.h"
 
 #include "doc/fixture.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 #include <math.h>
@@ -81,7 +82,7 @@ test_crossing (void)
 
   Shape beside = { { NULL, 0 }, { 5, 5 }, { 6, 6 } };
   g_autoptr (GError) error = NULL;
-  g_assert_false (qn_document_edit (document, "Cut", NULL, cut, &beside, &error));
+  g_assert_false (edit_model (document, "Cut", NULL, cut, &beside, &error));
   g_assert_error (error, QN_EDIT_ERROR, 0);
 }
 
@@ -104,7 +105,7 @@ test_join (void)
   edit (apart, move, &(Shape){ { &one, 1 }, { 2, 1 }, { 2.5, 1 } });
   Shape shape = { { both, 2 }, { 0, 0 }, { 0, 0 } };
   g_autoptr (GError) error = NULL;
-  g_assert_false (qn_document_edit (apart, "Join", NULL, join, &shape, &error));
+  g_assert_false (edit_model (apart, "Join", NULL, join, &shape, &error));
   g_assert_error (error, QN_EDIT_ERROR, 0);
 }
 

@@ -2,6 +2,7 @@
 
 #include "doc/fixture.h"
 #include "io/text/text-format.h"
+#include "support/edit-model.h"
 #include "support/room.h"
 
 #include <string.h>
@@ -72,8 +73,8 @@ check_every_choice (QnDocument *opened, QnProblem problem, guint expected)
                    || strstr (what, "these 2 blocks") != NULL);
     Fix fix = { finding, choices[i] };
     g_autoptr (GError) error = NULL;
-    qn_document_edit (document, qn_repair_get_step_name (choices[i]), NULL, repair, &fix,
-                      &error);
+    edit_model (document, qn_repair_get_step_name (choices[i]), NULL, repair, &fix,
+                &error);
     g_assert_no_error (error);
     const QnContacts *contacts = qn_document_get_contacts (document);
     for (gsize k = 0; k < contacts->findings.count; k++)
@@ -133,7 +134,7 @@ test_who_moves (void)
 {
   g_autoptr (QnDocument) document = open_pair (0.5004);
   Fix fix = { finding_of (document, QN_PROBLEM_NEAR_MISS_GAP), QN_REPAIR_SNAP };
-  g_assert_true (qn_document_edit (document, "Snap", NULL, repair, &fix, NULL));
+  g_assert_true (edit_model (document, "Snap", NULL, repair, &fix, NULL));
   const QnModel *model = qn_document_get_model (document);
   QnId below = qn_model_find_block (model, "below");
   QnId above = qn_model_find_block (model, "above");
@@ -146,12 +147,12 @@ test_all (void)
 {
   g_autoptr (QnDocument) document = open_pair (0.5004);
   guint count = 0;
-  g_assert_true (qn_document_edit (document, "All", NULL, repair_all, &count, NULL));
+  g_assert_true (edit_model (document, "All", NULL, repair_all, &count, NULL));
   g_assert_cmpuint (count, ==, 1);
   g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
   g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
   g_autoptr (GError) error = NULL;
-  g_assert_false (qn_document_edit (document, "All", NULL, repair_all, &count, &error));
+  g_assert_false (edit_model (document, "All", NULL, repair_all, &count, &error));
   g_assert_error (error, QN_EDIT_ERROR, 0);
 }
 
@@ -218,15 +219,13 @@ test_mortar (void)
   Fix fix = { finding, QN_REPAIR_CLOSE };
   double widths[] = { 0.001, 0.025 };
   g_autoptr (GError) error = NULL;
-  g_assert_false (
-    qn_document_edit (document, "Close", NULL, close_gaps, &widths[0], &error));
+  g_assert_false (edit_model (document, "Close", NULL, close_gaps, &widths[0], &error));
   g_assert_error (error, QN_EDIT_ERROR, 0);
   for (int way = 0; way < 3; way++) {
     guint repaired = 0;
-    const QnEditFunc edits[] = { repair, close_gaps, repair_all };
+    const ModelEdit edits[] = { repair, close_gaps, repair_all };
     gpointer data[] = { &fix, &widths[1], &repaired };
-    g_assert_true (
-      qn_document_edit (document, "Close", NULL, edits[way], data[way], NULL));
+    g_assert_true (edit_model (document, "Close", NULL, edits[way], data[way], NULL));
     const QnContacts *contacts = qn_document_get_contacts (document);
     const QnModel *model = qn_document_get_model (document);
     g_assert_cmpuint (contacts->face_count, ==, 5);

@@ -22,7 +22,7 @@ test_same_blocks (void)
     g_autoptr (QnDocument) after = open_example (name);
     QnId wall = 0;
     g_autoptr (GError) error = NULL;
-    qn_document_edit_project (after, "Convert", NULL, convert, &wall, &error);
+    qn_document_edit (after, "Convert", NULL, convert, &wall, &error);
     g_assert_no_error (error);
 
     const QnModel *a = qn_document_get_model (before), *b = qn_document_get_model (after);
@@ -60,7 +60,7 @@ test_openings (void)
   g_autoptr (QnDocument) document = open_text (text);
   g_autoptr (GError) error = NULL;
   QnId wall = 0;
-  qn_document_edit_project (document, "Convert", NULL, convert, &wall, &error);
+  qn_document_edit (document, "Convert", NULL, convert, &wall, &error);
   g_assert_no_error (error);
 
   QnMasonries list;
