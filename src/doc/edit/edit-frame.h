@@ -113,22 +113,6 @@ gboolean qn_edit_set_section_shape (QnModel *model, QnId section, gboolean recta
 gboolean qn_edit_add_section (QnModel *model, QnId like, GError **error);
 void qn_edit_remove_unused_sections (QnModel *model);
 
-/* Where nodes and beams of the old model went; QN_NONE: they are gone. */
-typedef struct QnBeamRebuild {
-  QnId *nodes, *beams;
-} QnBeamRebuild;
-
-/* Copies nodes and beams into a model that has its blocks and sections already, and cuts the beams.
- * follow: the new number of an old block, or QN_NONE. A node goes with its block, a beam with
- * either of its nodes or where it names none, and a node that stands free with the last of its
- * beams. FALSE where memory runs out or, with the
- * reason in `diag`, a beam cannot be cut. Clear the rebuild in either case. */
-gboolean qn_edit_copy_beams (const QnModel *from, QnModel *to,
-                             QnId (*follow) (gconstpointer data, QnId block),
-                             gconstpointer data, QnBeamRebuild *rebuild, QnDiag *diag);
-
-void qn_beam_rebuild_clear (QnBeamRebuild *rebuild);
-
 /* Before blocks are moved: forces, nodes and ends of ties at given points of them go where the transform
  * takes them, and loads stay on their edges; so do nodes and ends that stand free where every block of
  * the model is among them. flags: one per block. */

@@ -1,8 +1,8 @@
 #include "doc/edit/edit.h"
 
+#include "core/base/integer.h"
 #include "core/base/name-index.h"
 #include "core/base/polygon.h"
-#include "doc/edit/edit-frame.h"
 #include "doc/text/explain.h"
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -16,14 +16,13 @@
 G_DEFINE_QUARK (qn-edit-error-quark, qn_edit_error)
 /* clang-format on */
 
-/* Where the blocks of the old model went. */
+/* Where the parts of the old model went; QN_NONE: they are gone. */
 typedef struct Rebuild {
   const QnModel *from;
   QnModel *to;
   const QnMasonries *masonry; /* laid again; NULL: masonry blocks stay as they are */
   QnId *blocks;               /* of old free blocks */
-  QnId *walls;
-  QnBeamRebuild beams;
+  QnId *walls, *nodes, *beams;
 } Rebuild;
 
 gboolean
@@ -61,6 +60,15 @@ qn_block_set_to_flags (QnBlockSet set, const QnModel *model)
   return flags;
 }
 
+static QnId *
+new_ids (gsize count)
+{
+  QnId *ids = g_new (QnId, count + 1);
+  for (gsize i = 0; i < count; i++)
+    ids[i] = QN_NONE;
+  return ids;
+}
+
 /* Blocks that the file lists, or those that parametric masonry was laid of. */
 static gboolean
 copy_blocks (Rebuild *r, gboolean laid, const gboolean *drop)
@@ -88,7 +96,6 @@ copy_walls (Rebuild *r)
 {
   for (gsize i = 0; i < r->from->wall_count; i++) {
     const QnWall *old = &r->from->walls[i];
-    r->walls[i] = QN_NONE;
     if (old->course_count == 0)
       continue;
     QnWall *wall = qn_model_add_wall (r->to, old->name);
@@ -162,10 +169,96 @@ follow_block (const Rebuild *r, QnId old)
   return QN_NONE;
 }
 
-static QnId
-follow_block_of (gconstpointer rebuild, QnId block)
+static gboolean
+has_ends (const QnBeam *beam)
 {
-  return follow_block (rebuild, block);
+  return beam->nodes[0] != QN_NONE && beam->nodes[1] != QN_NONE;
+}
+
+/* Marks the nodes that stay: riding ones whose block is there, free ones with a beam that stays. */
+static void
+mark_nodes (const Rebuild *r, gboolean *stays)
+{
+  const QnModel *from = r->from;
+  for (gsize i = 0; i < from->node_count; i++)
+    stays[i] = from->nodes[i].block == QN_NONE
+               || follow_block (r, from->nodes[i].block) != QN_NONE;
+
+  g_autofree gboolean *used = g_new0 (gboolean, from->node_count + 1);
+  for (gsize i = 0; i < from->beam_count; i++) {
+    const QnId *ends = from->beams[i].nodes;
+    if (has_ends (&from->beams[i]) && stays[ends[0]] && stays[ends[1]])
+      used[ends[0]] = used[ends[1]] = TRUE;
+  }
+  for (gsize i = 0; i < from->node_count; i++)
+    stays[i] = stays[i] && (used[i] || from->nodes[i].block != QN_NONE);
+}
+
+static gboolean
+copy_nodes (Rebuild *r)
+{
+  g_autofree gboolean *stays = g_new0 (gboolean, r->from->node_count + 1);
+  mark_nodes (r, stays);
+  for (gsize i = 0; i < r->from->node_count; i++) {
+    const QnNode *old = &r->from->nodes[i];
+    if (old->beam != QN_NONE || !stays[i])
+      continue;
+    QnNode *node = qn_model_add_node (r->to, old->name);
+    if (node == NULL)
+      return FALSE;
+    char *name = node->name;
+    *node = *old;
+    node->name = name;
+    node->block = follow_block (r, old->block);
+    r->nodes[i] = (QnId) r->to->node_count - 1;
+  }
+  return TRUE;
+}
+
+static gboolean
+copy_beams (Rebuild *r)
+{
+  for (gsize i = 0; i < r->from->beam_count; i++) {
+    const QnBeam *old = &r->from->beams[i];
+    if (!has_ends (old) || r->nodes[old->nodes[0]] == QN_NONE
+        || r->nodes[old->nodes[1]] == QN_NONE)
+      continue;
+    QnBeam *beam = qn_model_add_beam (r->to, old->name);
+    if (beam == NULL)
+      return FALSE;
+    char *name = beam->name;
+    *beam = *old;
+    beam->name = name;
+    for (int end = 0; end < 2; end++)
+      beam->nodes[end] = r->nodes[old->nodes[end]];
+    r->beams[i] = (QnId) r->to->beam_count - 1;
+  }
+  return TRUE;
+}
+
+/* Nodes that cut a beam become those nearest to their places, for it may be cut into another
+ * number of elements. */
+static void
+follow_inner_nodes (Rebuild *r)
+{
+  g_autofree guint *counts = g_new0 (guint, r->from->beam_count + 1);
+  g_autofree guint *seen = g_new0 (guint, r->from->beam_count + 1);
+  for (gsize i = 0; i < r->from->node_count; i++)
+    if (r->from->nodes[i].beam != QN_NONE)
+      counts[r->from->nodes[i].beam]++;
+  for (gsize i = 0; i < r->from->node_count; i++) {
+    QnId old = r->from->nodes[i].beam;
+    if (old == QN_NONE || r->beams[old] == QN_NONE)
+      continue;
+    const QnBeam *beam = &r->to->beams[r->beams[old]];
+    int32_t last = beam->element_count;
+    int32_t number = (int32_t) qn_to_integer (
+      round ((double) ++seen[old] / (counts[old] + 1) * last), 0, last);
+    r->nodes[i] = number <= 0 ? beam->nodes[0]
+                  : number >= last
+                    ? beam->nodes[1]
+                    : r->to->elements[beam->first_element + number].nodes[0];
+  }
 }
 
 /* FALSE where what the load acts on is gone. */
@@ -181,10 +274,10 @@ follow_load (const Rebuild *r, QnLoad *load)
   case QN_LOAD_KIND_COUNT:
     return TRUE;
   case QN_LOAD_NODE:
-    load->node = r->beams.nodes[load->node];
+    load->node = r->nodes[load->node];
     return load->node != QN_NONE;
   case QN_LOAD_LINE:
-    load->beam = r->beams.beams[load->beam];
+    load->beam = r->beams[load->beam];
     return load->beam != QN_NONE;
   case QN_LOAD_FORCE:
   case QN_LOAD_SETTLEMENT:
@@ -274,7 +367,7 @@ keep_controls (const Rebuild *r)
     QnControl *control =
       i == 0 ? &r->to->analysis.control : &r->to->stages[i - 1].control;
     control->block = follow_block (r, control->block);
-    control->node = control->node == QN_NONE ? QN_NONE : r->beams.nodes[control->node];
+    control->node = control->node == QN_NONE ? QN_NONE : r->nodes[control->node];
   }
 }
 
@@ -339,22 +432,23 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
   if (!copy_rest (model, &fresh))
     return qn_edit_no_memory (error);
 
-  g_autofree QnId *blocks = g_new (QnId, model->block_count + 1);
-  g_autofree QnId *walls = g_new (QnId, model->wall_count + 1);
-  for (gsize i = 0; i < model->block_count; i++)
-    blocks[i] = QN_NONE;
-  Rebuild r = { model, &fresh, masonry, blocks, walls, { 0 } };
+  g_autofree QnId *blocks = new_ids (model->block_count);
+  g_autofree QnId *walls = new_ids (model->wall_count);
+  g_autofree QnId *nodes = new_ids (model->node_count);
+  g_autofree QnId *beams = new_ids (model->beam_count);
+  Rebuild r = { model, &fresh, masonry, blocks, walls, nodes, beams };
   QnDiag diag = { 0 };
   gboolean laid = copy_blocks (&r, FALSE, drop);
   if (laid && masonry != NULL && !lay_masonry (&r, error)) {
     qn_model_clear (&fresh);
     return FALSE;
   }
-  gboolean done =
-    laid && (masonry != NULL || copy_blocks (&r, TRUE, drop)) && copy_walls (&r)
-    && qn_model_expand_walls (&fresh, &diag) == QN_OK
-    && qn_edit_copy_beams (model, &fresh, follow_block_of, &r, &r.beams, &diag);
+  gboolean done = laid && (masonry != NULL || copy_blocks (&r, TRUE, drop))
+                  && copy_walls (&r) && qn_model_expand_walls (&fresh, &diag) == QN_OK
+                  && copy_nodes (&r) && copy_beams (&r)
+                  && qn_model_expand_beams (&fresh, &diag) == QN_OK;
   if (done) {
+    follow_inner_nodes (&r);
     keep_loads (&r, fresh.dead_loads, &fresh.dead_load_count);
     keep_loads (&r, fresh.live_loads, &fresh.live_load_count);
     keep_items (&r, fresh.overrides, sizeof *fresh.overrides, &fresh.override_count,
@@ -366,7 +460,6 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
     keep_controls (&r);
     done = index_names (&fresh);
   }
-  qn_beam_rebuild_clear (&r.beams);
   if (!done && diag.status == QN_ERROR_INVALID)
     qn_edit_refuse_diag (error, &fresh, &diag);
   else if (!done)
