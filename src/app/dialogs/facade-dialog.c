@@ -142,7 +142,7 @@ qn_facade_dialog_show (GtkWindow *parent, QnImportFunc import)
   dialog->report = GTK_LABEL (qn_builder_get_widget (builder, "report"));
   for (gsize i = 0; i < G_N_ELEMENTS (fields); i++) {
     g_autofree char *text = qn_units_format_list (
-      qn_settings_get_units (), fields[i].quantity, fields[i].usual, fields[i].count);
+      qn_settings_get_units (), fields[i].quantity, fields[i].usual, fields[i].count, 15);
     dialog->entries[i] = GTK_EDITABLE (qn_builder_get_widget (builder, fields[i].key));
     gtk_editable_set_text (dialog->entries[i], text);
     g_signal_connect_swapped (dialog->entries[i], "changed", G_CALLBACK (update), dialog);

@@ -308,7 +308,7 @@ qn_portal_dup_list (const QnPortal *portal, QnPortalList list, QnUnits units)
   gsize count = 0;
   while (count < QN_MOST_UNEQUAL && numbers[count] > 0.0)
     count++;
-  return qn_units_format_list (units, QN_QUANTITY_LENGTH, numbers, count);
+  return qn_units_format_list (units, QN_QUANTITY_LENGTH, numbers, count, 15);
 }
 
 gboolean

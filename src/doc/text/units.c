@@ -371,11 +371,11 @@ qn_units_parse (QnUnits units, QnQuantity quantity, const char *text, double *va
 
 char *
 qn_units_format_list (QnUnits units, QnQuantity quantity, const double *values,
-                      gsize count)
+                      gsize count, int digits)
 {
   GString *text = g_string_new (NULL);
   for (gsize i = 0; i < count; i++) {
-    g_autofree char *number = qn_units_format_full (units, quantity, values[i], 15);
+    g_autofree char *number = qn_units_format_full (units, quantity, values[i], digits);
     g_string_append_printf (text, "%s%s", i > 0 ? "; " : "", number);
   }
   return g_string_free (text, FALSE);
@@ -386,10 +386,10 @@ qn_units_parse_list (QnUnits units, QnQuantity quantity, const char *text, doubl
                      gsize most, gsize *count, GError **error)
 {
   g_auto (GStrv) parts = g_strsplit (text, ";", -1);
-  *count = 0;
-  if (g_strv_length (parts) == 1 && *g_strstrip (parts[0]) == '\0')
-    return TRUE;
-  for (; parts[*count] != NULL; ++*count) {
+  guint given = g_strv_length (parts);
+  while (given > 0 && *g_strstrip (parts[given - 1]) == '\0')
+    given--;
+  for (*count = 0; *count < given; ++*count) {
     if (*count == most)
       return qn_io_fail (error, QN_IO_ERROR_INVALID, _ ("expected up to %d numbers"),
                          (int) most);

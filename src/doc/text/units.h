@@ -64,8 +64,8 @@ gboolean qn_units_parse (QnUnits units, QnQuantity quantity, const char *text,
 
 /* Numbers with ";" between them, of which there may be none: "4 m; 7.5 m". The caller frees it. */
 char *qn_units_format_list (QnUnits units, QnQuantity quantity, const double *values,
-                            gsize count);
+                            gsize count, int digits);
 
-/* Reads up to `most` of them; the rest of `values` is as before. */
+/* Reads up to `most` of them, with or without a ";" behind the last; the rest of `values` is as before. */
 gboolean qn_units_parse_list (QnUnits units, QnQuantity quantity, const char *text,
                               double *values, gsize most, gsize *count, GError **error);

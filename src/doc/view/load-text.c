@@ -221,28 +221,20 @@ qn_stage_dup_amplitudes (const QnModel *model, gsize index, QnUnits units, gsize
 {
   g_autofree double *amplitudes = g_new (double, qn_stage_span (model, index));
   const gsize count = qn_stage_amplitudes (model, index, amplitudes, cycles);
-  GString *text = g_string_new (NULL);
-  for (gsize i = 0; i < count; i++) {
-    g_autofree char *amplitude = qn_units_format_full (
-      qn_units_of_motion (units), end_quantity (&model->stages[index]), amplitudes[i], 6);
-    g_string_append_printf (text, "%s%s", i > 0 ? "; " : "", amplitude);
-  }
-  return g_string_free (text, FALSE);
+  return qn_units_format_list (qn_units_of_motion (units),
+                               end_quantity (&model->stages[index]), amplitudes, count,
+                               6);
 }
 
 double *
 qn_stage_parse_amplitudes (const QnStage *stage, const char *text, QnUnits units,
                            gsize *count, GError **error)
 {
-  g_auto (GStrv) words = g_strsplit (text, ";", -1);
-  g_autofree double *amplitudes = g_new (double, g_strv_length (words) + 1);
-  *count = 0;
-  for (char **word = words; *word != NULL; word++)
-    if (*g_strstrip (*word) != '\0'
-        && !qn_units_parse (qn_units_of_motion (units), end_quantity (stage), *word,
-                            &amplitudes[(*count)++], error))
-      return NULL;
-  return g_steal_pointer (&amplitudes);
+  g_autofree double *amplitudes = g_new (double, QN_MAX_STAGES);
+  return qn_units_parse_list (qn_units_of_motion (units), end_quantity (stage), text,
+                              amplitudes, QN_MAX_STAGES, count, error)
+           ? g_steal_pointer (&amplitudes)
+           : NULL;
 }
 
 char *

@@ -98,13 +98,9 @@ qn_pair_rule_dup_text (const QnPairRule *rule, const QnLaw *law, QnUnits units)
 static char *
 dup_list (const QnPairRule *rule, const double *values)
 {
-  GString *text = g_string_new (NULL);
-  for (int i = 0; rule->placement == QN_PLACEMENT_EXPLICIT && i < rule->count; i++) {
-    g_autofree char *number =
-      qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, values[i], 6);
-    g_string_append_printf (text, "%s%s", i > 0 ? "; " : "", number);
-  }
-  return g_string_free (text, FALSE);
+  return qn_units_format_list (
+    QN_UNITS_SI, QN_QUANTITY_NUMBER, values,
+    rule->placement == QN_PLACEMENT_EXPLICIT ? (gsize) rule->count : 0, 6);
 }
 
 char *
@@ -116,11 +112,9 @@ qn_pair_rule_dup_positions (const QnPairRule *rule)
 char *
 qn_pair_rule_dup_weights (const QnPairRule *rule)
 {
-  for (int i = 1; i < rule->count; i++) {
-    if (rule->placement == QN_PLACEMENT_EXPLICIT
-        && ABS (rule->weights[i] - rule->weights[0]) > 1e-12)
+  for (int i = 1; i < rule->count; i++)
+    if (ABS (rule->weights[i] - rule->weights[0]) > 1e-12)
       return dup_list (rule, rule->weights);
-  }
   return g_strdup ("");
 }
 

@@ -31,7 +31,7 @@ test_list (void)
   g_assert_cmpfloat (values[1], ==, 3.5);
   g_assert_cmpfloat (values[2], ==, 9);
   g_autofree char *text =
-    qn_units_format_list (QN_UNITS_SI, QN_QUANTITY_NUMBER, values, count);
+    qn_units_format_list (QN_UNITS_SI, QN_QUANTITY_NUMBER, values, count, 15);
   g_assert_cmpstr (g_strdelimit (text, ",", '.'), ==, "3.2; 3.5"); /* of any locale */
   g_assert_true (
     qn_units_parse_list (cm_kn, QN_QUANTITY_LENGTH, " ", values, 3, &count, &error));
@@ -41,7 +41,7 @@ test_list (void)
   g_assert_nonnull (strstr (error->message, "expected up to 3 numbers"));
   g_clear_error (&error);
   g_assert_false (
-    qn_units_parse_list (cm_kn, QN_QUANTITY_NUMBER, "1;", values, 3, &count, &error));
+    qn_units_parse_list (cm_kn, QN_QUANTITY_NUMBER, "1;;2", values, 3, &count, &error));
   g_assert_nonnull (error);
 }
 
