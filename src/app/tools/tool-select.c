@@ -36,15 +36,6 @@ grabbed_point (QnCanvas *canvas, QnId block, const QnToolEvent *event)
 }
 
 static void
-select_more (QnSelection *selection, const QnModel *model, QnId block, int press_count)
-{
-  if (press_count == 2)
-    qn_selection_select_course (selection, model, block);
-  else
-    qn_selection_select_wall (selection, model, block);
-}
-
-static void
 leave_to_magnet (QnCanvas *canvas)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
@@ -63,7 +54,9 @@ press_on_part (QnCanvas *canvas, QnPartKind part, QnId id, const QnToolEvent *ev
     return;
   }
   if (part == QN_PART_BLOCK && event->press_count > 1) {
-    select_more (selection, qn_canvas_get_model (canvas), id, event->press_count);
+    qn_selection_select_blocks_like (selection, qn_canvas_get_model (canvas), id,
+                                     event->press_count == 2 ? QN_LIKE_COURSE
+                                                             : QN_LIKE_WALL);
     return;
   }
   if (!qn_selection_has (selection, part, id))

@@ -272,10 +272,7 @@ redo (QnWindow *self, GVariant *parameter)
 static void
 go_to_step (QnWindow *self, GVariant *parameter)
 {
-  QnEditHistory *history = qn_document_get_history (self->document);
-  int step = g_variant_get_int32 (parameter);
-  if (step >= 0 && (guint) step <= qn_history_get_count (history))
-    qn_document_go_to (self->document, (guint) step);
+  qn_document_go_to (self->document, (guint) g_variant_get_int32 (parameter));
 }
 
 /* The run that is shown leaves the list. */
@@ -302,13 +299,10 @@ select_like (QnWindow *self, GVariant *parameter)
   const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &count);
   if (count == 0)
     return;
-  QnId block = ids[0];
-  if (g_str_equal (what, "course"))
-    qn_selection_select_course (selection, model, block);
-  else if (g_str_equal (what, "wall"))
-    qn_selection_select_wall (selection, model, block);
-  else
-    qn_selection_select_same_law (selection, model, block);
+  qn_selection_select_blocks_like (selection, model, ids[0],
+                                   g_str_equal (what, "course") ? QN_LIKE_COURSE
+                                   : g_str_equal (what, "wall") ? QN_LIKE_WALL
+                                                                : QN_LIKE_LAW);
 }
 
 static void

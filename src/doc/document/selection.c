@@ -247,19 +247,6 @@ qn_selection_get_any_item (QnSelection *self, QnItemKind *kind)
 
 /* ---- what belongs together ---- */
 
-typedef gboolean (*BlockTest) (const QnModel *model, QnId candidate, QnId block);
-
-static void
-select_matching (QnSelection *self, const QnModel *model, QnId block, BlockTest test)
-{
-  GArray *blocks = new_ids ();
-  for (QnId i = 0; i < (QnId) model->block_count; i++) {
-    if (test (model, i, block))
-      g_array_append_val (blocks, i);
-  }
-  replace_one (self, QN_PART_BLOCK, blocks, FALSE);
-}
-
 void
 qn_selection_select_all (QnSelection *self, const QnModel *model)
 {
@@ -275,55 +262,33 @@ qn_selection_select_all (QnSelection *self, const QnModel *model)
 /* Wall blocks are named <wall>.<course>.<position>: those of a course share what precedes the
  * last dot. */
 static gboolean
-same_course (const QnModel *model, QnId candidate, QnId block)
+are_like_blocks (const QnBlock *a, const QnBlock *b, QnLikeness likeness)
 {
-  const QnBlock *a = &model->blocks[candidate], *b = &model->blocks[block];
-  if (candidate == block)
-    return TRUE;
-  if (a->wall != b->wall || a->masonry != b->masonry
-      || (b->wall == QN_NONE && b->masonry == QN_NONE))
-    return FALSE;
   const char *dot_a = strrchr (a->name, '.'), *dot_b = strrchr (b->name, '.');
-  if (dot_a == NULL || dot_b == NULL)
+  if (likeness == QN_LIKE_LAW)
+    return a->law == b->law;
+  if (a->wall != b->wall || a->masonry != b->masonry
+      || (a->wall == QN_NONE && a->masonry == QN_NONE))
     return FALSE;
-  gsize length = (gsize) (dot_b - b->name);
-  return (gsize) (dot_a - a->name) == length && memcmp (a->name, b->name, length) == 0;
-}
-
-static gboolean
-same_wall (const QnModel *model, QnId candidate, QnId block)
-{
-  const QnBlock *a = &model->blocks[candidate], *b = &model->blocks[block];
-  return candidate == block || (b->wall != QN_NONE && a->wall == b->wall)
-         || (b->masonry != QN_NONE && a->masonry == b->masonry);
-}
-
-static gboolean
-same_law (const QnModel *model, QnId candidate, QnId block)
-{
-  return model->blocks[candidate].law == model->blocks[block].law;
+  return likeness == QN_LIKE_WALL
+         || (dot_a != NULL && dot_b != NULL && dot_a - a->name == dot_b - b->name
+             && memcmp (a->name, b->name, (gsize) (dot_b - b->name)) == 0);
 }
 
 void
-qn_selection_select_course (QnSelection *self, const QnModel *model, QnId block)
+qn_selection_select_blocks_like (QnSelection *self, const QnModel *model, QnId block,
+                                 QnLikeness likeness)
 {
-  select_matching (self, model, block, same_course);
-}
-
-void
-qn_selection_select_wall (QnSelection *self, const QnModel *model, QnId block)
-{
-  select_matching (self, model, block, same_wall);
-}
-
-void
-qn_selection_select_same_law (QnSelection *self, const QnModel *model, QnId block)
-{
-  select_matching (self, model, block, same_law);
+  GArray *blocks = new_ids ();
+  for (QnId i = 0; i < (QnId) model->block_count; i++)
+    if (i == block
+        || are_like_blocks (&model->blocks[i], &model->blocks[block], likeness))
+      g_array_append_val (blocks, i);
+  replace_one (self, QN_PART_BLOCK, blocks, FALSE);
 }
 
 static gboolean
-are_alike (const QnContactFace *a, const QnContactFace *b, QnFaceLikeness likeness)
+are_alike (const QnContactFace *a, const QnContactFace *b, QnLikeness likeness)
 {
   if (likeness == QN_LIKE_LAW)
     return (a->law_a == b->law_a && a->law_b == b->law_b)
@@ -335,7 +300,7 @@ are_alike (const QnContactFace *a, const QnContactFace *b, QnFaceLikeness likene
 
 void
 qn_selection_select_faces_like (QnSelection *self, const QnContacts *contacts, QnId face,
-                                QnFaceLikeness likeness)
+                                QnLikeness likeness)
 {
   GArray *faces = new_ids ();
   for (QnId i = 0; i < (QnId) contacts->face_count; i++) {

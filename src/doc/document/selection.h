@@ -53,23 +53,18 @@ QnId qn_selection_get_any_item (QnSelection *selection, QnItemKind *kind);
 /* Every block and beam. */
 void qn_selection_select_all (QnSelection *selection, const QnModel *model);
 
-/* Sets of blocks that belong together: the course of a wall block, its whole wall, all blocks
- * of the same law. `block` is in every one of them. */
-void qn_selection_select_course (QnSelection *selection, const QnModel *model,
-                                 QnId block);
-void qn_selection_select_wall (QnSelection *selection, const QnModel *model, QnId block);
-void qn_selection_select_same_law (QnSelection *selection, const QnModel *model,
-                                   QnId block);
-
-/* Faces that belong together: of the same laws, along the same line, in the same direction.
- * `face` is in every one of them. */
+/* What belongs together: `block` or `face`, and all others that are like it. */
 typedef enum {
   QN_LIKE_LAW,
-  QN_LIKE_LINE,     /* a whole bed joint, or a vertical line of head joints */
+  QN_LIKE_COURSE,   /* blocks: the course of a wall, */
+  QN_LIKE_WALL,     /* the whole wall */
+  QN_LIKE_LINE,     /* faces: a whole bed joint, or a vertical line of head joints, */
   QN_LIKE_DIRECTION /* all bed joints, all head joints */
-} QnFaceLikeness;
+} QnLikeness;
+void qn_selection_select_blocks_like (QnSelection *selection, const QnModel *model,
+                                      QnId block, QnLikeness likeness);
 void qn_selection_select_faces_like (QnSelection *selection, const QnContacts *contacts,
-                                     QnId face, QnFaceLikeness likeness);
+                                     QnId face, QnLikeness likeness);
 
 /* The selected blocks and beams; borrowed as long as the selection stays as it is. */
 QnPartSet qn_selection_get_parts (QnSelection *selection);

@@ -46,10 +46,10 @@ test_like (void)
   QnSelection *selection = qn_document_get_selection (document);
   QnId block = qn_model_find_block (model, "w.2.1");
   guint count = 0;
-  qn_selection_select_course (selection, model, block);
+  qn_selection_select_blocks_like (selection, model, block, QN_LIKE_COURSE);
   qn_selection_get (selection, QN_PART_BLOCK, &count);
   g_assert_cmpuint (count, ==, 5);
-  qn_selection_select_wall (selection, model, block);
+  qn_selection_select_blocks_like (selection, model, block, QN_LIKE_WALL);
   qn_selection_get (selection, QN_PART_BLOCK, &count);
   g_assert_cmpuint (count, ==, model->block_count - 1);
   qn_selection_select_all (selection, model);
