@@ -101,37 +101,14 @@ qn_underlay_locate (const QnProject *project, const char *folder, char **path,
   return TRUE;
 }
 
-gboolean
-qn_underlay_read (const QnProject *project, gboolean allow_outside, QnUnderlay *underlay,
-                  GError **error)
+/* Puts the photo of that file behind the drawing, rectified where the underlay says so. */
+static gboolean
+load_photo (const char *path, QnUnderlay *underlay, GError **error)
 {
-  g_autofree char *folder =
-    g_path_get_dirname (project->path != NULL ? project->path : "");
-  return qn_underlay_read_from (project, folder, allow_outside, underlay, error);
-}
-
-gboolean
-qn_underlay_read_from (const QnProject *project, const char *folder,
-                       gboolean allow_outside, QnUnderlay *underlay, GError **error)
-{
-  g_autofree char *name = NULL;
-  if (!qn_underlay_locate (project, folder, &name, underlay, error))
-    return FALSE;
-  if (name == NULL)
-    return TRUE;
-  g_autofree char *path = qn_file_inside (folder, name, allow_outside, error);
-  if (path == NULL)
-    return FALSE;
   cairo_surface_t *photo = qn_photo_load (path, error);
-  return photo != NULL && qn_underlay_take_photo (underlay, photo, error);
-}
-
-gboolean
-qn_underlay_take_photo (QnUnderlay *underlay, cairo_surface_t *photo, GError **error)
-{
   underlay->image = photo;
-  if (!underlay->rectified)
-    return TRUE;
+  if (photo == NULL || !underlay->rectified)
+    return photo != NULL;
   underlay->image = qn_rectify (
     photo, underlay->points, underlay->cropped ? 0 : QN_RECTIFY_MARGIN, &underlay->seen);
   cairo_surface_destroy (photo);
@@ -139,6 +116,21 @@ qn_underlay_take_photo (QnUnderlay *underlay, cairo_surface_t *photo, GError **e
     g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FILE,
                          _ ("There is not enough memory to rectify the photo"));
   return underlay->image != NULL;
+}
+
+gboolean
+qn_underlay_read (const QnProject *project, gboolean allow_outside, QnUnderlay *underlay,
+                  GError **error)
+{
+  g_autofree char *folder =
+    g_path_get_dirname (project->path != NULL ? project->path : "");
+  g_autofree char *name = NULL;
+  if (!qn_underlay_locate (project, folder, &name, underlay, error))
+    return FALSE;
+  if (name == NULL)
+    return TRUE;
+  g_autofree char *path = qn_file_inside (folder, name, allow_outside, error);
+  return path != NULL && load_photo (path, underlay, error);
 }
 
 /* How a project in `folder` (nullable: not saved yet) calls an image: by a path from there
@@ -263,6 +255,19 @@ qn_document_dup_file (QnDocument *document, const char *file, GError **error)
   g_autofree char *whole = g_canonicalize_filename (file, folder);
   gboolean allowed = g_hash_table_contains (allowed_files (document), whole);
   return qn_file_inside (folder, file, allowed, error);
+}
+
+gboolean
+qn_document_read_picture (QnDocument *document, QnUnderlay *underlay, GError **error)
+{
+  g_autofree char *name = NULL;
+  if (!qn_underlay_locate (qn_document_get_project (document),
+                           qn_document_get_folder (document), &name, underlay, error))
+    return FALSE;
+  if (name == NULL)
+    return TRUE;
+  g_autofree char *path = qn_document_dup_file (document, name, error);
+  return path != NULL && load_photo (path, underlay, error);
 }
 
 void

@@ -25,15 +25,9 @@
 gboolean qn_underlay_read (const QnProject *project, gboolean allow_outside,
                            QnUnderlay *underlay, GError **error);
 
-/* The same where relative paths start from `folder` (nullable). */
-gboolean qn_underlay_read_from (const QnProject *project, const char *folder,
-                                gboolean allow_outside, QnUnderlay *underlay,
-                                GError **error);
-
-/* Puts the photo, which is taken over, behind the drawing; rectified where the underlay says so. FALSE
- * without memory: then there is no image. */
-gboolean qn_underlay_take_photo (QnUnderlay *underlay, cairo_surface_t *photo,
-                                 GError **error);
+/* The same of a document; files outside its folder are those that the user has allowed. */
+gboolean qn_document_read_picture (QnDocument *document, QnUnderlay *underlay,
+                                   GError **error);
 
 /* The same as qn_underlay_read() without the image: its path, owned by the caller, or NULL where the project has no
  * underlay. `folder` (nullable) is what a relative path starts from. */

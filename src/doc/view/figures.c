@@ -108,20 +108,11 @@ draw (QnDocument *document, const QnRecipe *recipe, const QnResult *result,
   QnFigure figure;
   QnMetadata metadata;
   QnUnderlay underlay;
-  const char *folder = qn_document_get_folder (document);
-  g_autofree char *image = NULL;
-  const QnProject *project = qn_document_get_project (document);
-  if (!qn_underlay_locate (project, folder, &image, &underlay, error))
-    return FALSE;
-  g_autofree char *allowed =
-    image != NULL ? qn_document_dup_file (document, image, error) : NULL;
-  if (image != NULL && allowed == NULL)
+  if (!qn_document_read_picture (document, &underlay, error))
     return FALSE;
   qn_recipe_fill (recipe, qn_document_get_model (document),
                   qn_document_get_contacts (document), result, &figure);
   qn_document_get_metadata (document, &metadata);
-  if (!qn_underlay_read_from (project, folder, TRUE, &underlay, error))
-    return FALSE;
   figure.options.underlay = underlay;
   gboolean done = qn_figure_export (&figure, path, &recipe->output, &metadata, error);
   g_clear_pointer (&underlay.image, cairo_surface_destroy);

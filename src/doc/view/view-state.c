@@ -1,7 +1,6 @@
 #include "doc/view/view-state.h"
 
 #include "doc/document/underlay.h"
-#include "render/drawing/photo.h"
 #include "render/scene/motion.h"
 
 #include <string.h>
@@ -80,14 +79,8 @@ update_underlay (QnViewState *self)
     self->options.underlay.image = NULL;
     g_free (self->image_path);
     self->image_path = g_steal_pointer (&path);
-    g_autofree char *allowed =
-      self->image_path != NULL
-        ? qn_document_dup_file (self->document, self->image_path, &self->image_error)
-        : NULL;
-    if (allowed != NULL)
-      image = qn_photo_load (allowed, &self->image_error);
-    if (image != NULL)
-      qn_underlay_take_photo (&underlay, image, &self->image_error);
+    if (self->image_path != NULL)
+      qn_document_read_picture (self->document, &underlay, &self->image_error);
   } else
     underlay.image = image;
   self->options.underlay = underlay;
