@@ -26,67 +26,69 @@ const char *const qn_basis_words[QN_BASIS_COUNT] = {
   [QN_BASIS_MATERIAL] = N_ ("Material"),
 };
 
-/* The numbers that a list has room for, with the letters of docs/method/laws.md. */
-static const struct {
-  const char *key, *symbol;
-} main_numbers[] = {
-  { "friction", "tan φ" }, { "cohesion", "c" }, { "tension", "ft" },
-  { "compression", "fc" }, { "yield", "fy" },   { "strength", "f" },
+typedef enum { PLAIN, STRENGTH, STIFFNESS, ENERGY, STRAIN, SLIP } Measure;
+
+static const QnQuantity quantities[][QN_BASIS_COUNT] = {
+  [PLAIN] = { QN_QUANTITY_NUMBER, QN_QUANTITY_NUMBER, QN_QUANTITY_NUMBER },
+  [STRENGTH] = { QN_QUANTITY_FORCE, QN_QUANTITY_STRESS, QN_QUANTITY_STRESS },
+  [STIFFNESS] = { QN_QUANTITY_STIFFNESS, QN_QUANTITY_SURFACE_STIFFNESS,
+                  QN_QUANTITY_STRESS },
+  [ENERGY] = { QN_QUANTITY_ENERGY, QN_QUANTITY_SURFACE_ENERGY,
+               QN_QUANTITY_SURFACE_ENERGY },
+  [STRAIN] = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH, QN_QUANTITY_NUMBER },
+  [SLIP] = { QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH, QN_QUANTITY_LENGTH },
 };
 
+/* With the letters of docs/method/laws.md, those that a list has room for. */
 static const struct {
-  const char *key, *word;
-} number_words[] = {
-  { "elasticity", N_ ("Elasticity") },
-  { "poisson", N_ ("Poisson's ratio") },
-  { "kn", N_ ("Normal stiffness") },
-  { "ks", N_ ("Shear stiffness") },
-  { "shear_factor", N_ ("Shear factor (0: 1)") },
-  { "friction", N_ ("Friction, tangent") },
-  { "cohesion", N_ ("Cohesion") },
-  { "tension", N_ ("Tensile strength") },
-  { "compression", N_ ("Compressive strength") },
-  { "residual_friction", N_ ("Residual friction, tangent") },
-  { "fracture_energy_tension", N_ ("Fracture energy, tension") },
-  { "fracture_energy_shear", N_ ("Fracture energy, shear") },
-  { "dilatancy", N_ ("Dilatancy, tangent") },
-  { "dilation_end", N_ ("End of dilation, slip") },
-  { "yield", N_ ("Yield") },
-  { "hardening", N_ ("Hardening, part of stiffness") },
-  { "strength", N_ ("Strength") },
-  { "ultimate_strain", N_ ("Ultimate strain") },
-  { "fracture_energy", N_ ("Fracture energy") },
-  { "crushing_energy", N_ ("Crushing energy") },
+  const char *key, *word, *symbol;
+  Measure measure;
+} numbers[] = {
+  { "elasticity", N_ ("Elasticity"), NULL, STRENGTH },
+  { "poisson", N_ ("Poisson's ratio"), NULL, PLAIN },
+  { "kn", N_ ("Normal stiffness"), NULL, STIFFNESS },
+  { "ks", N_ ("Shear stiffness"), NULL, STIFFNESS },
+  { "shear_factor", N_ ("Shear factor (0: 1)"), NULL, PLAIN },
+  { "friction", N_ ("Friction, tangent"), "tan φ", PLAIN },
+  { "cohesion", N_ ("Cohesion"), "c", STRENGTH },
+  { "tension", N_ ("Tensile strength"), "ft", STRENGTH },
+  { "compression", N_ ("Compressive strength"), "fc", STRENGTH },
+  { "residual_friction", N_ ("Residual friction, tangent"), NULL, PLAIN },
+  { "fracture_energy_tension", N_ ("Fracture energy, tension"), NULL, ENERGY },
+  { "fracture_energy_shear", N_ ("Fracture energy, shear"), NULL, ENERGY },
+  { "dilatancy", N_ ("Dilatancy, tangent"), NULL, PLAIN },
+  { "dilation_end", N_ ("End of dilation, slip"), NULL, SLIP },
+  { "yield", N_ ("Yield"), "fy", STRENGTH },
+  { "hardening", N_ ("Hardening, part of stiffness"), NULL, PLAIN },
+  { "strength", N_ ("Strength"), "f", STRENGTH },
+  { "ultimate_strain", N_ ("Ultimate strain"), NULL, STRAIN },
+  { "fracture_energy", N_ ("Fracture energy"), NULL, ENERGY },
+  { "crushing_energy", N_ ("Crushing energy"), NULL, ENERGY },
 };
+
+/* Behind the last of a key that is none of them. */
+static gsize
+find_number (const char *key)
+{
+  gsize i = 0;
+  while (i < G_N_ELEMENTS (numbers) && !g_str_equal (numbers[i].key, key))
+    i++;
+  return i;
+}
 
 const char *
 qn_law_number_word (const char *key)
 {
-  for (gsize i = 0; i < G_N_ELEMENTS (number_words); i++)
-    if (g_str_equal (number_words[i].key, key))
-      return number_words[i].word;
-  return key;
+  const gsize i = find_number (key);
+  return i < G_N_ELEMENTS (numbers) ? numbers[i].word : key;
 }
 
 QnQuantity
 qn_law_quantity (const char *key, QnBasis basis)
 {
-  static const char *const stiffnesses[] = { "kn", "ks", NULL };
-  static const char *const strengths[] = { "elasticity",  "cohesion", "tension",
-                                           "compression", "yield",    "strength",
-                                           NULL };
-  static const QnQuantity stiffness[QN_BASIS_COUNT] = { QN_QUANTITY_STIFFNESS,
-                                                        QN_QUANTITY_SURFACE_STIFFNESS,
-                                                        QN_QUANTITY_STRESS };
-  if (g_strv_contains (stiffnesses, key))
-    return stiffness[basis];
-  if (g_strv_contains (strengths, key))
-    return basis == QN_BASIS_CONTACT ? QN_QUANTITY_FORCE : QN_QUANTITY_STRESS;
-  if (strstr (key, "_energy") != NULL)
-    return basis == QN_BASIS_CONTACT ? QN_QUANTITY_ENERGY : QN_QUANTITY_SURFACE_ENERGY;
-  if (g_str_equal (key, "ultimate_strain"))
-    return basis == QN_BASIS_MATERIAL ? QN_QUANTITY_NUMBER : QN_QUANTITY_LENGTH;
-  return g_str_equal (key, "dilation_end") ? QN_QUANTITY_LENGTH : QN_QUANTITY_NUMBER;
+  const gsize i = find_number (key);
+  return i < G_N_ELEMENTS (numbers) ? quantities[numbers[i].measure][basis]
+                                    : QN_QUANTITY_NUMBER;
 }
 
 /* What has a law. A joint counts where one of its two sides has it. */
@@ -144,12 +146,12 @@ qn_law_dup_text (const QnModel *model, const QnContacts *contacts, QnId id, QnUn
   g_string_append_c (text, '\n');
   gsize count;
   const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
-  for (gsize i = 0; i < G_N_ELEMENTS (main_numbers); i++)
+  for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++)
     for (gsize k = 0; k < count; k++) {
       double value = qn_law_get (law, &parameters[k]);
-      if (value > 0.0 && g_str_equal (parameters[k].key, main_numbers[i].key))
-        append_number (text, parameters[k].key, main_numbers[i].symbol, value, law->basis,
-                       units);
+      if (numbers[i].symbol != NULL && value > 0.0
+          && g_str_equal (parameters[k].key, numbers[i].key))
+        append_number (text, numbers[i].key, numbers[i].symbol, value, law->basis, units);
     }
   if (law->elasticity > 0.0)
     append_number (text, "elasticity",
