@@ -373,13 +373,12 @@ typedef struct Batch {
   void *data;
   int count, next; /* parts, and how many have been begun */
   int helpers;     /* threads that work on it beside the caller's */
-  struct Batch *other;
 } Batch;
 
 static pthread_mutex_t mutex =
   PTHREAD_MUTEX_INITIALIZER; /* guards what follows, and helpers */
 static pthread_cond_t begun = PTHREAD_COND_INITIALIZER, ended = PTHREAD_COND_INITIALIZER;
-static Batch *batches; /* whose callers are at work */
+static Batch *helped; /* whose caller is at work, with all helpers; NULL: none */
 
 static void
 work (Batch *batch)
@@ -389,22 +388,13 @@ work (Batch *batch)
     batch->part (batch->data, i);
 }
 
-static Batch *
-find_work (void)
-{
-  Batch *batch = batches;
-  while (batch != NULL && g_atomic_int_get (&batch->next) >= batch->count)
-    batch = batch->other;
-  return batch;
-}
-
 static gpointer
 help (gpointer data)
 {
   pthread_mutex_lock (&mutex);
   for (;;) {
-    Batch *batch = find_work ();
-    if (batch == NULL) {
+    Batch *batch = helped;
+    if (batch == NULL || g_atomic_int_get (&batch->next) >= batch->count) {
       pthread_cond_wait (&begun, &mutex);
       continue;
     }
@@ -437,18 +427,16 @@ run (void *pool, int32_t count, void (*part) (void *data, int32_t i), void *data
   Batch batch = { .part = part, .data = data, .count = count };
   g_once (&once, start, NULL);
   pthread_mutex_lock (&mutex);
-  batch.other = batches;
-  batches = &batch;
-  pthread_cond_broadcast (&begun);
+  if (helped == NULL) {
+    helped = &batch;
+    pthread_cond_broadcast (&begun);
+  }
   pthread_mutex_unlock (&mutex);
 
   work (&batch);
 
   pthread_mutex_lock (&mutex);
-  Batch **link = &batches;
-  while (*link != &batch)
-    link = &(*link)->other;
-  *link = batch.other;
+  helped = helped == &batch ? NULL : helped;
   while (batch.helpers > 0)
     pthread_cond_wait (&ended, &mutex);
   pthread_mutex_unlock (&mutex);

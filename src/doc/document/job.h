@@ -66,6 +66,6 @@ bool qn_job_may_go_on (const QnProgress *progress, void *cancellable);
 const QnDiag *qn_job_get_diag (QnJob *job);
 
 /* As many threads as there are processors, the caller's among them: started when they are first needed,
- * shared by all callers and kept until the process ends. Where none can be started, the caller's thread
- * does everything. May be called from any thread. */
+ * kept until the process ends. They work for one caller at a time: the threads of others, and that of a caller
+ * where none can be started, do everything themselves. May be called from any thread. */
 const QnWorkers *qn_threads_get (void);
