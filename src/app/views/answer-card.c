@@ -78,17 +78,8 @@ update_number (Card *card, const QnRun *run)
 }
 
 static void
-update_values (Card *card, const QnRun *run, GArray *bounds)
+update_values (Card *card, const QnRun *run, const char *bounds)
 {
-  g_autoptr (GString) text = g_string_new (NULL);
-  for (guint i = 0; i < bounds->len; i++) {
-    const QnBound *bound = &g_array_index (bounds, QnBound, i);
-    if (isinf (bound->value))
-      g_string_append_printf (text, "%s: ∞. %s\n\n", bound->label, bound->guarantee);
-    else
-      g_string_append_printf (text, "%s: %.4f. %s\n\n", bound->label, bound->value,
-                              bound->guarantee);
-  }
   const QnStatistics *s = &run->result.statistics;
   const QnCount counts[] = {
     { QN_COUNTED_STEPS, run->result.step_count },
@@ -96,8 +87,9 @@ update_values (Card *card, const QnRun *run, GArray *bounds)
     { QN_COUNTED_FACTORISATIONS, (gsize) s->factorizations },
   };
   g_autofree char *work = qn_counts_dup_text (counts, G_N_ELEMENTS (counts), ", ");
-  g_string_append_printf (text, _ ("%s, %.2f s"), work, s->seconds);
-  set_text (card->values, text->str);
+  g_autofree char *cost = g_strdup_printf (_ ("%s, %.2f s"), work, s->seconds);
+  g_autofree char *text = g_strconcat (bounds, cost, NULL);
+  set_text (card->values, text);
 }
 
 static void
@@ -125,10 +117,11 @@ update (Card *card)
   gtk_label_set_text (card->stale, qn_run_age_text (age));
   gtk_widget_set_visible (GTK_WIDGET (card->stale), age != QN_RUN_CURRENT);
   update_number (card, run);
-  g_autoptr (GArray) bounds = qn_bounds_collect (card->document);
-  if (run->kind != QN_RUN_ANALYSIS)
-    g_array_set_size (bounds, 0);
-  g_autofree char *verdict = qn_bounds_dup_verdict (bounds);
+  double bounds[QN_BOUND_KIND_COUNT];
+  qn_bounds_collect (card->document, bounds);
+  const gboolean analysed = run->kind == QN_RUN_ANALYSIS;
+  g_autofree char *verdict = analysed ? qn_bounds_dup_verdict (bounds) : NULL;
+  g_autofree char *numbers = analysed ? qn_bounds_dup_text (bounds) : g_strdup ("");
   set_text (card->verdict, verdict);
   g_autofree char *sentence = qn_run_dup_mechanism_sentence (run);
   set_text (card->mechanism, sentence);
@@ -136,12 +129,12 @@ update (Card *card)
   g_autofree char *outcome = qn_run_dup_explanation (run);
   g_autofree char *explanation =
     whole != NULL ? g_strdup_printf ("%s\n\n%s", outcome, whole) : g_strdup (outcome);
-  gboolean given = run->kind == QN_RUN_ANALYSIS && run->result.has_collapse_multiplier;
+  gboolean given = analysed && run->result.has_collapse_multiplier;
   /* Where there is no number, the words are the answer. */
   if (!given)
     set_text (card->outcome, outcome);
   set_text (card->explanation, given ? explanation : whole);
-  update_values (card, run, bounds);
+  update_values (card, run, numbers);
   update_events (card, run);
   g_autofree char *stages = qn_outcome_dup_stages (&run->model, &run->result);
   set_text (card->led, stages);

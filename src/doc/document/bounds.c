@@ -69,10 +69,10 @@ take (double *values, const QnRun *run)
   }
 }
 
-GArray *
-qn_bounds_collect (QnDocument *document)
+guint
+qn_bounds_collect (QnDocument *document, double values[QN_BOUND_KIND_COUNT])
 {
-  double values[QN_BOUND_KIND_COUNT];
+  guint count = 0;
   for (int i = 0; i < QN_BOUND_KIND_COUNT; i++)
     values[i] = NAN;
   const GPtrArray *runs = qn_document_get_runs (document);
@@ -81,26 +81,23 @@ qn_bounds_collect (QnDocument *document)
     if (run->kind == QN_RUN_ANALYSIS && !qn_document_is_stale (document, run))
       take (values, run);
   }
-  GArray *bounds = g_array_new (FALSE, FALSE, sizeof (QnBound));
-  for (int i = 0; i < QN_BOUND_KIND_COUNT; i++) {
-    if (isnan (values[i]))
-      continue;
-    QnBound bound = { (QnBoundKind) i, _ (words[i].label), values[i],
-                      _ (words[i].guarantee) };
-    g_array_append_val (bounds, bound);
-  }
-  return bounds;
+  for (int i = 0; i < QN_BOUND_KIND_COUNT; i++)
+    count += !isnan (values[i]);
+  return count;
 }
 
-double
-qn_bounds_find (const GArray *bounds, QnBoundKind kind)
+char *
+qn_bounds_dup_text (const double values[QN_BOUND_KIND_COUNT])
 {
-  for (guint i = 0; i < bounds->len; i++) {
-    const QnBound *bound = &g_array_index (bounds, QnBound, i);
-    if (bound->kind == kind)
-      return bound->value;
-  }
-  return NAN;
+  GString *text = g_string_new (NULL);
+  for (int i = 0; i < QN_BOUND_KIND_COUNT; i++)
+    if (isinf (values[i]))
+      g_string_append_printf (text, "%s: ∞. %s\n\n", _ (words[i].label),
+                              _ (words[i].guarantee));
+    else if (!isnan (values[i]))
+      g_string_append_printf (text, "%s: %.4f. %s\n\n", _ (words[i].label), values[i],
+                              _ (words[i].guarantee));
+  return g_string_free (text, FALSE);
 }
 
 /* Where the path ends beside what limit analysis finds with the laws' own dilatancy. */
@@ -120,9 +117,8 @@ place_in_interval (double path, double least, double greatest)
 
 /* A path below the associative bound, `share` of it. */
 static char *
-compare_to_bound (const GArray *bounds, double path, double least, double share)
+compare_to_bound (double path, double least, double greatest, double share)
 {
-  double greatest = qn_bounds_find (bounds, QN_BOUND_GREATEST);
   if (share <= ALIKE)
     return g_strdup (_ ("The path reaches the bound of limit analysis to 1 %."));
   if (!isnan (least)) {
@@ -136,11 +132,10 @@ compare_to_bound (const GArray *bounds, double path, double least, double share)
 }
 
 char *
-qn_bounds_dup_verdict (const GArray *bounds)
+qn_bounds_dup_verdict (const double values[QN_BOUND_KIND_COUNT])
 {
-  double path = qn_bounds_find (bounds, QN_BOUND_PATH);
-  double upper = qn_bounds_find (bounds, QN_BOUND_UPPER);
-  double least = qn_bounds_find (bounds, QN_BOUND_LEAST);
+  const double path = values[QN_BOUND_PATH], upper = values[QN_BOUND_UPPER],
+               least = values[QN_BOUND_LEAST];
   if (isnan (path) || isnan (upper))
     return NULL;
   double share = (upper - path) / fabs (upper);
@@ -150,7 +145,8 @@ qn_bounds_dup_verdict (const GArray *bounds)
          "displacements are not those of limit analysis, or its increments are too "
          "large."),
       -100.0 * share);
-  g_autofree char *relation = compare_to_bound (bounds, path, least, share);
+  g_autofree char *relation =
+    compare_to_bound (path, least, values[QN_BOUND_GREATEST], share);
   return g_strdup_printf (
     _ ("%s To be used: %.4f, the least that was found with the laws "
        "as they are."),

@@ -15,21 +15,14 @@ typedef enum {
   QN_BOUND_KIND_COUNT
 } QnBoundKind;
 
-typedef struct QnBound {
-  QnBoundKind kind;
-  const char *label;     /* "Limit analysis, upper bound", translated */
-  double value;          /* multiplier; INFINITY: no limit */
-  const char *guarantee; /* one or two sentences, translated */
-} QnBound;
+/* Multipliers: of the path, its first limit point, the associative bounds, the non-associative interval;
+ * of each that of the latest run that is not outdated. INFINITY: no limit; NAN: there is none. Returns how
+ * many there are. */
+guint qn_bounds_collect (QnDocument *document, double values[QN_BOUND_KIND_COUNT]);
 
-/* Of QnBound, free with g_array_unref(): the path, its first limit point, the associative
- * bounds, the non-associative interval; of each the latest run that is not outdated. Empty where
- * nothing has been solved. */
-GArray *qn_bounds_collect (QnDocument *document);
-
-/* The value of a kind, NAN where there is none. */
-double qn_bounds_find (const GArray *bounds, QnBoundKind kind);
+/* What each of them is and guarantees, a paragraph each. The caller frees it. */
+char *qn_bounds_dup_text (const double values[QN_BOUND_KIND_COUNT]);
 
 /* How the numbers stand to each other, and which is to be used, in two sentences; NULL where there is only one kind of
  * analysis. The caller frees it. */
-char *qn_bounds_dup_verdict (const GArray *bounds);
+char *qn_bounds_dup_verdict (const double values[QN_BOUND_KIND_COUNT]);
