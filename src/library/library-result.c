@@ -291,13 +291,12 @@ find_capacity (QuoinModel *own, QnCapacityAnswer *answer, QuoinCaller *caller,
 {
   QnProject *project = &own->project;
   QnDiag diag = { 0 };
-  g_autofree char *reason = NULL;
   if (qn_contacts_require_sound (&project->model, &own->contacts, &diag) != QN_OK) {
     quoin_library_take_diag (error, project, &diag);
     return false;
   }
   QnCapacityEnd end = qn_capacity_answer_find (answer, &project->model, &own->contacts,
-                                               report, caller, &reason, &diag);
+                                               report, caller, &diag);
   if (end == QN_CAPACITY_FOUND) {
     qn_capacity_answer_check (answer);
     return true;
@@ -307,7 +306,7 @@ find_capacity (QuoinModel *own, QnCapacityAnswer *answer, QuoinCaller *caller,
   else
     quoin_library_set_error (
       error, end == QN_CAPACITY_STAGES ? QUOIN_ERROR_INVALID : QUOIN_ERROR_NO_ANSWER,
-      "%s: %s", project->name, reason != NULL ? reason : "cancelled");
+      "%s: %s", project->name, answer->reason != NULL ? answer->reason : "cancelled");
   return false;
 }
 
@@ -344,7 +343,7 @@ quoin_capacity (QuoinModel *model, const char *const *options, const char *pictu
   }
   if (cause != NULL)
     quoin_library_take_error (error, own->project.name, cause);
-  qn_capacity_clear (&answer.capacity);
+  qn_capacity_answer_clear (&answer);
   qn_record_clear (&points);
   qn_capacity_settings_clear (&settings);
   quoin_model_unref (own);

@@ -42,8 +42,7 @@ typedef struct Form {
   QnRecord points;           /* of that file */
   char *read;                /* what they were read from: path and unit; NULL: nothing */
   QnCapacityAnswer answer;   /* of the model as it was when the curve was found */
-  char *block, *title;       /* names of then */
-  char *reason;              /* why its path ended before multiplier 0, or NULL */
+  char *title;               /* of then */
   gboolean found;            /* whether there is a curve */
   char *digest;              /* of the model and its settings then */
   char *message;             /* below the buttons, or NULL */
@@ -156,10 +155,8 @@ store (Form *form)
 static void
 clear_curve (Form *form)
 {
-  qn_capacity_clear (&form->answer.capacity);
-  g_clear_pointer (&form->block, g_free);
+  qn_capacity_answer_clear (&form->answer);
   g_clear_pointer (&form->title, g_free);
-  g_clear_pointer (&form->reason, g_free);
   form->found = FALSE;
 }
 
@@ -176,27 +173,17 @@ static void
 on_found (GObject *source, GAsyncResult *result, gpointer data)
 {
   g_autoptr (GError) error = NULL;
-  g_autofree char *block = NULL, *reason = NULL;
-  g_autofree QnCapacity *curve =
-    qn_capacity_find_finish (result, &block, &reason, &error);
   /* The page may have been closed meanwhile. */
   g_autoptr (GObject) root = g_weak_ref_get (data);
   Form *form = root != NULL ? g_object_get_data (root, FORM) : NULL;
   g_weak_ref_clear (data);
   g_free (data);
-  if (form == NULL) {
-    if (curve != NULL)
-      qn_capacity_clear (curve);
+  if (form == NULL)
     return;
-  }
   g_clear_object (&form->cancellable);
-  form->found = curve != NULL;
-  if (form->found) {
-    form->answer.capacity = *curve;
-    form->block = g_steal_pointer (&block);
-    form->reason = g_steal_pointer (&reason);
+  form->found = qn_capacity_find_finish (result, &form->answer, &error);
+  if (form->found)
     check (form);
-  }
   say (form, error != NULL ? error->message : NULL);
 }
 
@@ -307,8 +294,8 @@ dup_facts (const Form *form)
              "large displacements is followed until it carries nothing any "
              "more."));
   g_autofree char *digest = qn_model_digest (qn_document_get_project (form->document));
-  g_autofree char *facts = qn_capacity_answer_dup_facts (
-    &form->answer, form->block, form->reason, qn_settings_get_units ());
+  g_autofree char *facts =
+    qn_capacity_answer_dup_facts (&form->answer, qn_settings_get_units ());
   GString *text = g_string_new (NULL);
   if (g_strcmp0 (form->digest, digest) != 0)
     g_string_append_printf (text, "%s\n\n", _ ("The model has changed since."));

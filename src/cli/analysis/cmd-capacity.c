@@ -27,7 +27,6 @@ typedef struct Answer {
   QnInput *input;
   QnRecord points; /* of a spectrum from a file */
   QnCapacityAnswer answer;
-  char *reason; /* why the path ended before multiplier 0, or NULL */
 } Answer;
 
 /* What the project keeps, and what options say instead. */
@@ -64,9 +63,9 @@ find (const CapacityOptions *options, Answer *answer)
   QnDiag diag = { 0 };
   QnInput *input = answer->input;
   qn_terminal_progress_begin (&progress, options->quiet);
-  QnCapacityEnd end = qn_capacity_answer_find (
-    &answer->answer, &input->project.model, &input->contacts, qn_terminal_progress_update,
-    &progress, &answer->reason, &diag);
+  QnCapacityEnd end =
+    qn_capacity_answer_find (&answer->answer, &input->project.model, &input->contacts,
+                             qn_terminal_progress_update, &progress, &diag);
   qn_terminal_progress_done (&progress);
   switch (end) {
   case QN_CAPACITY_FOUND:
@@ -81,7 +80,7 @@ find (const CapacityOptions *options, Answer *answer)
   case QN_CAPACITY_NO_ANSWER:
     break;
   }
-  qn_cli_error ("%s: %s", input->project.name, answer->reason);
+  qn_cli_error ("%s: %s", input->project.name, answer->answer.reason);
   qn_cli_stop (end == QN_CAPACITY_STAGES ? QN_EXIT_INVALID : QN_EXIT_NO_ANSWER);
 }
 
@@ -92,9 +91,7 @@ print (const Answer *answer)
 {
   const QnModel *model = &answer->input->project.model;
   const int states = qn_capacity_answer_count_states (&answer->answer);
-  g_autofree char *facts = qn_capacity_answer_dup_facts (
-    &answer->answer, model->blocks[answer->answer.capacity.block].name, answer->reason,
-    QN_UNITS_SI);
+  g_autofree char *facts = qn_capacity_answer_dup_facts (&answer->answer, QN_UNITS_SI);
   qn_print ("%s\n", model->title != NULL ? model->title : answer->input->project.name);
   qn_print_text (facts);
   qn_print ("\n");

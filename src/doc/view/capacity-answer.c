@@ -168,8 +168,7 @@ tell_spectrum (GString *text, const QnSpectrum *spectrum)
 }
 
 char *
-qn_capacity_answer_dup_facts (const QnCapacityAnswer *answer, const char *block,
-                              const char *reason, QnUnits units)
+qn_capacity_answer_dup_facts (const QnCapacityAnswer *answer, QnUnits units)
 {
   const QnCapacity *c = &answer->capacity;
   const QnCapacityPoint *peak = &c->points[c->peak];
@@ -179,7 +178,7 @@ qn_capacity_answer_dup_facts (const QnCapacityAnswer *answer, const char *block,
     qn_units_format_full (units, QN_QUANTITY_LENGTH, peak->control, 4);
   g_autofree char *mean =
     qn_units_format_full (units, QN_QUANTITY_LENGTH, peak->displacement, 4);
-  qn_text_append (text, _ ("Block %s: controlled by ux"), block);
+  qn_text_append (text, _ ("Block %s: controlled by ux"), answer->block);
   qn_text_append (
     text,
     _ ("\nblocks that take part: %zu, %.6g kg; participating mass M* %.6g kg, e* %.4f"),
@@ -200,7 +199,7 @@ qn_capacity_answer_dup_facts (const QnCapacityAnswer *answer, const char *block,
                     _ ("\nthe curve ends at d* %s, multiplier %.5f, before zero: its end "
                        "is taken as d0*. %s"),
                     end, c->points[c->count - 1].multiplier,
-                    reason != NULL ? reason : "");
+                    answer->reason != NULL ? answer->reason : "");
   if (c->share < SMALL_SHARE)
     qn_text_append (
       text,
@@ -434,8 +433,6 @@ find_path (const Search *search, QnCapacityAnswer *answer)
   /* Only a check has a period. */
   if (answer->has_spectrum)
     end = follow_softer (search, &answer->capacity);
-  if (end != QN_CAPACITY_FOUND)
-    qn_capacity_clear (&answer->capacity);
   return end;
 }
 
@@ -468,23 +465,30 @@ find_elastic (const Search *search, QnCapacity *capacity)
 QnCapacityEnd
 qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
                          const QnContacts *contacts, QnProgressFunc report,
-                         void *report_data, char **reason, QnDiag *diag)
+                         void *report_data, QnDiag *diag)
 {
-  const Search search = { model, contacts, report, report_data, reason, diag, 0, false };
-  *reason = NULL;
+  const Search search = { model,           contacts, report, report_data,
+                          &answer->reason, diag,     0,      false };
   answer->capacity = (QnCapacity){ 0 };
   if (model->stage_count > 0) {
-    *reason = g_strdup (_ ("a capacity curve has one live load: no stages"));
+    answer->reason = g_strdup (_ ("a capacity curve has one live load: no stages"));
     return QN_CAPACITY_STAGES;
   }
   QnCapacityEnd end =
     answer->kinematic ? find_mechanism (&search, answer) : find_path (&search, answer);
-  if (end != QN_CAPACITY_FOUND || !answer->has_spectrum)
-    return end;
-  end = find_elastic (&search, &answer->capacity);
-  if (end != QN_CAPACITY_FOUND)
-    qn_capacity_clear (&answer->capacity);
+  if (end == QN_CAPACITY_FOUND)
+    answer->block = g_strdup (model->blocks[answer->capacity.block].name);
+  if (end == QN_CAPACITY_FOUND && answer->has_spectrum)
+    end = find_elastic (&search, &answer->capacity);
   return end;
+}
+
+void
+qn_capacity_answer_clear (QnCapacityAnswer *answer)
+{
+  qn_capacity_clear (&answer->capacity);
+  g_clear_pointer (&answer->block, g_free);
+  g_clear_pointer (&answer->reason, g_free);
 }
 
 void
@@ -513,7 +517,6 @@ typedef struct CapacityWork {
   QnModel model;
   QnContacts contacts;
   QnCapacityAnswer answer;
-  char *reason;
   QnDiag diag;
 } CapacityWork;
 
@@ -521,8 +524,7 @@ static void
 capacity_work_free (gpointer data)
 {
   CapacityWork *work = data;
-  qn_capacity_clear (&work->answer.capacity);
-  g_free (work->reason);
+  qn_capacity_answer_clear (&work->answer);
   qn_contacts_clear (&work->contacts);
   qn_model_clear (&work->model);
   g_free (work);
@@ -535,22 +537,18 @@ find_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cance
   QnCapacityEnd end = QN_CAPACITY_REFUSED;
   if (qn_contacts_detect (&work->model, &work->contacts, &work->diag) == QN_OK
       && qn_contacts_require_sound (&work->model, &work->contacts, &work->diag) == QN_OK)
-    end =
-      qn_capacity_answer_find (&work->answer, &work->model, &work->contacts,
-                               qn_job_may_go_on, cancellable, &work->reason, &work->diag);
+    end = qn_capacity_answer_find (&work->answer, &work->model, &work->contacts,
+                                   qn_job_may_go_on, cancellable, &work->diag);
   g_autofree char *refused =
     end == QN_CAPACITY_REFUSED ? qn_explain_diag (&work->model, &work->diag) : NULL;
-  if (end == QN_CAPACITY_FOUND) {
-    QnCapacity *found = g_new (QnCapacity, 1);
-    *found = work->answer.capacity;
-    work->answer.capacity = (QnCapacity){ 0 };
-    g_task_return_pointer (task, found, NULL);
-  } else if (end == QN_CAPACITY_CANCELLED)
+  if (end == QN_CAPACITY_FOUND)
+    g_task_return_boolean (task, TRUE);
+  else if (end == QN_CAPACITY_CANCELLED)
     g_task_return_new_error (task, G_IO_ERROR, G_IO_ERROR_CANCELLED, "%s",
                              _ ("Cancelled"));
   else
     g_task_return_new_error (task, QN_EDIT_ERROR, 0, "%s",
-                             refused != NULL ? refused : work->reason);
+                             refused != NULL ? refused : work->answer.reason);
 }
 
 void
@@ -575,15 +573,17 @@ qn_capacity_find_async (const QnModel *model, const QnCapacityAnswer *asked,
   g_task_run_in_thread (task, find_in_thread);
 }
 
-QnCapacity *
-qn_capacity_find_finish (GAsyncResult *result, char **control, char **reason,
-                         GError **error)
+gboolean
+qn_capacity_find_finish (GAsyncResult *result, QnCapacityAnswer *answer, GError **error)
 {
   CapacityWork *work = g_task_get_task_data (G_TASK (result));
-  QnCapacity *found = g_task_propagate_pointer (G_TASK (result), error);
-  *control = found != NULL ? g_strdup (work->model.blocks[found->block].name) : NULL;
-  *reason = found != NULL ? g_steal_pointer (&work->reason) : NULL;
-  return found;
+  if (!g_task_propagate_boolean (G_TASK (result), error))
+    return FALSE;
+  answer->capacity = work->answer.capacity;
+  answer->block = g_steal_pointer (&work->answer.block);
+  answer->reason = g_steal_pointer (&work->answer.reason);
+  work->answer.capacity = (QnCapacity){ 0 };
+  return TRUE;
 }
 
 /* ---- output ---- */

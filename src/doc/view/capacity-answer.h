@@ -27,7 +27,10 @@ typedef struct QnCapacityAnswer {
   gboolean kinematic;       /* whether the curve is to be that of a mechanism, */
   const QnResult *collapse; /* of this result, borrowed; NULL: of limit analysis */
   QnId control;             /* block that is to be controlled; QN_NONE: to be chosen */
-  QnCapacity capacity;      /* owned */
+  QnCapacity capacity;      /* owned, as is what follows, */
+  char *block;              /* name of the controlled block */
+  char
+    *reason; /* why the path ended before multiplier 0, or there is no curve; else NULL */
   gboolean has_spectrum;
   QnSpectrum spectrum;  /* its points are borrowed */
   double confidence;    /* FC, >= 1 */
@@ -48,10 +51,8 @@ int qn_capacity_answer_count_states (const QnCapacityAnswer *answer);
 GPtrArray *qn_capacity_answer_make_table (const QnCapacityAnswer *answer, QnUnits units);
 
 /* What was found, line by line: M*, e*, peak and end; of a mechanism alpha0 with its works beside the
- * collapse that was found, and the linear checks. `block` is controlled; `reason`
- * (nullable): why the curve ended before 0. Free with g_free(). */
-char *qn_capacity_answer_dup_facts (const QnCapacityAnswer *answer, const char *block,
-                                    const char *reason, QnUnits units);
+ * collapse that was found, and the linear checks. Free with g_free(). */
+char *qn_capacity_answer_dup_facts (const QnCapacityAnswer *answer, QnUnits units);
 
 /* How the search for the curve ended. */
 typedef enum {
@@ -68,23 +69,20 @@ typedef enum {
  * furthest in the mechanism of limit analysis. The model's settings of the analysis are
  * overwritten. A path that ends since its budget is spent, or whose numbers are not true, is
  * NO_ANSWER. With a spectrum it is followed a second time, with half the stiffness of the
- * joints. Fills answer->capacity alone; qn_capacity_clear() frees it. *reason, which the caller
- * frees: why there is no curve (STAGES, NO_ANSWER), or why its path ended before multiplier 0;
- * else NULL. */
+ * joints. Fills what the answer owns. */
 QnCapacityEnd qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
                                        const QnContacts *contacts, QnProgressFunc report,
-                                       void *report_data, char **reason, QnDiag *diag);
+                                       void *report_data, QnDiag *diag);
+void qn_capacity_answer_clear (QnCapacityAnswer *answer);
 
 /* The same in a thread of its own, of a copy of the model, with `kinematic`, `control` and `tie_strain`
- * of what is asked. Ends with QnCapacity, which the caller frees
- * with qn_capacity_clear() and g_free(); NULL with an error where there is no curve, and with
- * G_IO_ERROR_CANCELLED. The caller frees *control, the name of the block that was controlled, and
- * *reason, why the path ended before multiplier 0, or NULL. */
+ * of what is asked. Ends with what an answer owns, which must be empty; FALSE with an error where there is
+ * no curve, and with G_IO_ERROR_CANCELLED. */
 void qn_capacity_find_async (const QnModel *model, const QnCapacityAnswer *asked,
                              GCancellable *cancellable, GAsyncReadyCallback callback,
                              gpointer user_data);
-QnCapacity *qn_capacity_find_finish (GAsyncResult *result, char **control, char **reason,
-                                     GError **error);
+gboolean qn_capacity_find_finish (GAsyncResult *result, QnCapacityAnswer *answer,
+                                  GError **error);
 
 /* The checks, where there is a spectrum. */
 void qn_capacity_answer_check (QnCapacityAnswer *answer);

@@ -68,8 +68,8 @@ qn_report_write_mechanism (QnPages *pages, const QnReportRun *run, QnUnits units
                    wrong != NULL ? wrong->message : refused);
   } else {
     qn_capacity_answer_check (&answer);
-    g_autofree char *facts = qn_capacity_answer_dup_facts (
-      &answer, model->blocks[answer.capacity.block].name, NULL, units);
+    answer.block = g_strdup (model->blocks[answer.capacity.block].name);
+    g_autofree char *facts = qn_capacity_answer_dup_facts (&answer, units);
     done = write_bodies (pages, run, error);
     qn_pages_paragraph (pages, facts);
     write_checks (pages, &answer, units);
@@ -83,7 +83,7 @@ qn_report_write_mechanism (QnPages *pages, const QnReportRun *run, QnUnits units
              "strength, the curve is that without ties. Compare the formulas with the "
              "code before you rely on them."));
   }
-  qn_capacity_clear (&answer.capacity);
+  qn_capacity_answer_clear (&answer);
   qn_record_clear (&points);
   qn_capacity_settings_clear (&settings);
   return done;
