@@ -51,15 +51,14 @@ dup_forces (const QnBoundForm *form, QnBeamSet set)
 {
   QnDocument *document = qn_canvas_get_document (form->canvas);
   const QnRun *run = qn_document_get_run (document);
-  QnBeamSummary summary;
   if (set.count != 1 || run == NULL || run->result.step_count == 0
       || qn_document_get_run_age (document, run) == QN_RUN_OTHER_MODEL
-      || (gsize) set.ids[0] >= run->model.beam_count
-      || !qn_beam_summary_fill (
-        &summary, &run->model, &run->result,
-        qn_view_state_get_shown_step (qn_canvas_get_state (form->canvas)), set.ids[0]))
+      || (gsize) set.ids[0] >= run->model.beam_count)
     return NULL;
-  return qn_beam_summary_dup_text (&summary, qn_settings_get_units ());
+  return qn_beam_dup_summary (
+    &run->model, &run->result,
+    qn_view_state_get_shown_step (qn_canvas_get_state (form->canvas)), set.ids[0],
+    qn_settings_get_units ());
 }
 
 static gboolean
