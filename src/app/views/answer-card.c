@@ -96,14 +96,12 @@ static void
 update_events (Card *card, const QnRun *run)
 {
   guint told;
-  g_autoptr (GPtrArray) events = qn_run_dup_events (run, qn_settings_get_units (), &told);
-  gtk_widget_set_visible (card->events, events->len > 0);
+  g_autofree char *events = qn_run_dup_events (run, qn_settings_get_units (), &told);
+  gtk_widget_set_visible (card->events, *events != '\0');
   g_autofree char *title = g_strdup_printf (
     ngettext ("%u _event on the path", "%u _events on the path", (gulong) told), told);
   gtk_expander_set_label (GTK_EXPANDER (card->events), title);
-  g_ptr_array_add (events, NULL);
-  g_autofree char *lines = g_strjoinv ("\n", (char **) events->pdata);
-  set_text (card->happened, lines);
+  set_text (card->happened, events);
 }
 
 static void
@@ -125,7 +123,8 @@ update (Card *card)
   set_text (card->verdict, verdict);
   g_autofree char *sentence = qn_run_dup_mechanism_sentence (run);
   set_text (card->mechanism, sentence);
-  g_autofree char *whole = qn_run_dup_mechanism (run);
+  g_autofree char *whole =
+    analysed ? qn_explain_mechanism (&run->model, &run->contacts, &run->result) : NULL;
   g_autofree char *outcome = qn_run_dup_explanation (run);
   g_autofree char *explanation =
     whole != NULL ? g_strdup_printf ("%s\n\n%s", outcome, whole) : g_strdup (outcome);

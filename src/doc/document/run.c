@@ -134,14 +134,6 @@ qn_run_dup_explanation (const QnRun *run)
 }
 
 char *
-qn_run_dup_mechanism (const QnRun *run)
-{
-  return run->kind == QN_RUN_ANALYSIS
-           ? qn_explain_mechanism (&run->model, &run->contacts, &run->result)
-           : NULL;
-}
-
-char *
 qn_run_dup_mechanism_sentence (const QnRun *run)
 {
   QnMechanism mechanism;
@@ -176,12 +168,13 @@ describe_event (const QnPathEvent *event, QnUnits units)
     event->multiplier, before, after, blocks);
 }
 
-GPtrArray *
+char *
 qn_run_dup_events (const QnRun *run, QnUnits units, guint *told)
 {
   const QnResult *result = &run->result;
-  GPtrArray *events = g_ptr_array_new_with_free_func (g_free);
+  GString *events = g_string_new (NULL);
   gulong settles = 0;
+  *told = 0;
   for (gsize i = 0; i < result->event_count; i++) {
     const QnPathEvent *event = &result->events[i];
     if (!qn_result_is_felt (result, event)) {
@@ -191,17 +184,19 @@ qn_run_dup_events (const QnRun *run, QnUnits units, guint *told)
     g_autofree char *text = describe_event (event, units);
     g_autofree char *stage =
       event->stage > 0 ? qn_stage_dup_name (&run->model, event->stage) : NULL;
-    g_ptr_array_add (events, stage != NULL
-                               ? g_strdup_printf (_ ("Stage “%s”. %s"), stage, text)
-                               : g_steal_pointer (&text));
+    g_string_append (events, (*told)++ > 0 ? "\n" : "");
+    if (stage != NULL)
+      g_string_append_printf (events, _ ("Stage “%s”. %s"), stage, text);
+    else
+      g_string_append (events, text);
   }
-  *told = events->len;
+  g_string_append (events, *told > 0 && settles > 0 ? "\n" : "");
   if (settles > 0)
-    g_ptr_array_add (
-      events, g_strdup_printf (ngettext ("%lu small jump: joints settle",
-                                         "%lu small jumps: joints settle", settles),
-                               settles));
-  return events;
+    g_string_append_printf (events,
+                            ngettext ("%lu small jump: joints settle",
+                                      "%lu small jumps: joints settle", settles),
+                            settles);
+  return g_string_free (events, FALSE);
 }
 
 gboolean
