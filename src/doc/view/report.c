@@ -352,12 +352,8 @@ qn_report_encode (const QnReport *given, GError **error)
     if (!told)
       runs[once.run_count++] = given->runs[i];
   }
-  g_autofree char *name = g_path_get_basename (report->project->name);
-  qn_metadata_init (&metadata);
+  qn_project_get_metadata (report->project, &metadata);
   metadata.title = qn_project_title (report->project);
-  metadata.generator = QN_GENERATOR;
-  metadata.model = name;
-  metadata.model_sha256 = report->project->sha256;
   g_autofree char *footer =
     g_strdup_printf ("%s · %s", qn_project_title (report->project), QN_GENERATOR);
   QnPages *pages = qn_pages_new (report->plan.paper, footer, &metadata);

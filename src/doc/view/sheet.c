@@ -259,26 +259,15 @@ energy_of (const double *row, int curve)
   return rest;
 }
 
-static const char *
-name_of (int curve)
-{
-  switch (curve) {
-  case QN_ENERGY_INPUT:
-    return C_ ("energy", "input");
-  case QN_ENERGY_KINETIC:
-    return C_ ("energy", "kinetic");
-  case QN_ENERGY_ELASTIC:
-    return C_ ("energy", "elastic");
-  case QN_ENERGY_FRICTION:
-    return C_ ("energy", "friction");
-  case QN_ENERGY_DAMPING:
-    return C_ ("energy", "damping");
-  case QN_ENERGY_NUMERICAL:
-    return C_ ("energy", "numerical");
-  default:
-    return C_ ("energy", "error");
-  }
-}
+static const char *const energy_names[QN_ENERGY_CURVES] = {
+  [QN_ENERGY_INPUT] = NC_ ("energy", "input"),
+  [QN_ENERGY_KINETIC] = NC_ ("energy", "kinetic"),
+  [QN_ENERGY_ELASTIC] = NC_ ("energy", "elastic"),
+  [QN_ENERGY_FRICTION] = NC_ ("energy", "friction"),
+  [QN_ENERGY_DAMPING] = NC_ ("energy", "damping"),
+  [QN_ENERGY_NUMERICAL] = NC_ ("energy", "numerical"),
+  [ERROR] = NC_ ("energy", "error"),
+};
 
 QnPlot *
 qn_energy_plot (const QnHistory *history, const char **unit)
@@ -308,7 +297,8 @@ qn_energy_plot (const QnHistory *history, const char **unit)
   *unit = units[k];
   plot->y.label = qn_plot_keep (plot, g_strdup_printf (_ ("Energy (%s)"), *unit));
   for (int curve = 0; curve < QN_ENERGY_CURVES; curve++)
-    qn_plot_mark (plot, QN_MARKS_LINE, name_of (curve),
+    qn_plot_mark (plot, QN_MARKS_LINE,
+                  g_dpgettext2 (GETTEXT_PACKAGE, "energy", energy_names[curve]),
                   curve == ERROR ? QN_ENERGY_KINETIC : curve, times,
                   energies + count * (gsize) curve, count)
       ->dash = curve == ERROR ? QN_USUAL_DASH : 0;
