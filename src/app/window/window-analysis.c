@@ -139,14 +139,14 @@ on_job_changed (QnWindow *self)
   /* A live analysis is over before one could read how far it is. */
   gboolean running = job != NULL && !qn_job_get_run (job)->live;
   gboolean was_running = self->was_running;
-  self->was_running = job != NULL;
+  self->was_running = running;
   gtk_widget_set_visible (self->progress_box, running);
   gtk_widget_set_visible (GTK_WIDGET (self->run_button), !running);
   if (running) {
     gtk_label_set_text (self->progress_label, _ ("Starting…"));
     gtk_button_set_icon_name (GTK_BUTTON (self->pause_button),
                               "media-playback-pause-symbolic");
-  } else if (was_running && !qn_document_was_live (self->document)) {
+  } else if (was_running) {
     show_job_error (self);
     show_run (self);
   }

@@ -72,7 +72,7 @@ struct _QnWindow {
   GtkWidget *page_window; /* the pages' own, or NULL: they are under the drawing */
   guint live_timeout, message_timeout;
   guint next_method;    /* of all that are run one after the other, or QN_NO_METHOD */
-  gboolean was_running; /* an analysis, when the document last told */
+  gboolean was_running; /* an analysis that was asked for, when the document last told */
   QnClosing closing;
   char *after_save;              /* action that waits until there is a file, or NULL */
   char *last_export;             /* path of the last exported figure */

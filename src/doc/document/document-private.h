@@ -26,24 +26,10 @@ struct _QnDocument {
   GPtrArray *runs;
   QnRun *run;
   guint run_number;
-  gboolean was_live;
 };
-
-typedef enum {
-  QN_DOCUMENT_SIGNAL_CHANGED,
-  QN_DOCUMENT_SIGNAL_HISTORY_CHANGED,
-  QN_DOCUMENT_SIGNAL_FILE_CHANGED,
-  QN_DOCUMENT_SIGNAL_RUNS_CHANGED,
-  QN_DOCUMENT_SIGNAL_JOB_CHANGED,
-  QN_DOCUMENT_SIGNAL_JOB_PROGRESS,
-  QN_DOCUMENT_SIGNAL_COUNT
-} QnDocumentSignal;
 
 /* What an analysis depends on: a digest of all of it, a space, and one of the model alone. */
 const char *qn_document_get_fingerprint (QnDocument *document);
-
-/* Emits one of the signals of document.h. */
-void qn_document_emit (QnDocument *document, QnDocumentSignal signal);
 
 /* run-name.c: proposes a name for a run that is to be added, whose name is its method so far, and drops
  * those that it repeats; `text` is what the project was written as. */

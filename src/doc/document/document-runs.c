@@ -20,7 +20,7 @@ qn_document_drop_job (QnDocument *self)
 static void
 on_job_progress (QnJob *job, QnDocument *self)
 {
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_PROGRESS);
+  g_signal_emit_by_name (self, "job-progress");
 }
 
 /* There is one live run at most. */
@@ -42,33 +42,31 @@ on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
   QnJob *job = QN_JOB (source);
   g_autoptr (QnDocument) self = user_data;
   g_autoptr (GError) error = NULL;
-  g_autoptr (QnRun) run = qn_job_finish (job, result, &error);
+  g_autoptr (GPtrArray) runs = qn_job_finish (job, result, &error);
   if (self->job != job)
     return; /* replaced or dropped meanwhile */
 
   self->job_diag = *qn_job_get_diag (job);
-  self->was_live = qn_job_get_run (job)->live;
   g_signal_handlers_disconnect_by_data (job, self);
   g_clear_object (&self->job);
-  if (run != NULL) {
+  if (runs != NULL) {
+    QnRun *run = runs->pdata[0];
     if (run->live)
       drop_live_run (self);
     else
       qn_document_take_run (self, run, self->job_text);
-    g_ptr_array_add (self->runs, qn_run_ref (run));
-    g_autoptr (GPtrArray) others = qn_job_take_others (job);
-    for (guint i = 0; others != NULL && i < others->len; i++) {
-      QnRun *other = g_ptr_array_index (others, i);
+    for (guint i = 1; i < runs->len; i++) {
+      QnRun *other = runs->pdata[i];
       other->proposed = g_strdup (run->proposed);
       other->method = g_strdup (run->method);
-      g_ptr_array_add (self->runs, qn_run_ref (other));
     }
+    g_ptr_array_extend_and_steal (self->runs, g_steal_pointer (&runs));
     qn_document_name_runs (self);
     qn_document_set_run (self, run);
   } else if (!g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED)) {
     self->job_error = g_steal_pointer (&error);
   }
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
+  g_signal_emit_by_name (self, "job-changed");
 }
 
 /* Starts an analysis of the model, as its kind, modes and `live` say, that leaves a run of this name. */
@@ -93,7 +91,7 @@ start (QnDocument *self, const QnModel *model, const char *name, const QnRun *as
   self->job_text = run->live ? NULL : g_strdup (self->text->text);
   g_signal_connect (job, "progress", G_CALLBACK (on_job_progress), self);
   qn_job_start (job, on_job_done, g_object_ref (self));
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
+  g_signal_emit_by_name (self, "job-changed");
   return TRUE;
 }
 
@@ -146,12 +144,6 @@ qn_document_find_stability (QnDocument *self, GError **error)
                 error);
 }
 
-gboolean
-qn_document_was_live (QnDocument *self)
-{
-  return self->was_live;
-}
-
 void
 qn_document_cancel (QnDocument *self)
 {
@@ -196,7 +188,7 @@ qn_document_set_run (QnDocument *self, QnRun *run)
     qn_run_ref (run);
   g_clear_pointer (&self->run, qn_run_unref);
   self->run = run;
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
+  g_signal_emit_by_name (self, "runs-changed");
 }
 
 void
@@ -216,7 +208,7 @@ qn_document_remove_run (QnDocument *self, QnRun *run)
     qn_document_set_run (self,
                          left > 0 ? g_ptr_array_index (self->runs, left - 1) : NULL);
   } else
-    qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
+    g_signal_emit_by_name (self, "runs-changed");
 }
 
 QnRun *

@@ -11,19 +11,6 @@
 
 G_DEFINE_FINAL_TYPE (QnDocument, qn_document, G_TYPE_OBJECT)
 
-static guint signals[QN_DOCUMENT_SIGNAL_COUNT];
-
-static const char *const signal_names[QN_DOCUMENT_SIGNAL_COUNT] = {
-  "changed",      "history-changed", "file-changed",
-  "runs-changed", "job-changed",     "job-progress"
-};
-
-void
-qn_document_emit (QnDocument *self, QnDocumentSignal signal)
-{
-  g_signal_emit (self, signals[signal], 0);
-}
-
 /* ---- state ---- */
 
 static gboolean
@@ -62,9 +49,9 @@ adopt (QnDocument *self, QnProject *project, QnProjectText *text, GError **error
                        &self->contacts);
   qn_project_clear (&old);
   qn_contacts_clear (&old_contacts);
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_CHANGED);
+  g_signal_emit_by_name (self, "changed");
   if (qn_document_name_runs (self))
-    qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
+    g_signal_emit_by_name (self, "runs-changed");
   return TRUE;
 }
 
@@ -120,9 +107,12 @@ qn_document_class_init (QnDocumentClass *klass)
   GObjectClass *object_class = G_OBJECT_CLASS (klass);
   object_class->dispose = qn_document_dispose;
   object_class->finalize = qn_document_finalize;
-  for (int i = 0; i < QN_DOCUMENT_SIGNAL_COUNT; i++)
-    signals[i] = g_signal_new (signal_names[i], QN_TYPE_DOCUMENT, G_SIGNAL_RUN_LAST, 0,
-                               NULL, NULL, NULL, G_TYPE_NONE, 0);
+  static const char *const signals[] = { "changed",      "history-changed",
+                                         "file-changed", "runs-changed",
+                                         "job-changed",  "job-progress" };
+  for (gsize i = 0; i < G_N_ELEMENTS (signals); i++)
+    g_signal_new (signals[i], QN_TYPE_DOCUMENT, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
+                  G_TYPE_NONE, 0);
 }
 
 static void
@@ -188,10 +178,10 @@ begin (QnDocument *self, QnProject *project, const char *path, GError **error)
   self->never_saved = path == NULL;
   self->keeps_history = FALSE;
   g_clear_pointer (&self->file_digest, g_free);
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_FILE_CHANGED);
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_RUNS_CHANGED);
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_JOB_CHANGED);
+  g_signal_emit_by_name (self, "file-changed");
+  g_signal_emit_by_name (self, "history-changed");
+  g_signal_emit_by_name (self, "runs-changed");
+  g_signal_emit_by_name (self, "job-changed");
   return TRUE;
 }
 
@@ -214,7 +204,7 @@ adopt_history (QnDocument *self, const char *json)
   if (history != NULL) {
     qn_history_free (self->history);
     self->history = history;
-    qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+    g_signal_emit_by_name (self, "history-changed");
   } else
     g_ptr_array_add (
       self->project.warnings,
@@ -263,7 +253,7 @@ qn_document_load_copy (QnDocument *self, const char *path, GError **error)
     return FALSE;
   g_clear_pointer (&self->path, g_free);
   g_clear_pointer (&self->file_digest, g_free);
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_FILE_CHANGED);
+  g_signal_emit_by_name (self, "file-changed");
   return TRUE;
 }
 
@@ -276,7 +266,7 @@ qn_document_load_recovered (QnDocument *self, const char *text, const char *path
   if (!parse (text, name, &project, error) || !begin (self, &project, path, error))
     return FALSE;
   self->never_saved = TRUE;
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  g_signal_emit_by_name (self, "history-changed");
   return TRUE;
 }
 
@@ -301,7 +291,7 @@ qn_document_set_keeps_history (QnDocument *self, gboolean keeps)
   if (self->keeps_history == keeps)
     return;
   self->keeps_history = keeps;
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  g_signal_emit_by_name (self, "history-changed");
 }
 
 gboolean
@@ -322,9 +312,9 @@ qn_document_save (QnDocument *self, const char *path, GError **error)
   self->file_digest = digest_file (text, strlen (text));
   if (g_strcmp0 (path, self->path) != 0) {
     take_path (self, path);
-    qn_document_emit (self, QN_DOCUMENT_SIGNAL_FILE_CHANGED);
+    g_signal_emit_by_name (self, "file-changed");
   }
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  g_signal_emit_by_name (self, "history-changed");
   return TRUE;
 }
 
@@ -405,7 +395,7 @@ step_to (QnDocument *self, const char *name, const char *key, QnProject *draft,
   if (!adopt (self, draft, text, error))
     return FALSE;
   qn_history_record (self->history, name, key, before, self->text->text);
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  g_signal_emit_by_name (self, "history-changed");
   return TRUE;
 }
 
@@ -554,7 +544,7 @@ qn_document_go_to (QnDocument *self, guint position)
   state->text = text;
   state->length = strlen (text);
   gboolean done = adopt (self, &project, state, NULL);
-  qn_document_emit (self, QN_DOCUMENT_SIGNAL_HISTORY_CHANGED);
+  g_signal_emit_by_name (self, "history-changed");
   return done;
 }
 

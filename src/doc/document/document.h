@@ -141,8 +141,6 @@ gboolean qn_document_find_stability (QnDocument *document, GError **error);
 /* The same as qn_document_analyse() after an edit, without being asked: its run replaces the
  * previous one of this kind. Limit analysis is that with the joints' own dilatancy. */
 gboolean qn_document_analyse_live (QnDocument *document, GError **error);
-/* Whether the last ended analysis was started by qn_document_analyse_live(). */
-gboolean qn_document_was_live (QnDocument *document);
 
 void qn_document_cancel (QnDocument *document);
 QnJob *qn_document_get_job (QnDocument *document); /* NULL when none runs */

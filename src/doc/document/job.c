@@ -22,9 +22,7 @@ struct _QnJob {
 
   QnRun *run; /* filled by the thread; the job's until it is finished */
   QnDiag diag;
-  GPtrArray *others; /* further runs, of QnRun; as the first one's */
   guint tick;
-  gboolean running;
   GArray *shown; /* copy of `curve` for the main thread */
 
   GThread *thread; /* joined before its run is handed out */
@@ -43,15 +41,11 @@ struct _QnJob {
 
 G_DEFINE_FINAL_TYPE (QnJob, qn_job, G_TYPE_OBJECT)
 
-enum { SIGNAL_PROGRESS, SIGNAL_COUNT };
-static guint job_signals[SIGNAL_COUNT];
-
 static void
 qn_job_finalize (GObject *object)
 {
   QnJob *self = QN_JOB (object);
   g_clear_handle_id (&self->tick, g_source_remove);
-  g_clear_pointer (&self->others, g_ptr_array_unref);
   g_clear_pointer (&self->run, qn_run_unref);
   g_clear_pointer (&self->shown, g_array_unref);
   g_clear_pointer (&self->curve, g_array_unref);
@@ -64,8 +58,8 @@ static void
 qn_job_class_init (QnJobClass *klass)
 {
   G_OBJECT_CLASS (klass)->finalize = qn_job_finalize;
-  job_signals[SIGNAL_PROGRESS] = g_signal_new ("progress", QN_TYPE_JOB, G_SIGNAL_RUN_LAST,
-                                               0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+  g_signal_new ("progress", QN_TYPE_JOB, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
+                G_TYPE_NONE, 0);
 }
 
 static void
@@ -89,12 +83,6 @@ qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
   }
   self->run->model.analysis.workers = qn_threads_get ();
   return g_steal_pointer (&self);
-}
-
-GPtrArray *
-qn_job_take_others (QnJob *self)
-{
-  return g_steal_pointer (&self->others);
 }
 
 /* Every point of a history that lies far enough from the last one. */
@@ -164,14 +152,14 @@ copy_state (const QnResult *from, QnResult *to, QnDiag *diag)
   return status;
 }
 
+/* The second mode and those behind it are further runs. */
 static QnStatus
-split_modes (QnJob *self, const QnModes *modes)
+split_modes (QnJob *self, const QnModes *modes, GPtrArray *runs)
 {
   QnStatus status = take_mode (self->run, modes, 0, &self->diag);
-  self->others = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
   for (gsize i = 1; i < modes->count && status == QN_OK; i++) {
     QnRun *run = qn_run_new_beside (self->run, self->run->name);
-    g_ptr_array_add (self->others, run);
+    g_ptr_array_add (runs, run);
     run->loaded = self->run->loaded;
     status = copy_state (&self->run->result, &run->result, &self->diag);
     if (status == QN_OK)
@@ -181,7 +169,7 @@ split_modes (QnJob *self, const QnModes *modes)
 }
 
 static QnStatus
-solve_modes (QnJob *self)
+solve_modes (QnJob *self, GPtrArray *runs)
 {
   QnRun *run = self->run;
   QnModes modes;
@@ -189,7 +177,7 @@ solve_modes (QnJob *self)
     &run->model, &run->contacts, run->loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD,
     run->mode_count, on_solver_progress, self, &modes, &run->result, &self->diag);
   if (status == QN_OK && modes.count > 0)
-    status = split_modes (self, &modes);
+    status = split_modes (self, &modes, runs);
   if (status == QN_OK && run->result.outcome == QN_OUTCOME_CANCELLED)
     status = QN_ERROR_CANCELLED;
   qn_modes_clear (&modes);
@@ -197,12 +185,12 @@ solve_modes (QnJob *self)
 }
 
 static QnStatus
-solve (QnJob *self)
+solve (QnJob *self, GPtrArray *runs)
 {
   QnRun *run = self->run;
   QnStatus status = qn_contacts_detect (&run->model, &run->contacts, &self->diag);
   if (status == QN_OK && run->kind == QN_RUN_MODE) /* free structures vibrate too */
-    return solve_modes (self);
+    return solve_modes (self, runs);
   if (status == QN_OK)
     status = qn_contacts_require_sound (&run->model, &run->contacts, &self->diag);
   if (status != QN_OK)
@@ -216,9 +204,13 @@ run_in_thread (gpointer data)
 {
   g_autoptr (GTask) task = data;
   QnJob *self = g_task_get_source_object (task);
-  QnStatus status = solve (self);
+  g_autoptr (GPtrArray) runs =
+    g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
+  g_ptr_array_add (runs, qn_run_ref (self->run));
+  QnStatus status = solve (self, runs);
   if (status == QN_OK) {
-    g_task_return_pointer (task, qn_run_ref (self->run), (GDestroyNotify) qn_run_unref);
+    g_task_return_pointer (task, g_steal_pointer (&runs),
+                           (GDestroyNotify) g_ptr_array_unref);
   } else if (status == QN_ERROR_CANCELLED) {
     g_task_return_new_error (task, G_IO_ERROR, G_IO_ERROR_CANCELLED, "%s",
                              _ ("The analysis was cancelled before its first step"));
@@ -241,36 +233,25 @@ on_tick (gpointer data)
   g_array_append_vals (self->shown, self->curve->data, self->curve->len);
   pthread_mutex_unlock (&self->mutex);
   if (fresh)
-    g_signal_emit (self, job_signals[SIGNAL_PROGRESS], 0);
+    g_signal_emit_by_name (self, "progress");
   return G_SOURCE_CONTINUE;
-}
-
-static void
-on_task_completed (GTask *task, GParamSpec *pspec, QnJob *self)
-{
-  self->running = FALSE;
-  g_clear_handle_id (&self->tick, g_source_remove);
 }
 
 void
 qn_job_start (QnJob *self, GAsyncReadyCallback callback, gpointer user_data)
 {
-  g_return_if_fail (QN_IS_JOB (self) && !self->running && self->tick == 0);
+  g_return_if_fail (QN_IS_JOB (self) && self->thread == NULL && self->tick == 0);
 
   g_autoptr (GTask) task = g_task_new (self, NULL, callback, user_data);
-  g_signal_connect_object (task, "notify::completed", G_CALLBACK (on_task_completed),
-                           self, 0);
-  self->running = TRUE;
   self->started = g_get_monotonic_time ();
   self->tick = g_timeout_add (PROGRESS_INTERVAL_MS, on_tick, self);
   self->thread = g_thread_new ("analysis", run_in_thread, g_steal_pointer (&task));
 }
 
-QnRun *
+GPtrArray *
 qn_job_finish (QnJob *self, GAsyncResult *result, GError **error)
 {
   g_return_val_if_fail (g_task_is_valid (result, self), NULL);
-  self->running = FALSE;
   g_clear_handle_id (&self->tick, g_source_remove);
   g_clear_pointer (&self->thread, g_thread_join);
   return g_task_propagate_pointer (G_TASK (result), error);

@@ -25,14 +25,10 @@ QnJob *qn_job_new (const QnModel *model, const char *name, const char *fingerpri
  * the analysis has ended in whatever way. A job is started only once. */
 void qn_job_start (QnJob *job, GAsyncReadyCallback callback, gpointer user_data);
 
-/* The run, or NULL with an error when the model cannot be analysed. A cancelled analysis
- * that has converged steps is a run whose outcome says so; one without is
- * G_IO_ERROR_CANCELLED. The caller owns the run. */
-QnRun *qn_job_finish (QnJob *job, GAsyncResult *result, GError **error);
-
-/* Further runs of the same analysis, of QnRun: the second mode and those behind it. To be called
- * once, after qn_job_finish(); NULL where there are none. */
-GPtrArray *qn_job_take_others (QnJob *job);
+/* The run, of modes one for each, or NULL with an error when the model cannot be analysed. A cancelled
+ * analysis that has converged steps is a run whose outcome says so; one without is
+ * G_IO_ERROR_CANCELLED. Of QnRun; free with g_ptr_array_unref(). */
+GPtrArray *qn_job_finish (QnJob *job, GAsyncResult *result, GError **error);
 
 /* Asks the analysis to end soon; what has converged is kept. */
 void qn_job_cancel (QnJob *job);

@@ -22,9 +22,6 @@ struct _QnSelection {
 
 G_DEFINE_FINAL_TYPE (QnSelection, qn_selection, G_TYPE_OBJECT)
 
-enum { SIGNAL_CHANGED, SIGNAL_COUNT };
-static guint selection_signals[SIGNAL_COUNT];
-
 static void
 qn_selection_finalize (GObject *object)
 {
@@ -37,8 +34,8 @@ static void
 qn_selection_class_init (QnSelectionClass *klass)
 {
   G_OBJECT_CLASS (klass)->finalize = qn_selection_finalize;
-  selection_signals[SIGNAL_CHANGED] = g_signal_new (
-    "changed", QN_TYPE_SELECTION, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+  g_signal_new ("changed", QN_TYPE_SELECTION, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
+                G_TYPE_NONE, 0);
 }
 
 static GArray *
@@ -124,7 +121,7 @@ replace_all (QnSelection *self, GArray *const lists[LIST_COUNT], QnId object, in
   self->object = object;
   self->opening = opening;
   if (!same)
-    g_signal_emit (self, selection_signals[SIGNAL_CHANGED], 0);
+    g_signal_emit_by_name (self, "changed");
 }
 
 static void

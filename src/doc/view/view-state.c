@@ -19,9 +19,6 @@ struct _QnViewState {
 
 G_DEFINE_FINAL_TYPE (QnViewState, qn_view_state, G_TYPE_OBJECT)
 
-enum { SIGNAL_CHANGED, SIGNAL_COUNT };
-static guint signals[SIGNAL_COUNT];
-
 static void
 qn_view_state_finalize (GObject *object)
 {
@@ -38,9 +35,8 @@ static void
 qn_view_state_class_init (QnViewStateClass *klass)
 {
   G_OBJECT_CLASS (klass)->finalize = qn_view_state_finalize;
-  signals[SIGNAL_CHANGED] =
-    g_signal_new ("changed", QN_TYPE_VIEW_STATE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
-                  G_TYPE_NONE, 0);
+  g_signal_new ("changed", QN_TYPE_VIEW_STATE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL,
+                G_TYPE_NONE, 0);
 }
 
 static void
@@ -54,7 +50,7 @@ qn_view_state_init (QnViewState *self)
 static void
 emit_changed (QnViewState *self)
 {
-  g_signal_emit (self, signals[SIGNAL_CHANGED], 0);
+  g_signal_emit_by_name (self, "changed");
 }
 
 /* The image is read again only where its file is another, or it is rectified in another way. */
