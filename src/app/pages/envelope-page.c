@@ -138,9 +138,9 @@ static void
 draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
   Page *self = data;
-  const QnPage page = {
-    width, height, qn_text_unit (GTK_WIDGET (area)), true, false, NULL
-  };
+  const QnPage page = { .width = width,
+                        .height = height,
+                        .unit = qn_text_unit (GTK_WIDGET (area)) };
   g_autoptr (GError) error = NULL;
   if (self->envelope.count > 0 && !qn_envelope_draw (cr, &page, &self->figure, &error))
     tell (self, error->message);
