@@ -7,7 +7,6 @@
 #include "doc/view/inspect.h"
 #include "render/figure/joint-plot.h"
 #include <glib/gi18n.h>
-#include <stdlib.h>
 
 /* The plot's text over that of the window: it is small. */
 #define TEXT_SHARE 0.8
@@ -15,8 +14,7 @@
 typedef struct Inspector {
   QnCanvas *canvas;
   GtkWidget *box, *title, *rows, *diagram;
-  QnJointPlot
-    plot; /* normal against shear force with the cone, and both along the joint */
+  QnPlot *plots[2]; /* of the forces in a joint; NULL: none is shown */
 } Inspector;
 
 static GtkWidget *
@@ -62,46 +60,54 @@ has_result (Inspector *inspector)
 static void
 draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
-  QnJointPlot plot = ((const Inspector *) data)->plot;
-  if (plot.count == 0)
-    return;
-  QnUnits units = qn_settings_get_units ();
-  const char *force = qn_units_symbol (units, QN_QUANTITY_FORCE);
-  g_autofree char *normal = g_strdup_printf (_ ("N, %s"), force);
-  g_autofree char *shear = g_strdup_printf (_ ("T, %s"), force);
-  g_autofree char *size = qn_units_format (units, QN_QUANTITY_LENGTH, plot.length, 4);
-  g_autofree char *along = g_strdup_printf (_ ("along the joint, %s %s"), size,
-                                            qn_units_symbol (units, QN_QUANTITY_LENGTH));
-  plot.force_factor = qn_units_factor (units, QN_QUANTITY_FORCE);
-  plot.length_factor = qn_units_factor (units, QN_QUANTITY_LENGTH);
-  plot.normal_label = normal;
-  plot.shear_label = shear;
-  plot.along_label = along;
-  qn_joint_plot_draw (&plot, cr, width, height,
-                      TEXT_SHARE * qn_text_unit (GTK_WIDGET (area)));
+  const Inspector *inspector = data;
+  if (inspector->plots[0] != NULL)
+    qn_joint_plots_draw (inspector->plots, cr, width, height,
+                         TEXT_SHARE * qn_text_unit (GTK_WIDGET (area)));
 }
 
-/* The plot in words. */
-static char *
-dup_description (const QnJointPlot *plot)
+static void
+clear_plots (Inspector *inspector)
 {
-  guint states[QN_PAIR_STATE_COUNT] = { 0 };
-  for (gsize i = 0; i < plot->count; i++)
-    states[plot->points[i].state]++;
-  return qn_explain_pairs (states);
+  g_clear_pointer (&inspector->plots[1], qn_plot_free);
+  g_clear_pointer (&inspector->plots[0], qn_plot_free);
+}
+
+static void
+make_plots (Inspector *inspector, const QnStepView *view, QnId face)
+{
+  const QnUnits units = qn_settings_get_units ();
+  const char *force = qn_units_symbol (units, QN_QUANTITY_FORCE);
+  const double length = view->contacts->faces[face].length;
+  qn_joint_plots_init (inspector->plots, view->model, view->contacts, view->pairs, face);
+  QnPlot *cone = inspector->plots[0], *along = inspector->plots[1];
+  g_autofree char *size = qn_units_format (units, QN_QUANTITY_LENGTH, length, 4);
+  cone->x.label = along->y.label =
+    qn_plot_keep (cone, g_strdup_printf (_ ("N, %s"), force));
+  cone->y.label = qn_plot_keep (cone, g_strdup_printf (_ ("T, %s"), force));
+  along->x.label =
+    qn_plot_keep (along, g_strdup_printf (_ ("along the joint, %s %s"), size,
+                                          qn_units_symbol (units, QN_QUANTITY_LENGTH)));
+  cone->x.factor = cone->y.factor = along->y.factor =
+    1 / qn_units_factor (units, QN_QUANTITY_FORCE);
+  along->x.factor = 1 / qn_units_factor (units, QN_QUANTITY_LENGTH);
 }
 
 static void
 show_diagram (Inspector *inspector, const QnStepView *view, QnInspected what)
 {
-  free (inspector->plot.points);
-  inspector->plot = (QnJointPlot){ 0 };
-  gboolean shown = what.kind == QN_INSPECTED_JOINT && view->pairs != NULL
-                   && qn_joint_plot_fill (&inspector->plot, view->model, view->contacts,
-                                          view->result, (int) view->step, what.id);
-  g_autofree char *description = dup_description (&inspector->plot);
+  const gboolean shown = what.kind == QN_INSPECTED_JOINT && view->pairs != NULL;
+  g_autofree char *description = NULL; /* the plots in words */
+  clear_plots (inspector);
+  if (shown) {
+    const QnJointReading reading =
+      qn_joint_reading (view->contacts, what.id, view->pairs, NULL);
+    description = qn_explain_pairs (reading.states);
+    make_plots (inspector, view, what.id);
+  }
   gtk_accessible_update_property (GTK_ACCESSIBLE (inspector->diagram),
-                                  GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, description, -1);
+                                  GTK_ACCESSIBLE_PROPERTY_DESCRIPTION,
+                                  description != NULL ? description : "", -1);
   gtk_widget_set_visible (inspector->diagram, shown);
   gtk_widget_queue_draw (inspector->diagram);
 }
@@ -143,7 +149,7 @@ static void
 inspector_free (gpointer data, GObject *box)
 {
   Inspector *inspector = data;
-  free (inspector->plot.points);
+  clear_plots (inspector);
   g_free (inspector);
 }
 

@@ -143,13 +143,13 @@ dup_pairs (QnPairState state, guint count)
 }
 
 char *
-qn_explain_pairs (const guint counts[QN_PAIR_STATE_COUNT])
+qn_explain_pairs (const int32_t counts[QN_PAIR_STATE_COUNT])
 {
   GString *text = g_string_new (NULL);
   for (int state = 0; state < QN_PAIR_STATE_COUNT; state++) {
     if (counts[state] == 0)
       continue;
-    g_autofree char *pairs = dup_pairs ((QnPairState) state, counts[state]);
+    g_autofree char *pairs = dup_pairs ((QnPairState) state, (guint) counts[state]);
     g_string_append_printf (text, "%s%s", text->len > 0 ? ", " : "", pairs);
   }
   return g_string_free (text, FALSE);

@@ -31,7 +31,7 @@ const char *qn_explain_procedure (const QnAnalysisSettings *analysis);
 const char *qn_explain_outcome_label (const QnResult *result);
 const char *qn_explain_pair_state (QnPairState state);
 /* How many pairs are in each state: "1 pair sticks, 2 pairs are open". The caller frees it. */
-char *qn_explain_pairs (const guint counts[QN_PAIR_STATE_COUNT]);
+char *qn_explain_pairs (const int32_t counts[QN_PAIR_STATE_COUNT]);
 
 /* Names from the model; numbers count from one where there is none. The caller frees it. */
 char *qn_path_dup_text (const QnModel *model, const char *path);

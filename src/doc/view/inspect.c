@@ -150,15 +150,6 @@ add_eccentricity (GString *text, QnUnits units, const QnContactFace *face,
     add_text (text, "", bounds);
 }
 
-char *
-qn_inspect_dup_state (const QnJointReading *reading)
-{
-  guint counts[QN_PAIR_STATE_COUNT];
-  for (int state = 0; state < QN_PAIR_STATE_COUNT; state++)
-    counts[state] = (guint) reading->states[state];
-  return qn_explain_pairs (counts);
-}
-
 /* Where a joint is one of a row, what passes through the whole row: the force of the line of thrust. */
 static void
 tell_row (GString *text, const QnStepView *view, QnId id, QnUnits units)
@@ -234,7 +225,7 @@ tell_joint (GString *text, const QnStepView *view, QnId id, QnUnits units, gbool
     add_value (text, units, _ ("Greatest pressure"), QN_QUANTITY_STRESS,
                -reading.pressure);
     tell_row (text, view, id, units);
-    g_autofree char *state = qn_inspect_dup_state (&reading);
+    g_autofree char *state = qn_explain_pairs (reading.states);
     add_text (text, _ ("State"), state);
   } else if (view->result != NULL)
     add_text (text, _ ("Forces"), _ ("not kept of this step"));

@@ -39,9 +39,6 @@ typedef struct QnStepView {
 gboolean qn_step_view_init (QnStepView *view, QnViewState *state);
 void qn_step_view_clear (QnStepView *view);
 
-/* The state of a joint in one word if all its pairs share it, else the number of pairs in each state. */
-char *qn_inspect_dup_state (const QnJointReading *reading);
-
 /* The name of what it is: "Joint b1 – b2", "Contact b1 – b2", "Block b1"; and its values, a line for each with a tab
  * between name and value, the most important ones alone where `brief`. NULL where there is no such
  * joint or block; the caller frees them. */

@@ -159,7 +159,7 @@ qn_report_write_joints (QnPages *pages, const QnReport *report, const QnReportRu
     row[BETWEEN] = found ? qn_report_dup_between (model, contact->block, contact->other)
                          : qn_report_dup_between (model, face->a, face->b);
     row[STATE] = found ? g_strdup (qn_explain_pair_state (touch->state))
-                       : qn_inspect_dup_state (&reading);
+                       : qn_explain_pairs (reading.states);
     bool pressed = reading.place != QN_PLACE_NOWHERE;
     const double numbers[COLUMNS] = {
       [LENGTH] = found ? (double) NAN : face->length,

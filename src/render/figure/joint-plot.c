@@ -1,75 +1,45 @@
 #include "render/figure/joint-plot.h"
 
-#include "render/figure/plot.h"
-
 #include <math.h>
-#include <stdlib.h>
 
 /* Share of the height that the upper diagram has, and sizes, pt. */
 #define UPPER_SHARE  0.58
 #define JOINT_MARGIN 4.0
 #define JOINT_MARK   5.2
 
-/* ---- data ---- */
+/* What a pair carries: friction as a tangent, the others N; INFINITY: without limit. */
+typedef struct Strength {
+  bool has_cone; /* by friction: */
+  double friction, cohesion, cap, compression;
+} Strength;
 
-/* The weaker of the two springs bounds what a pair can carry. */
-static void
-fill_strength (QnJointPoint *point, const QnPairSprings *springs)
+/* That of the weaker of its two springs. */
+static Strength
+strength_of (const QnPairSprings *springs)
 {
   const QnSpring *sides[] = { &springs->a, &springs->b };
-  int count = springs->equal ? 1 : 2;
-  point->friction = point->cohesion = point->cap = point->compression = INFINITY;
-  for (int i = 0; i < count; i++) {
+  Strength strength = { false, INFINITY, INFINITY, INFINITY, INFINITY };
+  for (int i = 0; i < (springs->equal ? 1 : 2); i++) {
     QnStrengthRow rows[QN_STRENGTH_ROWS];
     int row_count = qn_spring_strength (sides[i], rows);
     for (const QnStrengthRow *row = rows; row < rows + row_count; row++) {
       if (row->shear > 0) {
-        point->friction = fmin (point->friction, row->normal);
-        point->cohesion = fmin (point->cohesion, row->limit);
-        point->has_cone = true;
+        strength.friction = fmin (strength.friction, row->normal);
+        strength.cohesion = fmin (strength.cohesion, row->limit);
+        strength.has_cone = true;
       } else if (row->normal > 0) {
-        point->cap = fmin (point->cap, row->limit);
+        strength.cap = fmin (strength.cap, row->limit);
       } else {
-        point->compression = fmin (point->compression, row->limit);
+        strength.compression = fmin (strength.compression, row->limit);
       }
     }
   }
+  return strength;
 }
 
-bool
-qn_joint_plot_fill (QnJointPlot *plot, const QnModel *model, const QnContacts *contacts,
-                    const QnResult *result, int step, QnId face)
-{
-  const QnContactFace *f = &contacts->faces[face];
-  plot->points = NULL;
-  plot->count = 0;
-  plot->length = f->length;
-  if (result->pairs == NULL)
-    return false;
-  plot->points = calloc ((size_t) f->pair_count + 1, sizeof *plot->points);
-  if (plot->points == NULL)
-    return false;
-  bool kept = step >= 0 && qn_result_has_forces (result, (size_t) step);
-  for (int32_t i = 0; i < f->pair_count; i++) {
-    size_t pair = (size_t) (f->first_pair + i);
-    QnPairResult r =
-      kept ? qn_result_pair_at (result, (size_t) step, pair) : result->pairs[pair];
-    QnPairSprings springs = qn_contacts_pair_springs (model, contacts, pair);
-    QnJointPoint *point = &plot->points[plot->count++];
-    *point = (QnJointPoint){ .along = contacts->pairs[pair].abscissa,
-                             .normal = r.normal_force,
-                             .shear = r.shear_force,
-                             .state = r.state };
-    fill_strength (point, &springs);
-  }
-  return true;
-}
-
-/* ---- drawing ---- */
-
-/* Round: sticks; square: slips or yields; hollow: open. `x` and `y` have a place for every point. */
+/* Round: sticks; square: slips or yields; hollow: open. */
 static void
-add_joint_points (QnPlot *plot, const QnJointPlot *joint, const double *x,
+add_joint_points (QnPlot *plot, const QnPairResult *pairs, size_t count, const double *x,
                   const double *y)
 {
   static const struct {
@@ -81,22 +51,22 @@ add_joint_points (QnPlot *plot, const QnJointPlot *joint, const double *x,
     [QN_PAIR_SLIP] = { QN_MARKER_SQUARE, 1 },
     [QN_PAIR_YIELD] = { QN_MARKER_SQUARE, 1 },
   };
-  for (size_t i = 0; i < joint->count; i++)
-    qn_plot_points (plot, NULL, looks[joint->points[i].state].series, x + i, y + i, 1,
-                    looks[joint->points[i].state].marker, JOINT_MARK);
+  for (size_t i = 0; i < count; i++)
+    qn_plot_points (plot, NULL, looks[pairs[i].state].series, x + i, y + i, 1,
+                    looks[pairs[i].state].marker, JOINT_MARK);
 }
 
 /* Largest compression and tension; a cone is shown a little beyond. */
 static void
-find_joint_ranges (const QnJointPlot *joint, double *press, double *pull)
+find_joint_ranges (const double *normal, const Strength *strengths, size_t count,
+                   double *press, double *pull)
 {
   *press = *pull = 0;
-  for (size_t i = 0; i < joint->count; i++) {
-    const QnJointPoint *p = &joint->points[i];
-    *press = fmax (*press, -p->normal);
-    *pull = fmax (*pull, p->normal);
-    if (p->has_cone && isfinite (p->cap))
-      *pull = fmax (*pull, fmin (p->cap, 0.5 * *press));
+  for (size_t i = 0; i < count; i++) {
+    *press = fmax (*press, -normal[i]);
+    *pull = fmax (*pull, normal[i]);
+    if (strengths[i].has_cone && isfinite (strengths[i].cap))
+      *pull = fmax (*pull, fmin (strengths[i].cap, 0.5 * *press));
   }
   if (!(*press > 0) && !(*pull > 0))
     *press = 1;
@@ -106,22 +76,21 @@ find_joint_ranges (const QnJointPlot *joint, double *press, double *pull)
 
 /* Both sides of every cone that differs from the one before. */
 static void
-add_cones (QnPlot *plot, const QnJointPlot *joint)
+add_cones (QnPlot *plot, const double *normal, const Strength *strengths, size_t count)
 {
-  const QnJointPoint *last = NULL;
+  const Strength *last = NULL;
   double press, pull;
-  find_joint_ranges (joint, &press, &pull);
-  for (size_t i = 0; i < joint->count; i++) {
-    const QnJointPoint *p = &joint->points[i];
-    if (!p->has_cone
-        || (last != NULL && last->friction == p->friction && last->cohesion == p->cohesion
-            && last->cap == p->cap && last->compression == p->compression))
+  find_joint_ranges (normal, strengths, count, &press, &pull);
+  for (const Strength *s = strengths; s < strengths + count; s++) {
+    if (!s->has_cone
+        || (last != NULL && last->friction == s->friction && last->cohesion == s->cohesion
+            && last->cap == s->cap && last->compression == s->compression))
       continue;
-    last = p;
-    double cap = fmin (isfinite (p->cap) ? p->cap : pull, pull);
-    double end = fmin (p->compression, press);
-    double at_cap = fmax (p->cohesion - p->friction * cap, 0);
-    double at_end = p->cohesion + p->friction * end;
+    last = s;
+    double cap = fmin (isfinite (s->cap) ? s->cap : pull, pull);
+    double end = fmin (s->compression, press);
+    double at_cap = fmax (s->cohesion - s->friction * cap, 0);
+    double at_end = s->cohesion + s->friction * end;
     const double corners[2][5] = { { -end, cap, cap, -end, -end },
                                    { at_end, at_cap, -at_cap, -at_end, at_end } };
     double *x = qn_plot_keep (plot, g_memdup2 (corners, sizeof corners));
@@ -132,47 +101,53 @@ add_cones (QnPlot *plot, const QnJointPlot *joint)
 
 /* Normal forces as bars, shear as crosses to the same scale. */
 static void
-add_joint_bars (QnPlot *plot, const QnJointPlot *joint, const double *along,
-                const double *normal, const double *shear)
+add_joint_bars (QnPlot *plot, size_t count, const double *along, const double *normal,
+                const double *shear)
 {
-  double *x = qn_plot_keep (plot, g_new (double, 6 * joint->count)),
-         *y = x + 3 * joint->count;
-  for (size_t i = 0; i < joint->count; i++) {
+  double *x = qn_plot_keep (plot, g_new (double, 6 * count)), *y = x + 3 * count;
+  for (size_t i = 0; i < count; i++) {
     x[3 * i] = x[3 * i + 1] = x[3 * i + 2] = along[i];
     y[3 * i] = 0;
     y[3 * i + 1] = normal[i];
     y[3 * i + 2] = NAN;
   }
-  qn_plot_mark (plot, QN_MARKS_LINE, NULL, 0, x, y, 3 * joint->count);
-  qn_plot_points (plot, NULL, QN_SERIES_INK, along, shear, joint->count, QN_MARKER_CROSS,
+  qn_plot_mark (plot, QN_MARKS_LINE, NULL, 0, x, y, 3 * count);
+  qn_plot_points (plot, NULL, QN_SERIES_INK, along, shear, count, QN_MARKER_CROSS,
                   JOINT_MARK);
 }
 
 void
-qn_joint_plot_draw (const QnJointPlot *joint, cairo_t *cr, double width, double height,
-                    double unit)
+qn_joint_plots_init (QnPlot *plots[2], const QnModel *model, const QnContacts *contacts,
+                     const QnPairResult *pairs, QnId face)
+{
+  const size_t first = (size_t) contacts->faces[face].first_pair;
+  const size_t count = (size_t) contacts->faces[face].pair_count;
+  QnPlot *cone = plots[0] = qn_plot_new (NULL, NULL);
+  QnPlot *along = plots[1] = qn_plot_new (NULL, NULL);
+  g_autofree Strength *strengths = g_new (Strength, count);
+  double *x = qn_plot_keep (cone, g_new (double, 3 * count));
+  double *normal = x + count, *shear = normal + count;
+  for (size_t i = 0; i < count; i++) {
+    const QnPairSprings springs = qn_contacts_pair_springs (model, contacts, first + i);
+    strengths[i] = strength_of (&springs);
+    x[i] = contacts->pairs[first + i].abscissa;
+    normal[i] = pairs[first + i].normal_force;
+    shear[i] = pairs[first + i].shear_force;
+  }
+  add_cones (cone, normal, strengths, count);
+  add_joint_points (cone, pairs + first, count, normal, shear);
+  add_joint_bars (along, count, x, normal, shear);
+  add_joint_points (along, pairs + first, count, x, normal);
+}
+
+void
+qn_joint_plots_draw (QnPlot *const plots[2], cairo_t *cr, double width, double height,
+                     double unit)
 {
   const double margin = JOINT_MARGIN * unit, upper = UPPER_SHARE * (height - 3 * margin);
   const QnFrame frames[] = { { margin, margin, width - 2 * margin, upper },
                              { margin, 2 * margin + upper, width - 2 * margin,
                                height - upper - 3 * margin } };
-  QnPlot *cone = qn_plot_new (joint->normal_label, joint->shear_label);
-  QnPlot *along = qn_plot_new (joint->along_label, joint->normal_label);
-  double *x = qn_plot_keep (cone, g_new (double, 3 * joint->count));
-  double *normal = x + joint->count, *shear = normal + joint->count;
-  for (size_t i = 0; i < joint->count; i++) {
-    x[i] = joint->points[i].along;
-    normal[i] = joint->points[i].normal;
-    shear[i] = joint->points[i].shear;
-  }
-  cone->x.factor = cone->y.factor = along->y.factor = 1 / joint->force_factor;
-  along->x.factor = 1 / joint->length_factor;
-  add_cones (cone, joint);
-  add_joint_points (cone, joint, normal, shear);
-  add_joint_bars (along, joint, x, normal, shear);
-  add_joint_points (along, joint, x, normal);
-  qn_plot_draw (cone, cr, unit, &frames[0], NULL);
-  qn_plot_draw (along, cr, unit, &frames[1], NULL);
-  qn_plot_free (along);
-  qn_plot_free (cone);
+  for (int i = 0; i < 2; i++)
+    qn_plot_draw (plots[i], cr, unit, &frames[i], NULL);
 }

@@ -184,7 +184,7 @@ test_modes (void)
 static void
 test_numbers (void)
 {
-  const guint counts[QN_PAIR_STATE_COUNT] = {
+  const int32_t counts[QN_PAIR_STATE_COUNT] = {
     [QN_PAIR_STICK] = 1, [QN_PAIR_OPEN] = 2, [QN_PAIR_YIELD] = 1
   };
   g_autofree char *pairs = qn_explain_pairs (counts);

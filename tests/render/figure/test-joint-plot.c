@@ -4,11 +4,10 @@
 
 #include <glib.h>
 #include <math.h>
-#include <stdlib.h>
 
-/* A block on another one, pairs at the ends; forces as an analysis would leave them. */
+/* The plots of a joint of 2 m with pairs at its ends; forces as an analysis would leave them. */
 static void
-fill (QnJointPlot *plot, QnPairResult *pairs)
+make (QnPlot *plots[2], const QnPairResult *pairs)
 {
   g_auto (QnModel) model;
   g_auto (QnContacts) contacts;
@@ -32,10 +31,23 @@ fill (QnJointPlot *plot, QnPairResult *pairs)
   g_assert_cmpint (qn_model_prepare (&model, &diag), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, &diag), ==, QN_OK);
   g_assert_cmpuint (contacts.pair_count, ==, 2);
-  QnResult result = { 0 };
-  g_assert_false (qn_joint_plot_fill (plot, &model, &contacts, &result, -1, 0));
-  result.pairs = pairs;
-  g_assert_true (qn_joint_plot_fill (plot, &model, &contacts, &result, -1, 0));
+  qn_joint_plots_init (plots, &model, &contacts, pairs, 0);
+  plots[0]->x.label = plots[1]->y.label = "N";
+  plots[0]->y.label = "T";
+  plots[1]->x.label = "along";
+}
+
+static void
+clear (QnPlot *plots[2])
+{
+  qn_plot_free (plots[1]);
+  qn_plot_free (plots[0]);
+}
+
+static const QnMarks *
+marks_of (const QnPlot *plot, guint index)
+{
+  return &g_array_index (plot->marks, QnMarks, index);
 }
 
 static void
@@ -45,26 +57,32 @@ test_fill (void)
     { .state = QN_PAIR_SLIP, .normal_force = -1e3, .shear_force = 650.0 },
     { .state = QN_PAIR_OPEN }
   };
-  QnJointPlot plot = { 0 };
-  fill (&plot, pairs);
-  g_assert_cmpuint (plot.count, ==, 2);
-  g_assert_cmpfloat (plot.length, ==, 2.0);
-  g_assert_cmpfloat (fabs (plot.points[1].along - plot.points[0].along), ==, 2.0);
-  g_assert_true (plot.points[0].has_cone);
-  g_assert_cmpfloat (plot.points[0].friction, ==, 0.6);
+  QnPlot *plots[2];
+  make (plots, pairs);
+  g_assert_cmpuint (plots[0]->marks->len, ==, 3); /* one cone, two pairs */
+  const QnMarks *cone = marks_of (plots[0], 0), *slips = marks_of (plots[0], 1);
+  const double slope = (cone->y[0] - cone->y[1]) / (cone->x[1] - cone->x[0]);
+  g_assert_cmpfloat_with_epsilon (slope, 0.6, 1e-12);
   /* A slipping pair is on its cone. */
-  const QnJointPoint *p = &plot.points[0];
-  g_assert_cmpfloat_with_epsilon (p->cohesion - p->friction * p->normal, p->shear, 1e-9);
-  free (plot.points);
+  g_assert_cmpfloat (slips->x[0], ==, -1e3);
+  g_assert_cmpfloat_with_epsilon (cone->y[0] + slope * (cone->x[0] - slips->x[0]),
+                                  slips->y[0], 1e-9);
+  g_assert_cmpint (slips->marker, ==, QN_MARKER_SQUARE);
+  g_assert_cmpint (marks_of (plots[0], 2)->marker, ==, QN_MARKER_RING);
+  const QnMarks *shear = marks_of (plots[1], 1);
+  g_assert_cmpuint (shear->count, ==, 2);
+  g_assert_cmpfloat (fabs (shear->x[1] - shear->x[0]), ==, 2.0);
+  g_assert_cmpfloat (shear->y[0], ==, 650.0);
+  clear (plots);
 }
 
 static guint
-count_inked (const QnJointPlot *plot, int width, int height)
+count_inked (QnPlot *const plots[2], int width, int height)
 {
   cairo_surface_t *surface =
     cairo_image_surface_create (CAIRO_FORMAT_ARGB32, MAX (width, 1), MAX (height, 1));
   cairo_t *cr = cairo_create (surface);
-  qn_joint_plot_draw (plot, cr, width, height, 96.0 / 72.0);
+  qn_joint_plots_draw (plots, cr, width, height, 96.0 / 72.0);
   g_assert_cmpint (cairo_status (cr), ==, CAIRO_STATUS_SUCCESS);
   cairo_destroy (cr);
   cairo_surface_flush (surface);
@@ -76,7 +94,7 @@ count_inked (const QnJointPlot *plot, int width, int height)
   return inked;
 }
 
-/* More pairs leave more ink; no size and no forces break it. */
+/* Fewer pairs leave less ink; no size and no forces break it. */
 static void
 test_draw (void)
 {
@@ -84,20 +102,17 @@ test_draw (void)
     { .state = QN_PAIR_STICK, .normal_force = -1e3, .shear_force = 100.0 },
     { .state = QN_PAIR_OPEN }
   };
-  QnJointPlot plot = { 0 };
-  fill (&plot, pairs);
-  plot.force_factor = 1e3;
-  plot.length_factor = 1;
-  plot.normal_label = "N";
-  plot.shear_label = "T";
-  plot.along_label = "along";
-  guint with_two = count_inked (&plot, 300, 230);
-  plot.count = 1;
-  g_assert_cmpuint (with_two, >, count_inked (&plot, 300, 230));
-  plot.points[0].normal = plot.points[0].shear = 0.0;
-  g_assert_cmpuint (count_inked (&plot, 300, 230), >, 0);
-  count_inked (&plot, 8, 8);
-  free (plot.points);
+  QnPlot *plots[2];
+  make (plots, pairs);
+  guint with_two = count_inked (plots, 300, 230);
+  count_inked (plots, 8, 8);
+  g_array_set_size (plots[0]->marks, 2);
+  g_assert_cmpuint (with_two, >, count_inked (plots, 300, 230));
+  clear (plots);
+  pairs[0].normal_force = pairs[0].shear_force = 0.0;
+  make (plots, pairs);
+  g_assert_cmpuint (count_inked (plots, 300, 230), >, 0);
+  clear (plots);
 }
 
 QN_TESTS
