@@ -39,12 +39,11 @@ LLVMFuzzerTestOneInput (const uint8_t *data, size_t size)
   QnStudy study;
   GError *error = NULL;
   if (qn_study_read (path, project, &study, &error)) {
-    if (qn_study_case_count (&study) * study.parameters->len <= MAX_VALUES) {
-      QnSample sample;
-      qn_sample_init (&sample, &study);
-      for (gsize i = 0; i < sample.count * sample.width; i++)
-        g_assert_true (isfinite (sample.values[i]));
-      qn_sample_clear (&sample);
+    const gsize count = qn_study_case_count (&study) * study.parameters->len;
+    if (count <= MAX_VALUES) {
+      g_autofree double *sample = qn_sample_dup (&study);
+      for (gsize i = 0; i < count; i++)
+        g_assert_true (isfinite (sample[i]));
     }
     qn_study_clear (&study);
   } else {

@@ -104,9 +104,8 @@ on_timeout (gpointer data)
   QnStudyPage *self = data;
   QnStudyProgress progress;
   g_autoptr (GError) error = NULL;
-  QnStudyJobState state = qn_study_job_look (self->job, &progress, &error);
+  const gboolean runs = qn_study_job_look (self->job, &progress, &error);
   read_more (self);
-  const gboolean runs = state == QN_STUDY_JOB_RUNS;
   if (!runs)
     g_clear_pointer (&self->job, qn_study_job_free);
   if (error != NULL)

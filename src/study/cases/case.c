@@ -11,7 +11,6 @@
 #include "io/text/number-text.h"
 #include "render/scene/reading.h"
 #include "study/cases/shape.h"
-#include "study/plan/sample.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

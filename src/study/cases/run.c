@@ -4,6 +4,7 @@
 #include "io/text/io-error.h"
 #include "study/cases/store.h"
 #include "study/cases/worker.h"
+#include "study/plan/sample.h"
 
 #include <errno.h>
 #include <glib/gi18n-lib.h>
@@ -22,7 +23,8 @@ typedef struct Run {
   const QnStudy *study;
   const QnStudyRunSettings *settings;
   const char *folder;
-  QnSample sample;
+  gsize count, width; /* cases, parameters */
+  double *sample;     /* values of every case */
   QnStore *store;
   guint8 *taken; /* per case: has a row, or a worker has it, or not of this slice */
   gsize next;    /* no case before it is free */
@@ -38,9 +40,9 @@ typedef struct Run {
 static gboolean
 take_case (Run *run, gsize *index)
 {
-  while (run->next < run->sample.count && run->taken[run->next])
+  while (run->next < run->count && run->taken[run->next])
     run->next++;
-  if (run->next == run->sample.count)
+  if (run->next == run->count)
     return FALSE;
   *index = run->next;
   run->taken[run->next++] = 1;
@@ -53,7 +55,7 @@ keep_row (Run *run, gsize index, const QnCaseResult *result, GError **error)
   run->progress.present++;
   run->progress.failed += result->failed;
   run->uncommitted++;
-  return qn_store_add (run->store, index, qn_sample_case (&run->sample, index), result,
+  return qn_store_add (run->store, index, run->sample + index * run->width, result,
                        error);
 }
 
@@ -68,7 +70,7 @@ feed (Run *run, QnWorker *worker, GError **error)
       && !qn_worker_start (worker, run->settings->program, run->folder,
                            run->settings->keep, error))
     return FALSE;
-  qn_worker_give (worker, index, qn_sample_case (&run->sample, index), run->sample.width);
+  qn_worker_give (worker, index, run->sample + index * run->width, run->width);
   return TRUE;
 }
 
@@ -183,9 +185,9 @@ survey (Run *run, GError **error)
   QnShard shard = run->settings->shard;
   if (run->settings->retry && !qn_store_forget_failed (run->store, error))
     return FALSE;
-  if (!qn_store_mark_present (run->store, run->taken, run->sample.count, error))
+  if (!qn_store_mark_present (run->store, run->taken, run->count, error))
     return FALSE;
-  for (gsize i = 0; i < run->sample.count; i++) {
+  for (gsize i = 0; i < run->count; i++) {
     gboolean ours = i % shard.count == shard.index;
     run->progress.wanted += ours;
     run->progress.present += ours && run->taken[i];
@@ -210,9 +212,12 @@ qn_study_run (const QnStudy *study, const char *folder,
               const QnStudyRunSettings *settings, QnStudyProgress *progress,
               gboolean *cancelled, GError **error)
 {
-  Run run = {
-    .study = study, .settings = settings, .folder = folder, .begun = qn_clock_seconds ()
-  };
+  Run run = { .study = study,
+              .settings = settings,
+              .folder = folder,
+              .count = qn_study_case_count (study),
+              .width = study->parameters->len,
+              .begun = qn_clock_seconds () };
   if (!qn_folder_prepare (folder, study, error))
     return FALSE;
   g_autofree char *database = qn_folder_dup_database (folder, settings->shard);
@@ -222,8 +227,8 @@ qn_study_run (const QnStudy *study, const char *folder,
 
   /* A worker that has gone is noticed by its output. */
   void (*before) (int) = signal (SIGPIPE, SIG_IGN);
-  qn_sample_init (&run.sample, study);
-  run.taken = g_new0 (guint8, run.sample.count);
+  run.sample = qn_sample_dup (study);
+  run.taken = g_new0 (guint8, run.count);
   run.workers = g_new (QnWorker, settings->jobs);
   for (guint i = 0; i < settings->jobs; i++)
     run.workers[i] = (QnWorker){ .input = -1, .output = -1 };
@@ -235,7 +240,7 @@ qn_study_run (const QnStudy *study, const char *folder,
   *cancelled = run.cancelled;
 
   qn_store_close (run.store);
-  qn_sample_clear (&run.sample);
+  g_free (run.sample);
   g_free (run.workers);
   g_free (run.taken);
   signal (SIGPIPE, before);

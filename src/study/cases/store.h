@@ -10,7 +10,6 @@
 #pragma once
 
 #include "study/cases/case.h"
-#include "study/plan/sample.h"
 
 typedef struct QnStore QnStore;
 

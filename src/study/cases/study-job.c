@@ -7,8 +7,7 @@ struct QnStudyJob {
   GThread *thread;
   GMutex lock; /* of what follows */
   QnStudyProgress progress;
-  QnStudyJobState state;
-  gboolean cancel;
+  gboolean cancel, ended;
   GError *error;
 };
 
@@ -40,7 +39,7 @@ compute_in_thread (gpointer data)
   g_mutex_lock (&job->lock);
   if (ok)
     job->progress = progress;
-  job->state = ok ? QN_STUDY_JOB_DONE : QN_STUDY_JOB_FAILED;
+  job->ended = TRUE;
   job->error = error;
   g_mutex_unlock (&job->lock);
   return NULL;
@@ -63,16 +62,16 @@ qn_study_job_start (const char *study_path, const char *folder, const char *prog
   return job;
 }
 
-QnStudyJobState
+gboolean
 qn_study_job_look (QnStudyJob *job, QnStudyProgress *progress, GError **error)
 {
   g_mutex_lock (&job->lock);
-  QnStudyJobState state = job->state;
+  const gboolean runs = !job->ended;
   *progress = job->progress;
   if (job->error != NULL && error != NULL)
     *error = g_error_copy (job->error);
   g_mutex_unlock (&job->lock);
-  return state;
+  return runs;
 }
 
 void

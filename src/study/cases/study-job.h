@@ -5,20 +5,13 @@
 
 typedef struct QnStudyJob QnStudyJob;
 
-typedef enum {
-  QN_STUDY_JOB_RUNS,
-  QN_STUDY_JOB_DONE,
-  QN_STUDY_JOB_FAILED
-} QnStudyJobState;
-
 /* Starts computing what is missing in the folder, on `jobs` processes of `program`. The study is
  * read from its file; errors come from there. */
 QnStudyJob *qn_study_job_start (const char *study_path, const char *folder,
                                 const char *program, guint jobs, GError **error);
 
-/* State and progress. FAILED: *error (nullable) has the reason. */
-QnStudyJobState qn_study_job_look (QnStudyJob *job, QnStudyProgress *progress,
-                                   GError **error);
+/* Its progress; whether it still runs. Where it has failed, *error (nullable) has the reason. */
+gboolean qn_study_job_look (QnStudyJob *job, QnStudyProgress *progress, GError **error);
 
 /* Asks it to end soon; computed cases are kept. */
 void qn_study_job_cancel (QnStudyJob *job);

@@ -22,14 +22,15 @@ final_value (const QnParameter *parameter, double value)
 
 /* The last parameter changes first. */
 static void
-fill_grid (QnSample *sample, const QnStudy *study)
+fill_grid (double *values, gsize count, const QnStudy *study)
 {
-  for (gsize i = 0; i < sample->count; i++) {
+  const gsize width = study->parameters->len;
+  for (gsize i = 0; i < count; i++) {
     gsize rest = i;
-    for (gsize j = sample->width; j-- > 0;) {
+    for (gsize j = width; j-- > 0;) {
       const QnParameter *parameter = qn_study_parameter (study, j);
       gsize levels = qn_parameter_level_count (parameter);
-      sample->values[i * sample->width + j] =
+      values[i * width + j] =
         final_value (parameter, qn_parameter_level (parameter, rest % levels));
       rest /= levels;
     }
@@ -37,16 +38,16 @@ fill_grid (QnSample *sample, const QnStudy *study)
 }
 
 static void
-fill_one_at_a_time (QnSample *sample, const QnStudy *study)
+fill_one_at_a_time (double *values, gsize count, const QnStudy *study)
 {
-  for (gsize i = 0; i < sample->count; i++)
-    for (gsize j = 0; j < sample->width; j++)
-      sample->values[i * sample->width + j] = qn_study_parameter (study, j)->base;
+  const gsize width = study->parameters->len;
+  for (gsize i = 0; i < count * width; i++)
+    values[i] = qn_study_parameter (study, i % width)->base;
   gsize row = 1;
-  for (gsize j = 0; j < sample->width; j++) {
+  for (gsize j = 0; j < width; j++) {
     const QnParameter *parameter = qn_study_parameter (study, j);
     for (gsize k = 0; k < qn_parameter_level_count (parameter); k++)
-      sample->values[row++ * sample->width + j] =
+      values[row++ * width + j] =
         final_value (parameter, qn_parameter_level (parameter, k));
   }
 }
@@ -101,59 +102,38 @@ draw_sobol (double *points, gsize count, gsize width, gsl_rng *random)
 }
 
 static void
-fill_random (QnSample *sample, const QnStudy *study)
+fill_random (double *points, gsize count, const QnStudy *study)
 {
-  gsize width = sample->width;
-  double *points = sample->values;
+  const gsize width = study->parameters->len;
   gsl_rng *random = gsl_rng_alloc (gsl_rng_mt19937);
   gsl_rng_set (random, study->seed);
   if (study->plan == QN_PLAN_SOBOL)
     draw_sobol (points, study->count, width, random);
   else if (study->plan == QN_PLAN_LATIN_HYPERCUBE)
-    draw_layers (points, sample->count, width, random);
+    draw_layers (points, count, width, random);
   else
-    draw_points (points, sample->count, width, random);
+    draw_points (points, count, width, random);
   if (study->correlation != NULL && study->plan == QN_PLAN_LATIN_HYPERCUBE)
-    qn_correlation_reorder (study->correlation, width, points, sample->count, random);
+    qn_correlation_reorder (study->correlation, width, points, count, random);
   else if (study->correlation != NULL)
-    qn_correlation_copula (study->correlation, width, points, sample->count);
+    qn_correlation_copula (study->correlation, width, points, count);
   gsl_rng_free (random);
 
-  for (gsize i = 0; i < sample->count * width; i++) {
+  for (gsize i = 0; i < count * width; i++) {
     const QnParameter *parameter = qn_study_parameter (study, i % width);
-    sample->values[i] = final_value (
+    points[i] = final_value (
       parameter, qn_distribution_quantile (&parameter->distribution, points[i]));
   }
 }
 
-void
-qn_sample_init (QnSample *sample, const QnStudy *study)
+double *
+qn_sample_dup (const QnStudy *study)
 {
-  sample->count = qn_study_case_count (study);
-  sample->width = study->parameters->len;
-  sample->values = g_new (double, sample->count * sample->width);
-  switch (study->plan) {
-  case QN_PLAN_GRID:
-  case QN_PLAN_COMBINATIONS:
-    fill_grid (sample, study);
-    return;
-  case QN_PLAN_ONE_AT_A_TIME:
-    fill_one_at_a_time (sample, study);
-    return;
-  case QN_PLAN_MONTE_CARLO:
-  case QN_PLAN_LATIN_HYPERCUBE:
-  case QN_PLAN_SOBOL:
-    fill_random (sample, study);
-    return;
-  case QN_PLAN_COUNT:
-    break;
-  }
-  g_assert_not_reached ();
-}
-
-void
-qn_sample_clear (QnSample *sample)
-{
-  g_free (sample->values);
-  *sample = (QnSample){ 0 };
+  const gsize count = qn_study_case_count (study);
+  double *values = g_new (double, count * study->parameters->len);
+  if (study->plan == QN_PLAN_ONE_AT_A_TIME)
+    fill_one_at_a_time (values, count, study);
+  else
+    (qn_plan_is_by_levels (study->plan) ? fill_grid : fill_random) (values, count, study);
+  return values;
 }

@@ -8,20 +8,7 @@
 
 #include "study/plan/study.h"
 
-typedef struct QnSample {
-  gsize count, width; /* cases, parameters */
-  double *values;     /* count x width, owned */
-} QnSample;
-
-/* Cases of a plan "sobol" come in blocks of width + 2: the point a, the point b, and for every
- * parameter the point a with this one coordinate of b. */
-void qn_sample_init (QnSample *sample, const QnStudy *study);
-
-void qn_sample_clear (QnSample *sample);
-G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnSample, qn_sample_clear)
-
-static inline const double *
-qn_sample_case (const QnSample *sample, gsize index)
-{
-  return sample->values + index * sample->width;
-}
+/* A row of values for every case (qn_study_case_count()), one for each parameter. Cases of a plan "sobol" come in
+ * blocks of as many as parameters and two: the point a, the point b, and for every parameter the point a with
+ * this one coordinate of b. Free with g_free(). */
+double *qn_sample_dup (const QnStudy *study);

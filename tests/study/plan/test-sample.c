@@ -9,18 +9,38 @@
 #include <math.h>
 #include <string.h>
 
+typedef struct Sample {
+  gsize count, width;
+  double *values;
+} Sample;
+
 static void
-sample_of (QnSample *sample, const char *plan, const char *more)
+sample_clear (Sample *sample)
+{
+  g_free (sample->values);
+}
+
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Sample, sample_clear)
+
+static void
+sample_of (Sample *sample, const char *plan, const char *more)
 {
   g_auto (QnStudy) study;
   fixture_study (&study, plan, more);
-  qn_sample_init (sample, &study);
+  *sample = (Sample){ qn_study_case_count (&study), study.parameters->len,
+                      qn_sample_dup (&study) };
+}
+
+static const double *
+case_of (const Sample *sample, gsize index)
+{
+  return sample->values + index * sample->width;
 }
 
 static void
-assert_case (const QnSample *sample, gsize index, double friction, double weight)
+assert_case (const Sample *sample, gsize index, double friction, double weight)
 {
-  const double *values = qn_sample_case (sample, index);
+  const double *values = case_of (sample, index);
   g_assert_cmpfloat_with_epsilon (values[0], friction, 1e-11);
   g_assert_cmpfloat_with_epsilon (values[1], weight, 1e-6);
 }
@@ -28,7 +48,7 @@ assert_case (const QnSample *sample, gsize index, double friction, double weight
 static void
 test_grid (void)
 {
-  g_auto (QnSample) sample;
+  g_auto (Sample) sample;
   sample_of (&sample, "{ \"kind\": \"grid\" }", "");
   g_assert_cmpuint (sample.count, ==, 9);
   assert_case (&sample, 0, 0.3, 10000);
@@ -40,11 +60,11 @@ test_grid (void)
 static void
 test_one_at_a_time (void)
 {
-  g_auto (QnSample) sample;
+  g_auto (Sample) sample;
   sample_of (&sample, "{ \"kind\": \"one-at-a-time\" }", "");
   g_assert_cmpuint (sample.count, ==, 7);
-  const double friction = qn_sample_case (&sample, 0)[0];
-  const double weight = qn_sample_case (&sample, 0)[1];
+  const double friction = case_of (&sample, 0)[0];
+  const double weight = case_of (&sample, 0)[1];
   assert_case (&sample, 1, 0.3, weight);
   assert_case (&sample, 3, 0.7, weight);
   assert_case (&sample, 4, friction, 10000);
@@ -53,11 +73,11 @@ test_one_at_a_time (void)
 
 /* Every layer of the interval 0.2 … 0.8 holds one point. */
 static void
-assert_layers (const QnSample *sample)
+assert_layers (const Sample *sample)
 {
   g_autofree guint8 *taken = g_new0 (guint8, sample->count);
   for (gsize i = 0; i < sample->count; i++) {
-    double u = (qn_sample_case (sample, i)[0] - 0.2) / 0.6;
+    double u = (case_of (sample, i)[0] - 0.2) / 0.6;
     gsize layer = (gsize) qn_to_integer (u * (double) sample->count, 0, G_MAXINT32);
     g_assert_cmpuint (layer, <, sample->count);
     g_assert_cmpuint (taken[layer]++, ==, 0);
@@ -65,7 +85,7 @@ assert_layers (const QnSample *sample)
 }
 
 static double
-rank_correlation (const QnSample *sample)
+rank_correlation (const Sample *sample)
 {
   g_autofree double *work = g_new (double, 2 * sample->count);
   return gsl_stats_spearman (sample->values, 2, sample->values + 1, 2, sample->count,
@@ -75,7 +95,7 @@ rank_correlation (const QnSample *sample)
 static void
 test_layers (void)
 {
-  g_auto (QnSample) sample;
+  g_auto (Sample) sample;
   sample_of (&sample, "{ \"kind\": \"latin-hypercube\", \"count\": 500, \"seed\": 3 }",
              "");
   assert_layers (&sample);
@@ -105,7 +125,7 @@ test_correlated (void)
       i == 0 ? 0.03 : 0.005);
     gsl_rng_free (random);
 
-    g_auto (QnSample) sample;
+    g_auto (Sample) sample;
     sample_of (&sample, plan, ", \"correlation\": [[\"friction\", \"weight\", 0.6]]");
     g_assert_cmpfloat_with_epsilon (rank_correlation (&sample), 0.57, 0.04);
     if (i == 1)
@@ -116,11 +136,11 @@ test_correlated (void)
 static void
 test_saltelli (void)
 {
-  g_auto (QnSample) sample;
+  g_auto (Sample) sample;
   sample_of (&sample, "{ \"kind\": \"sobol\", \"count\": 64, \"seed\": 1 }", "");
   g_assert_cmpuint (sample.count, ==, 64 * 4);
   for (gsize i = 0; i < 64; i++) {
-    const double *a = qn_sample_case (&sample, 4 * i), *b = a + 2;
+    const double *a = case_of (&sample, 4 * i), *b = a + 2;
     g_assert_true (a[4] == b[0] && a[5] == a[1]); /* a with the friction of b */
     g_assert_true (a[6] == a[0] && a[7] == b[1]);
   }
@@ -139,7 +159,7 @@ test_known_numbers (void)
     { "sobol", { 0.750213199062, 0.332194693573, 0.332194693573 } },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (known); i++) {
-    g_auto (QnSample) sample, other;
+    g_auto (Sample) sample, other;
     g_autofree char *plan =
       g_strdup_printf ("{ \"kind\": \"%s\", \"count\": 8, \"seed\": 1 }", known[i].plan);
     g_autofree char *next =
@@ -147,7 +167,7 @@ test_known_numbers (void)
     sample_of (&sample, plan, "");
     sample_of (&other, next, "");
     for (gsize k = 0; k < 3; k++) {
-      g_assert_cmpfloat (qn_sample_case (&sample, k)[0], ==, known[i].friction[k]);
+      g_assert_cmpfloat (case_of (&sample, k)[0], ==, known[i].friction[k]);
     }
     g_assert_true (
       memcmp (sample.values, other.values, sample.count * sample.width * sizeof (double))
@@ -159,15 +179,13 @@ static void
 test_whole (void)
 {
   g_auto (QnStudy) study;
-  g_auto (QnSample) sample;
   fixture_study (&study, "{ \"kind\": \"monte-carlo\", \"count\": 50 }", "");
   QnParameter *parameter = &g_array_index (study.parameters, QnParameter, 0);
   parameter->whole = TRUE;
   parameter->distribution.max = 20.4;
-  qn_sample_init (&sample, &study);
-  for (gsize i = 0; i < sample.count; i++)
-    g_assert_cmpfloat (qn_sample_case (&sample, i)[0], ==,
-                       rint (qn_sample_case (&sample, i)[0]));
+  g_autofree double *values = qn_sample_dup (&study);
+  for (gsize i = 0; i < qn_study_case_count (&study); i++)
+    g_assert_cmpfloat (values[2 * i], ==, rint (values[2 * i]));
 }
 
 QN_TESTS

@@ -4,6 +4,7 @@
 
 #include "study/cases/folder.h"
 #include "study/fixture.h"
+#include "study/plan/sample.h"
 #include "study/report/figures.h"
 #include "study/report/summary.h"
 #include "support/room.h"
@@ -23,26 +24,25 @@ static void
 fill (Bench *bench, const char *text, Function function)
 {
   g_autoptr (GError) error = NULL;
-  QnSample sample;
   bench->folder = test_scratch_new ();
   fixture_read (bench->folder, text, &bench->study, &error);
   g_assert_no_error (error);
   g_autofree char *path = qn_folder_dup_database (bench->folder, (QnShard){ 0, 1 });
   QnStore *store = qn_store_open (path, &bench->study, TRUE, &error);
   g_assert_no_error (error);
-  qn_sample_init (&sample, &bench->study);
-  for (gsize i = 0; i < sample.count; i++) {
+  g_autofree double *sample = qn_sample_dup (&bench->study);
+  for (gsize i = 0; i < qn_study_case_count (&bench->study); i++) {
+    const double *values = sample + i * bench->study.parameters->len;
     g_auto (QnCaseResult) result;
     qn_case_result_fail (&result, NULL);
     result.failed = FALSE;
     result.outcome = g_strdup ("collapse");
     result.mechanism = g_strdup (i % 4 == 0 ? "sliding" : "rocking");
-    result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER] = function (qn_sample_case (&sample, i));
-    g_assert_true (qn_store_add (store, i, qn_sample_case (&sample, i), &result, &error));
+    result.numbers[QN_STUDY_COLLAPSE_MULTIPLIER] = function (values);
+    g_assert_true (qn_store_add (store, i, values, &result, &error));
   }
   g_assert_true (qn_store_commit (store, &error));
   qn_store_close (store);
-  qn_sample_clear (&sample);
   g_assert_true (qn_table_read (&bench->table, &bench->study, bench->folder, &error));
 }
 
