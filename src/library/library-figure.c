@@ -50,7 +50,7 @@ quoin_figure_new (QuoinModel *model, QuoinResult *result, const char *view,
   QnView picture = QN_VIEW_MODEL;
   GError *cause = NULL;
   if (!qn_find_word (view, kind_names, G_N_ELEMENTS (kind_names), &kind)
-      && !qn_view_parse (view, &picture)) {
+      && !qn_find_word (view, qn_view_names, QN_VIEW_COUNT, &picture)) {
     quoin_library_set_error (error, QUOIN_ERROR_USAGE, "%s: no such view", view);
     return NULL;
   }

@@ -75,9 +75,7 @@ LLVMFuzzerTestOneInput (const uint8_t *data, size_t size)
     return 0;
   g_autofree char *bytes = g_strndup ((const char *) data + 1, size - 1);
   g_autofree char *text = g_utf8_make_valid (bytes, -1);
-  QnView view;
-  QnField field;
-  QnDiagram diagram;
+  QnViewOptions options;
   switch (data[0] % 5) {
   case 0:
     check_quantity (text);
@@ -92,9 +90,10 @@ LLVMFuzzerTestOneInput (const uint8_t *data, size_t size)
     check_history (text);
     break;
   default:
-    qn_view_parse (text, &view);
-    qn_field_parse (text, &field);
-    qn_diagram_parse (text, &diagram);
+    qn_view_options_init (&options, QN_VIEW_MODEL);
+    qn_view_options_set (&options, "field", text);
+    qn_view_options_set (&options, "scale", text);
+    qn_view_options_set (&options, text, "on");
     break;
   }
   return 0;

@@ -5,6 +5,7 @@
 #include "app/widgets/context-menu.h"
 #include "app/widgets/settings.h"
 #include "app/window/action-table.h"
+#include "core/base/word.h"
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -147,7 +148,8 @@ on_view (GSimpleAction *action, GVariant *value, gpointer data)
 {
   QnWindow *self = data;
   QnView view;
-  if (!qn_view_parse (g_variant_get_string (value, NULL), &view))
+  if (!qn_find_word (g_variant_get_string (value, NULL), qn_view_names, QN_VIEW_COUNT,
+                     &view))
     return;
   if (qn_view_needs_result (view) && qn_document_get_run (self->document) == NULL) {
     qn_window_show_error (self, _ ("There is no result to show yet: solve first (F5)"));
@@ -170,7 +172,8 @@ on_diagram (GSimpleAction *action, GVariant *value, gpointer data)
 {
   QnWindow *self = data;
   QnDiagram diagram;
-  if (!qn_diagram_parse (g_variant_get_string (value, NULL), &diagram))
+  if (!qn_find_word (g_variant_get_string (value, NULL), qn_diagram_names,
+                     QN_DIAGRAM_COUNT, &diagram))
     return;
   g_simple_action_set_state (action, value);
   qn_view_state_set_diagram (self->state, diagram);
@@ -183,7 +186,8 @@ on_field (GSimpleAction *action, GVariant *value, gpointer data)
 {
   QnWindow *self = data;
   QnField field;
-  if (!qn_field_parse (g_variant_get_string (value, NULL), &field))
+  if (!qn_find_word (g_variant_get_string (value, NULL), qn_field_names, QN_FIELD_COUNT,
+                     &field))
     return;
   g_simple_action_set_state (action, value);
   qn_view_state_set_field (self->state, field);

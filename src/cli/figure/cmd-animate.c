@@ -3,6 +3,7 @@
 #include "cli/base/picture.h"
 #include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
+#include "core/base/word.h"
 #include "doc/view/sheet.h"
 #include "render/movie/animation.h"
 
@@ -61,8 +62,7 @@ animate (const AnimateOptions *options, double scale, const QnInput *input)
   gboolean shown = !options->quiet && isatty (STDERR_FILENO);
   QnAnimation animation;
   QnMetadata metadata;
-  if (options->view != NULL)
-    qn_view_parse (options->view, &view);
+  qn_find_word (options->view, qn_view_names, QN_VIEW_COUNT, &view);
   qn_animation_init (&animation, &input->project.model, &input->contacts, result, view);
   animation.figure.options.monochrome = options->picture.monochrome;
   animation.figure.options.scale = scale;

@@ -2,6 +2,7 @@
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/subcommand.h"
+#include "core/base/word.h"
 #include "render/figure/figure.h"
 
 #include <glib/gi18n.h>
@@ -38,7 +39,8 @@ static void
 parse_view (const RenderOptions *options, QnViewOptions *view)
 {
   QnView kind = QN_VIEW_MODEL;
-  if (options->view != NULL && !qn_view_parse (options->view, &kind))
+  if (options->view != NULL
+      && !qn_find_word (options->view, qn_view_names, QN_VIEW_COUNT, &kind))
     qn_cli_refuse_name (options->view, qn_view_names, QN_VIEW_COUNT);
   qn_view_options_init (view, kind);
   view->monochrome = options->picture.monochrome;

@@ -53,18 +53,6 @@ qn_view_options_init (QnViewOptions *options, QnView view)
   };
 }
 
-bool
-qn_view_parse (const char *name, QnView *view)
-{
-  return qn_find_word (name, qn_view_names, QN_VIEW_COUNT, view);
-}
-
-bool
-qn_field_parse (const char *name, QnField *field)
-{
-  return qn_find_word (name, qn_field_names, QN_FIELD_COUNT, field);
-}
-
 const char *const qn_view_switches[] = {
   "ghost",  "symbols", "loads",  "dimensions", "names",
   "values", "legend",  "titles", "monochrome", NULL,
@@ -79,12 +67,6 @@ qn_view_switch (QnViewOptions *options, const char *name)
   int i;
   return qn_find_word (name, qn_view_switches, QN_N_ELEMENTS (flags), &i) ? flags[i]
                                                                           : NULL;
-}
-
-bool
-qn_diagram_parse (const char *name, QnDiagram *diagram)
-{
-  return qn_find_word (name, qn_diagram_names, QN_DIAGRAM_COUNT, diagram);
 }
 
 static bool
@@ -120,9 +102,9 @@ qn_view_options_set (QnViewOptions *options, const char *name, const char *value
     return on || strcmp (value, "off") == 0;
   }
   if (strcmp (name, "field") == 0)
-    return qn_field_parse (value, &options->field);
+    return qn_find_word (value, qn_field_names, QN_FIELD_COUNT, &options->field);
   if (strcmp (name, "diagram") == 0)
-    return qn_diagram_parse (value, &options->diagram);
+    return qn_find_word (value, qn_diagram_names, QN_DIAGRAM_COUNT, &options->diagram);
   if (strcmp (name, "step") == 0)
     return parse_step (value, &options->step);
   return strcmp (name, "scale") == 0 && parse_scale (value, &options->scale);

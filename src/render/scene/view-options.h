@@ -114,8 +114,7 @@ extern const char *const qn_view_switches[];
 /* The switch of that name, or NULL. */
 bool *qn_view_switch (QnViewOptions *options, const char *name);
 
-/* "model", "contacts", … as in --view and figure recipes; false when unknown. */
-bool qn_view_parse (const char *name, QnView *view);
+/* "model", "contacts", … as in --view and figure recipes. */
 extern const char *const qn_view_names[QN_VIEW_COUNT];
 
 /* Whether a view shows a result. */
@@ -136,11 +135,9 @@ qn_view_of_result (const QnResult *result)
 }
 
 /* "none", "displacement", "displacement-x", …, "bodies". */
-bool qn_field_parse (const char *name, QnField *field);
 extern const char *const qn_field_names[QN_FIELD_COUNT];
 
 /* "M", "V", "N". */
-bool qn_diagram_parse (const char *name, QnDiagram *diagram);
 extern const char *const qn_diagram_names[QN_DIAGRAM_COUNT];
 
 /* Sets "field" or "diagram" by the name of one, "step" to "last" or a number from 0, "scale" to "auto", "true" or a
