@@ -14,20 +14,19 @@
  */
 #pragma once
 
-#include <stddef.h>
+#include <glib.h>
 
 typedef struct QnFileGroup {
-  char *folder; /* where the files belong */
-  char *hidden; /* the folder that they gather in */
-  char **names; /* of the files, in the order they were added */
-  size_t count;
+  char *folder;     /* where the files belong */
+  char *hidden;     /* the folder that they gather in */
+  GPtrArray *names; /* char *: of the files, in the order they were added */
   int lock; /* descriptor of the hidden folder, locked as long as its writer lives */
 } QnFileGroup;
 
 /* The folder must exist. On failure there is nothing to give up. */
 int qn_file_group_open (QnFileGroup *group, const char *folder);
 
-/* *path: where the file of this name is to be written now; free with free(). Refuses names of
+/* *path: where the file of this name is to be written now; free with g_free(). Refuses names of
  * folders (EISDIR) and of what is write-protected. */
 int qn_file_group_add (QnFileGroup *group, const char *name, char **path);
 

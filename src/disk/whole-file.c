@@ -2,7 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
+#include <glib.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,21 +19,13 @@
 /* Links one behind the other, as the system follows them. */
 #define MOST_LINKS 40
 
-/* Length of the folder's part of a path, its last slash counted; 0 where it has none. */
-static size_t
-folder_length (const char *path)
-{
-  const char *slash = strrchr (path, '/');
-  return slash != NULL ? (size_t) (slash - path) + 1 : 0;
-}
-
 /* Finds a name beside the target that `take` can have. */
 static int
 take_name (QnWholeFile *file, int (*take) (QnWholeFile *file, const char *name))
 {
-  size_t folder = folder_length (file->target), room = strlen (file->target) + 16;
-  char *name = malloc (room);
-  int trouble = name != NULL ? EEXIST : ENOMEM;
+  g_autofree char *folder = g_path_get_dirname (file->target);
+  g_autofree char *base = g_path_get_basename (file->target);
+  int trouble = EEXIST;
 
   for (int attempt = 0; attempt < MOST_NAMES && trouble == EEXIST; attempt++) {
     /* Six digits that no other writer is likely to choose: the time, in other bits the process. */
@@ -41,14 +33,12 @@ take_name (QnWholeFile *file, int (*take) (QnWholeFile *file, const char *name))
     clock_gettime (CLOCK_MONOTONIC, &now);
     unsigned digits =
       (unsigned) now.tv_nsec ^ (unsigned) (getpid () << 8) ^ (unsigned) attempt;
-    snprintf (name, room, "%.*s.%.*s.%06x", (int) folder, file->target, LONGEST_BASE,
-              file->target + folder, digits & 0xffffff);
+    g_autofree char *name =
+      g_strdup_printf ("%s/.%.*s.%06x", folder, LONGEST_BASE, base, digits & 0xffffff);
     trouble = take (file, name) == 0 ? 0 : errno;
+    if (trouble == 0)
+      file->temporary = g_steal_pointer (&name);
   }
-  if (trouble == 0)
-    file->temporary = name;
-  else
-    free (name);
   return trouble;
 }
 
@@ -74,16 +64,12 @@ open_nameless (QnWholeFile *file)
 {
   int trouble = EOPNOTSUPP;
 #ifdef O_TMPFILE
-  size_t length = folder_length (file->target);
-  char *folder = length > 0 ? strndup (file->target, length) : strdup (".");
-  if (folder == NULL)
-    return ENOMEM;
+  g_autofree char *folder = g_path_get_dirname (file->target);
   /* Without /proc it could not be given its name. */
   if (access ("/proc/self/fd", X_OK) == 0) {
     file->fd = open (folder, O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
     trouble = file->fd >= 0 ? 0 : errno;
   }
-  free (folder);
   /* How systems that do not know of such files take the request. */
   if (trouble == EISDIR || trouble == EINVAL || trouble == ENOENT)
     trouble = EOPNOTSUPP;
@@ -91,40 +77,23 @@ open_nameless (QnWholeFile *file)
   return trouble;
 }
 
-/* The path that a link leads to, from the folder that it lies in; NULL with an errno. */
-static char *
-read_link (const char *path)
-{
-  char to[PATH_MAX];
-  ssize_t length = readlink (path, to, sizeof to);
-  size_t folder = length > 0 && to[0] != '/' ? folder_length (path) : 0;
-  if (length <= 0 || (size_t) length + folder >= sizeof to) {
-    errno = length < 0 ? errno : ENAMETOOLONG;
-    return NULL;
-  }
-  char *whole = malloc (folder + (size_t) length + 1);
-  if (whole != NULL) {
-    memcpy (whole, path, folder);
-    memcpy (whole + folder, to, (size_t) length);
-    whole[folder + (size_t) length] = '\0';
-  }
-  return whole;
-}
-
 /* Where a file that is not there yet is to be: where links that lead to nothing point. NULL with an
  * errno. */
 static char *
 follow_links (const char *path)
 {
-  char *at = strdup (path);
+  char *at = g_strdup (path);
   struct stat status;
-  for (int links = 0; at != NULL && lstat (at, &status) == 0 && S_ISLNK (status.st_mode);
-       links++) {
-    char *next = links < MOST_LINKS ? read_link (at) : NULL;
-    if (links == MOST_LINKS)
+  for (int links = 0; lstat (at, &status) == 0 && S_ISLNK (status.st_mode); links++) {
+    g_autofree char *link = at;
+    g_autofree char *folder = g_path_get_dirname (link);
+    g_autofree char *to = links < MOST_LINKS ? g_file_read_link (link, NULL) : NULL;
+    if (to == NULL) {
       errno = ELOOP;
-    free (at);
-    at = next;
+      return NULL;
+    }
+    at = g_path_is_absolute (to) ? g_steal_pointer (&to)
+                                 : g_build_filename (folder, to, NULL);
   }
   return at;
 }
@@ -161,8 +130,8 @@ open_target (QnWholeFile *file, const char *path)
 static void
 clear (QnWholeFile *file)
 {
-  free (file->target);
-  free (file->temporary);
+  g_free (file->target); /* of realpath() or GLib, which has its memory from malloc() */
+  g_free (file->temporary);
   *file = (QnWholeFile){ .fd = -1 };
 }
 

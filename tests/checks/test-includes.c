@@ -20,7 +20,7 @@ static const Layer layers[] = {
       "limit", "dynamics", "check", "path", "modal", "capacity" },
     { "core/" },
     { "klu.h", "cholmod.h", "amd.h", "colamd.h", "SuiteSparse_config.h" } },
-  { "disk", { NULL }, { "disk/" }, { "dirent.h" } },
+  { "disk", { NULL }, { "disk/" }, { "glib" } },
   { "stereotomy", { NULL }, { "core/", "stereotomy/" }, { "geos_c.h" } },
   { "io",
     { "text", "json", "project", "result", "exchange" },

@@ -15,7 +15,7 @@ put (QnFileGroup *group, const char *name, const char *text)
   char *path;
   g_assert_cmpint (qn_file_group_add (group, name, &path), ==, 0);
   g_assert_cmpint (qn_whole_file_replace (path, text, strlen (text)), ==, 0);
-  free (path);
+  g_free (path);
 }
 
 static void
@@ -74,7 +74,7 @@ test_undone (void)
   put (&group, "a", "new a");
   put (&group, "b", "new b");
   g_assert_cmpint (qn_file_group_add (&group, "c", &path), ==, 0);
-  free (path);
+  g_free (path);
   g_assert_cmpint (qn_file_group_commit (&group), ==, ENOENT);
   expect (folder, "a", "old a");
   g_assert_cmpuint (test_scratch_count (folder), ==, 1);

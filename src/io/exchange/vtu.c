@@ -8,7 +8,6 @@
 #include "io/text/number-text.h"
 
 #include <glib/gi18n-lib.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* VTK's numbers of the kinds of cells that lines and blocks are. */
@@ -247,11 +246,9 @@ static QnFileWriter *
 open_member (Export *export, const char *name)
 {
   g_autofree char *place = g_build_filename (export->folder, name, NULL);
-  char *path = NULL;
+  g_autofree char *path = NULL;
   int trouble = qn_file_group_add (&export->group, name, &path);
-  QnFileWriter *writer = qn_file_writer_open_as (path, place, trouble);
-  free (path);
-  return writer;
+  return qn_file_writer_open_as (path, place, trouble);
 }
 
 static void

@@ -7,7 +7,6 @@
 #include <errno.h>
 #include <glib/gi18n-lib.h>
 #include <glib/gstdio.h>
-#include <stdlib.h>
 
 typedef struct FrameFolder {
   char *folder;
@@ -62,7 +61,8 @@ static bool
 frames_add (void *state, cairo_surface_t *frame, GError **error)
 {
   FrameFolder *movie = state;
-  g_autofree char *name = g_strdup_printf ("frame-%04zu.png", movie->pictures.count + 1);
+  g_autofree char *name =
+    g_strdup_printf ("frame-%04u.png", movie->pictures.names->len + 1);
   QnPngText text = { "Software", movie->generator };
   g_autoptr (GBytes) bytes =
     qn_png_encode (frame, 0, &text, movie->generator != NULL ? 1 : 0, error);
@@ -74,7 +74,7 @@ frames_add (void *state, cairo_surface_t *frame, GError **error)
   int trouble = qn_file_group_add (&movie->pictures, name, &path);
   if (trouble == 0)
     trouble = qn_whole_file_replace (path, data, length);
-  free (path);
+  g_free (path);
   if (trouble != 0) {
     g_autofree char *meant = g_build_filename (movie->folder, name, NULL);
     qn_render_error_set_unwritten (error, meant, trouble);
