@@ -23,6 +23,18 @@ qn_segments_clear (QnSegments *segments)
   *segments = (QnSegments){ 0 };
 }
 
+QnBox *
+qn_segments_tree (const QnSegments *segments, double margin, QnBoxTree *tree,
+                  QnPool *pool)
+{
+  QnBox *boxes = qn_pool_alloc (pool, segments->count, sizeof *boxes);
+  for (size_t i = 0; boxes != NULL && i < segments->count; i++)
+    boxes[i] = qn_box_grow (
+      qn_box_of_segment (segments->items[i].a, segments->items[i].b), margin);
+  qn_box_tree_init (tree, boxes, segments->count, pool);
+  return boxes;
+}
+
 /* Welds the ends by handing them over as two-point rings. */
 static QnStatus
 weld_ends (QnSegments *segments, double tolerance, QnHealing *healing, QnDiag *diag)
@@ -179,13 +191,9 @@ static QnStatus
 close_gaps (QnSegments *segments, double tolerance, QnHealing *healing, QnDiag *diag)
 {
   QnPool room = { 0 };
-  QnBox *boxes = qn_pool_alloc (&room, segments->count, sizeof *boxes);
   QnBoxTree tree;
   Splits splits = { 0 };
-  for (size_t i = 0; boxes != NULL && i < segments->count; i++)
-    boxes[i] = qn_box_grow (
-      qn_box_of_segment (segments->items[i].a, segments->items[i].b), tolerance);
-  qn_box_tree_init (&tree, boxes, segments->count, &room);
+  qn_segments_tree (segments, tolerance, &tree, &room);
   bool done = !room.failed;
   for (size_t i = 0, count = segments->count; done && i < count; i++)
     done = reach (segments, i, true, &tree, tolerance, &splits, healing)
@@ -213,12 +221,9 @@ static QnStatus
 check_crossings (const QnSegments *segments, QnDiag *diag)
 {
   QnPool room = { 0 };
-  QnBox *boxes = qn_pool_alloc (&room, segments->count, sizeof *boxes);
   QnBoxTree tree;
+  QnBox *boxes = qn_segments_tree (segments, 0, &tree, &room);
   size_t crossings = 0, meetings = 0;
-  for (size_t i = 0; boxes != NULL && i < segments->count; i++)
-    boxes[i] = qn_box_of_segment (segments->items[i].a, segments->items[i].b);
-  qn_box_tree_init (&tree, boxes, segments->count, &room);
   bool done = !room.failed, most = false;
   for (size_t i = 0; done && !most && i < segments->count; i++) {
     QnBoxQuery query = qn_box_tree_query (&tree, boxes[i]);

@@ -17,6 +17,10 @@ typedef struct QnSegments {
 void qn_segments_add (QnSegments *segments, QnVec2 a, QnVec2 b);
 void qn_segments_clear (QnSegments *segments);
 
+/* A tree of them, each grown by the margin, in memory of the pool; their boxes. */
+QnBox *qn_segments_tree (const QnSegments *segments, double margin, QnBoxTree *tree,
+                         QnPool *pool);
+
 /* Crossings of lines that are divided at, and pairs of lines whose boxes meet that are looked at: every
  * crossing is a corner of four faces, so that a soup of n lines may have n^2 of them. */
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION /* many teach a fuzzer nothing */

@@ -33,13 +33,14 @@ arch_of (const QnPortal *portal, int32_t bay)
 
 /* The rings of the bays to the left and to the right of a pier; at an end the one that is there, twice. */
 static void
-rings_at (const QnPortal *portal, int32_t pier, QnArch arches[2], QnArchRing rings[2])
+rings_at (const QnPortal *portal, int32_t pier, QnArchRing rings[2])
 {
   for (int side = 0; side < 2; side++) {
     int32_t bay = pier - 1 + side;
-    bay = bay < 0 ? 0 : bay < portal->bays ? bay : portal->bays - 1;
-    arches[side] = arch_of (portal, bay);
-    qn_arch_ring_init (&rings[side], &arches[side]);
+    const QnArch arch = arch_of (portal, bay < 0              ? 0
+                                         : bay < portal->bays ? bay
+                                                              : portal->bays - 1);
+    qn_arch_ring_init (&rings[side], &arch);
   }
 }
 
@@ -53,15 +54,14 @@ check_bays (const QnPortal *portal, QnSubject of, QnDiag *diag)
       return false;
   }
   for (int32_t i = 0; i <= portal->bays; i++) {
-    QnArch arches[2];
     QnArchRing rings[2];
     const double width = pier_width (portal, i);
     if (!qn_require_length (of, "piers", width, QN_RANGE_POSITIVE))
       return false;
     if (portal->lintel_height > 0)
       continue;
-    rings_at (portal, i, arches, rings);
-    if (!qn_require (of, arches[0].ring + arches[1].ring <= width * (1 + 1e-12),
+    rings_at (portal, i, rings);
+    if (!qn_require (of, rings[0].arch.ring + rings[1].arch.ring <= width * (1 + 1e-12),
                      QN_PROBLEM_PIER_TOO_NARROW, "pier", width))
       return false;
     for (int side = 0; side < 2 && portal->backing > 0; side++)
@@ -218,9 +218,8 @@ qn_masonry_lay_portal (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
     lay_pier (&laid, i, pieces);
   bool arches = portal->lintel_height == 0;
   for (int32_t i = 0; arches && i <= portal->bays; i++) {
-    QnArch sides[2];
     QnArchRing rings[2];
-    rings_at (portal, i, sides, rings);
+    rings_at (portal, i, rings);
     lay_skewback (&laid, rings, i, pieces);
     if (portal->backing > 0)
       lay_backing (&laid, rings, i, pieces);

@@ -188,42 +188,42 @@ merged (QnGeos *geos, const QnRings *rings, double grid)
   return all;
 }
 
-QnStatus
-qn_polygon_difference (const QnRing *subject, const QnRings *cutters, QnRings *out,
-                       QnDiag *diag)
+/* The same of rings; several others, which may touch, are merged first. */
+static QnStatus
+combine (const QnRing *subject, const QnRings *others, bool merge, Overlay op,
+         double least_area, QnRings *out, QnDiag *diag)
 {
+  QnGeos geos = { 0 };
   QnStatus status = qn_ring_check (subject, 0, diag);
   if (status == QN_OK)
-    status = check_all (cutters, diag);
-  QnGeos geos = { 0 };
+    status = check_all (others, diag);
   if (status == QN_OK)
     status = qn_geos_init (&geos, diag);
   if (status == QN_OK)
-    status =
-      overlay (&geos, qn_geos_polygon (&geos, subject->points, subject->count),
-               merged (&geos, cutters, 0), GEOSDifferencePrec_r, qn_ring_bounds (subject),
-               NOTHING * fabs (qn_ring_area (subject)), out, diag);
+    status = overlay (
+      &geos, qn_geos_polygon (&geos, subject->points, subject->count),
+      merge ? merged (&geos, others, 0)
+            : qn_geos_polygon (&geos, others->items->points, others->items->count),
+      op, qn_ring_bounds (subject), NOTHING * least_area, out, diag);
   qn_geos_clear (&geos);
   return status;
 }
 
 QnStatus
+qn_polygon_difference (const QnRing *subject, const QnRings *cutters, QnRings *out,
+                       QnDiag *diag)
+{
+  return combine (subject, cutters, true, GEOSDifferencePrec_r,
+                  fabs (qn_ring_area (subject)), out, diag);
+}
+
+QnStatus
 qn_polygon_intersection (const QnRing *a, const QnRing *b, QnRings *out, QnDiag *diag)
 {
-  QnStatus status = qn_ring_check (a, 0, diag);
-  if (status == QN_OK)
-    status = qn_ring_check (b, 1, diag);
-  QnGeos geos = { 0 };
-  if (status == QN_OK)
-    status = qn_geos_init (&geos, diag);
-  if (status == QN_OK)
-    status = overlay (&geos, qn_geos_polygon (&geos, a->points, a->count),
-                      qn_geos_polygon (&geos, b->points, b->count),
-                      GEOSIntersectionPrec_r, qn_ring_bounds (a),
-                      NOTHING * fmin (fabs (qn_ring_area (a)), fabs (qn_ring_area (b))),
-                      out, diag);
-  qn_geos_clear (&geos);
-  return status;
+  QnRing other = *b;
+  return combine (a, &(QnRings){ .items = &other, .count = 1 }, false,
+                  GEOSIntersectionPrec_r,
+                  fmin (fabs (qn_ring_area (a)), fabs (qn_ring_area (b))), out, diag);
 }
 
 static QnStatus
@@ -301,20 +301,17 @@ qn_polygon_cut (const QnRing *subject, QnVec2 a, QnVec2 b, QnRings *out, QnDiag 
   QnVec2 foot =
     qn_vec2_add_scaled (a, qn_vec2_dot (qn_vec2_sub (middle, a), along), along);
   double reach = 2 * (qn_box_size (bounds) + qn_vec2_length (qn_vec2_sub (middle, foot)));
-  QnGeos geos = { 0 };
-  status = qn_geos_init (&geos, diag);
   size_t before = out->count;
   for (int side = -1; side <= 1 && status == QN_OK; side += 2) {
     QnVec2 across = qn_vec2_scale (side * reach, qn_vec2_perp (along));
     QnVec2 p = qn_vec2_add_scaled (foot, -reach, along);
     QnVec2 q = qn_vec2_add_scaled (foot, reach, along);
-    const QnVec2 strip[] = { p, q, qn_vec2_add (q, across), qn_vec2_add (p, across) };
-    status = overlay (&geos, qn_geos_polygon (&geos, subject->points, subject->count),
-                      qn_geos_polygon (&geos, strip, 4), GEOSIntersectionPrec_r, bounds,
-                      NOTHING * fabs (qn_ring_area (subject)), out, diag);
+    QnVec2 strip[] = { p, q, qn_vec2_add (q, across), qn_vec2_add (p, across) };
+    QnRing half = { strip, 4 };
+    status = combine (subject, &(QnRings){ .items = &half, .count = 1 }, false,
+                      GEOSIntersectionPrec_r, fabs (qn_ring_area (subject)), out, diag);
   }
   while (status != QN_OK && out->count > before)
     qn_rings_remove (out, out->count - 1);
-  qn_geos_clear (&geos);
   return status;
 }

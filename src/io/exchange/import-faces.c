@@ -113,12 +113,9 @@ static void
 take_faces (QnImportWork *work, QnRole role, const QnRings *faces,
             const QnSegments *lines, guint outlines)
 {
-  g_autofree QnBox *boxes = g_new (QnBox, lines->count);
   QnBoxTree tree;
   QnPool room = { 0 };
-  for (gsize i = 0; i < lines->count; i++)
-    boxes[i] = qn_box_of_segment (lines->items[i].a, lines->items[i].b);
-  qn_box_tree_init (&tree, boxes, lines->count, &room);
+  qn_segments_tree (lines, 0, &tree, &room);
   work->no_memory |= room.failed;
   for (gsize i = 0; i < faces->count && !room.failed; i++) {
     const QnRing *face = &faces->items[i];

@@ -98,24 +98,16 @@ append_origin (GString *line, const char *override)
 }
 
 char *
-qn_reader_dup_line (const QnReader *reader, const char *path, const char *message)
-{
-  QnJsonPlace place;
-  if (reader->text == NULL)
-    return qn_reader_dup_line_at (reader, path, NULL, message);
-  place = qn_json_locate (reader->text, reader->length, path);
-  return qn_reader_dup_line_at (reader, path, &place, message);
-}
-
-char *
-qn_reader_dup_line_at (const QnReader *reader, const char *path, const QnJsonPlace *place,
-                       const char *message)
+qn_reader_dup_line (const QnReader *reader, const char *path, const QnJsonPlace *known,
+                    const char *message)
 {
   GString *line = g_string_new (reader->name);
   const char *override = find_override (reader, path, FALSE);
-  if (override == NULL && place != NULL)
-    g_string_append_printf (line, ":%" G_GSIZE_FORMAT ":%" G_GSIZE_FORMAT, place->line,
-                            place->column);
+  if (override == NULL && reader->text != NULL) {
+    QnJsonPlace place =
+      known != NULL ? *known : qn_json_locate (reader->text, reader->length, path);
+    g_string_append_printf (line, ":%zu:%zu", place.line, place.column);
+  }
   if (path[0] != '\0')
     g_string_append_printf (line, ": %s", path);
   g_string_append (line, ": ");
@@ -136,7 +128,7 @@ qn_json_value_fail (const QnJsonValue *place, const char *message)
   if (place->reader->error != NULL)
     return FALSE;
   g_autofree char *path = dup_path (place);
-  g_autofree char *line = qn_reader_dup_line (place->reader, path, message);
+  g_autofree char *line = qn_reader_dup_line (place->reader, path, NULL, message);
   place->reader->error = g_error_new_literal (QN_IO_ERROR, QN_IO_ERROR_INVALID, line);
   return FALSE;
 }
@@ -176,7 +168,7 @@ qn_json_value_warn (const QnJsonValue *place, const char *message)
     return;
   }
   g_autofree char *path = dup_path (place);
-  g_ptr_array_add (reader->warnings, qn_reader_dup_line (reader, path, message));
+  g_ptr_array_add (reader->warnings, qn_reader_dup_line (reader, path, NULL, message));
 }
 
 /* Puts a copy of one member aside. */

@@ -56,12 +56,10 @@ QnJsonValue qn_json_value_element (const QnJsonValue *array, gsize index,
 gboolean qn_json_value_next (const QnJsonValue *array, QnJsonValue *element);
 
 /* "wall.quoin:12:7: blocks[3].vertices: message"; with "(set by …)" instead of line and column
- * where an override put the value there. Free with g_free(). */
-char *qn_reader_dup_line (const QnReader *reader, const char *path, const char *message);
-
-/* The same where the place in the text is known already. */
-char *qn_reader_dup_line_at (const QnReader *reader, const char *path,
-                             const QnJsonPlace *place, const char *message);
+ * where an override put the value there. `known` (nullable): the place in the text, which is looked for
+ * else. Free with g_free(). */
+char *qn_reader_dup_line (const QnReader *reader, const char *path,
+                          const QnJsonPlace *known, const char *message);
 
 /* Records the error of a place;
  * returns FALSE. */

@@ -242,7 +242,7 @@ qn_project_set_key_error (const QnProject *project, const char *path, const char
                           GError **error)
 {
   QnReader reader = qn_project_reader (project);
-  g_autofree char *line = qn_reader_dup_line (&reader, path, message);
+  g_autofree char *line = qn_reader_dup_line (&reader, path, NULL, message);
   g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, line);
 }
 
@@ -366,8 +366,8 @@ qn_project_dup_finding_texts (const QnProject *project, const QnFindings *findin
   for (size_t i = 0; i < findings->count; i++) {
     g_autofree char *message = dup_finding_message (project, &findings->items[i]);
     g_ptr_array_add (lines,
-                     qn_reader_dup_line_at (&reader, paths->pdata[i],
-                                            places != NULL ? &places[i] : NULL, message));
+                     qn_reader_dup_line (&reader, paths->pdata[i],
+                                         places != NULL ? &places[i] : NULL, message));
   }
   return lines;
 }
