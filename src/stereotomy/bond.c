@@ -109,15 +109,15 @@ lay_unit (Course *course, double x0, double x1, double least, double most, QnDia
   if (x1 - x0 <= tolerance)
     return QN_OK;
 
-  QnVec2 corners[4];
-  qn_rectangle (course->left + x0, course->y0, course->left + x1, course->y1, corners);
+  const double left = course->left + x0, right = course->left + x1;
   const char *name = course->masonry->name;
   int32_t row = course->index + 1, position = ++course->position;
   QnPiece *piece =
     course->masonry->wall.leaf_count == 1
-      ? qn_pieces_add (course->pieces, corners, 4, "%s.%d.%d", name, row, position)
-      : qn_pieces_add (course->pieces, corners, 4, "%s.%c.%d.%d", name,
-                       'a' + course->leaf_index, row, position);
+      ? qn_pieces_add (course->pieces, qn_rectangle (left, course->y0, right, course->y1),
+                       "%s.%d.%d", name, row, position)
+      : qn_pieces_add (course->pieces, qn_rectangle (left, course->y0, right, course->y1),
+                       "%s.%c.%d.%d", name, 'a' + course->leaf_index, row, position);
   piece->fabric = true;
   piece->leaf = course->leaf_index;
   piece->course = course->index;

@@ -541,8 +541,8 @@ trim (QnRing *ring, const QnRing *other, QnDiag *diag)
 static bool
 restore (QnRing *ring, const QnRing *before)
 {
-  QnRing copy;
-  if (!qn_ring_init (&copy, before->points, before->count))
+  QnRing copy = qn_ring_of (before->points, before->count);
+  if (copy.points == NULL)
     return false;
   qn_ring_clear (ring);
   *ring = copy;

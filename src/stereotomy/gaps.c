@@ -182,8 +182,7 @@ qn_gaps_fill (const QnGaps *gaps, QnRings *rings)
     const QnGap *gap = &gaps->items[i];
     const QnVec2 corners[] = { gap->sides[0][1], gap->sides[0][0], gap->sides[1][0],
                                gap->sides[1][1] };
-    QnRing body;
-    qn_ring_init (&body, corners, QN_N_ELEMENTS (corners));
+    QnRing body = qn_ring_of (corners, QN_N_ELEMENTS (corners));
     qn_ring_simplify (&body, 1e-9 * gap->width);
     qn_ring_orient (&body);
     qn_rings_take (rings, &body);

@@ -44,9 +44,8 @@ qn_arch_lay_ring (const QnArch *arch, QnVec2 at, const char *prefix, QnPieces *p
       for (size_t k = 0; k < voussoir.count; k++)
         voussoir.points[k] = qn_vec2_add (at, voussoir.points[k]);
       QnPiece *piece =
-        r == 0
-          ? qn_pieces_add_ring (pieces, voussoir, "%s.v%d", prefix, i + 1)
-          : qn_pieces_add_ring (pieces, voussoir, "%s.r%d.v%d", prefix, r + 1, i + 1);
+        r == 0 ? qn_pieces_add (pieces, voussoir, "%s.v%d", prefix, i + 1)
+               : qn_pieces_add (pieces, voussoir, "%s.r%d.v%d", prefix, r + 1, i + 1);
       piece->ring_number = rings > 1 ? r + 1 : 0;
     }
 }
@@ -56,11 +55,10 @@ static QnPiece *
 lay_springer (const QnMasonry *masonry, QnVec2 in, QnVec2 out, double y, const char *part,
               const char *side, QnPieces *pieces)
 {
-  QnRing ring;
   const QnVec2 corners[] = { in, out, { out.x, y }, { in.x, y } };
-  qn_ring_init (&ring, corners, 4);
+  QnRing ring = qn_ring_of (corners, 4);
   qn_ring_orient (&ring);
-  return qn_pieces_add_ring (pieces, ring, "%s.%s.%s", masonry->name, part, side);
+  return qn_pieces_add (pieces, ring, "%s.%s.%s", masonry->name, part, side);
 }
 
 QnStatus

@@ -109,17 +109,15 @@ lay_pier (const QnMasonry *masonry, int32_t pier, QnPieces *pieces)
 {
   const QnPortal *portal = &masonry->portal;
   double x0 = pier_left (portal, pier), x1 = x0 + pier_width (portal, pier);
-  QnVec2 corners[4];
-  if (masonry->foundation > 0) {
-    qn_rectangle (x0, -masonry->foundation, x1, 0, corners);
-    qn_pieces_add (pieces, corners, 4, "%s.base%d", masonry->name, pier + 1)->fixed =
-      true;
-  }
+  if (masonry->foundation > 0)
+    qn_pieces_add (pieces, qn_rectangle (x0, -masonry->foundation, x1, 0), "%s.base%d",
+                   masonry->name, pier + 1)
+      ->fixed = true;
   for (int32_t i = 0; i < portal->courses && !pieces->failed; i++) {
     double y0 = portal->pier_height * i / portal->courses;
     double y1 = portal->pier_height * (i + 1) / portal->courses;
-    qn_rectangle (x0, y0, x1, y1, corners);
-    qn_pieces_add (pieces, corners, 4, "%s.pier%d.%d", masonry->name, pier + 1, i + 1);
+    qn_pieces_add (pieces, qn_rectangle (x0, y0, x1, y1), "%s.pier%d.%d", masonry->name,
+                   pier + 1, i + 1);
   }
 }
 
@@ -130,10 +128,10 @@ lay_lintel (const QnMasonry *masonry, int32_t bay, QnPieces *pieces)
   double left = pier_left (portal, bay), right = pier_left (portal, bay + 1);
   double x0 = bay == 0 ? left : left + pier_width (portal, bay) / 2;
   double x1 = right + pier_width (portal, bay + 1) / (bay + 1 == portal->bays ? 1 : 2);
-  QnVec2 corners[4];
-  qn_rectangle (x0, portal->pier_height, x1, portal->pier_height + portal->lintel_height,
-                corners);
-  qn_pieces_add (pieces, corners, 4, "%s.lintel%d", masonry->name, bay + 1);
+  qn_pieces_add (pieces,
+                 qn_rectangle (x0, portal->pier_height, x1,
+                               portal->pier_height + portal->lintel_height),
+                 "%s.lintel%d", masonry->name, bay + 1);
 }
 
 /* Where joints at the springing lean, a block on the pier fills the wedge below them. */
@@ -152,10 +150,9 @@ lay_skewback (const QnMasonry *masonry, const QnArchRing rings[2], int32_t pier,
                              { x1, y },
                              { pier < portal->bays ? x1 + right.x : x1, y + right.y },
                              { pier > 0 ? x0 - left.x : x0, y + left.y } };
-  QnRing block;
-  qn_ring_init (&block, corners, 4);
+  QnRing block = qn_ring_of (corners, 4);
   qn_ring_simplify (&block, 1e-9 * portal->pier_width);
-  qn_pieces_add_ring (pieces, block, "%s.skewback%d", masonry->name, pier + 1);
+  qn_pieces_add (pieces, block, "%s.skewback%d", masonry->name, pier + 1);
 }
 
 /* Filling between the arches above a pier, up to a level. */
@@ -184,7 +181,7 @@ lay_backing (const QnMasonry *masonry, const QnArchRing rings[2], int32_t pier,
   for (int side = 0; side < 2; side++)
     qn_ring_clear (&lines[side]);
   qn_ring_simplify (&block, 1e-9 * portal->pier_width);
-  qn_pieces_add_ring (pieces, block, "%s.backing%d", masonry->name, pier + 1);
+  qn_pieces_add (pieces, block, "%s.backing%d", masonry->name, pier + 1);
 }
 
 static void

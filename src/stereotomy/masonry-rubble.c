@@ -217,8 +217,8 @@ name_stones (const QnMasonry *masonry, const QnRing *stones, QnPieces *pieces)
     int32_t columns = column_count (rubble, (row + 0.5) * rubble->height / rows);
     for (int32_t column = 0; column < columns; column++, stones++)
       if (stones->count > 0)
-        qn_pieces_add (pieces, stones->points, stones->count, "%s.%d.%d", masonry->name,
-                       row + 1, column + 1);
+        qn_pieces_add (pieces, qn_ring_of (stones->points, stones->count), "%s.%d.%d",
+                       masonry->name, row + 1, column + 1);
   }
 }
 
@@ -286,10 +286,9 @@ qn_masonry_lay_rubble (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
   status = lay_stones (masonry, &outline, pieces, diag);
   if (status == QN_OK)
     status = close_short_edges (pieces, SHORT_EDGE * rubble->stone, &outline, diag);
-  if (status == QN_OK && masonry->foundation > 0) {
-    QnVec2 base[4];
-    qn_rectangle (0, -masonry->foundation, rubble->width, 0, base);
-    qn_pieces_add (pieces, base, 4, "%s.base", masonry->name)->fixed = true;
-  }
+  if (status == QN_OK && masonry->foundation > 0)
+    qn_pieces_add (pieces, qn_rectangle (0, -masonry->foundation, rubble->width, 0),
+                   "%s.base", masonry->name)
+      ->fixed = true;
   return status;
 }

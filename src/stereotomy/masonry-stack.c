@@ -1,15 +1,6 @@
 /* Columns and buttresses: courses above each other. */
 #include "stereotomy/masonry-parts.h"
 
-static QnPiece *
-add_centred (QnPieces *pieces, double width, double y0, double y1, const char *name,
-             const char *part)
-{
-  QnVec2 corners[4];
-  qn_rectangle (-width / 2, y0, width / 2, y1, corners);
-  return qn_pieces_add (pieces, corners, 4, "%s.%s", name, part);
-}
-
 static QnStatus
 check_column (const QnColumn *column, QnDiag *diag)
 {
@@ -33,13 +24,18 @@ qn_masonry_lay_column (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
   const QnColumn *column = &masonry->column;
   const char *name = masonry->name;
   QnStatus status = check_column (column, diag);
-  double base_width = column->plinth_height > 0 ? column->plinth_width : column->bottom;
+  double plinth = column->plinth_height > 0 ? column->plinth_width : column->bottom;
   if (status != QN_OK)
     return status;
   if (masonry->foundation > 0)
-    add_centred (pieces, base_width, -masonry->foundation, 0, name, "base")->fixed = true;
+    qn_pieces_add (pieces,
+                   qn_rectangle (-plinth / 2, -masonry->foundation, plinth / 2, 0),
+                   "%s.base", name)
+      ->fixed = true;
   if (column->plinth_height > 0)
-    add_centred (pieces, column->plinth_width, 0, column->plinth_height, name, "plinth");
+    qn_pieces_add (pieces,
+                   qn_rectangle (-plinth / 2, 0, plinth / 2, column->plinth_height),
+                   "%s.plinth", name);
   double foot = column->plinth_height;
   for (int32_t i = 0; i < column->drums && !pieces->failed; i++) {
     double s0 = (double) i / column->drums, s1 = (double) (i + 1) / column->drums;
@@ -49,12 +45,14 @@ qn_masonry_lay_column (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
     const QnVec2 corners[] = {
       { -w0 / 2, y0 }, { w0 / 2, y0 }, { w1 / 2, y1 }, { -w1 / 2, y1 }
     };
-    qn_pieces_add (pieces, corners, 4, "%s.%d", name, i + 1);
+    qn_pieces_add (pieces, qn_ring_of (corners, 4), "%s.%d", name, i + 1);
   }
-  double head = foot + column->height;
+  double head = foot + column->height, capital = column->capital_width;
   if (column->capital_height > 0)
-    add_centred (pieces, column->capital_width, head, head + column->capital_height, name,
-                 "capital");
+    qn_pieces_add (
+      pieces,
+      qn_rectangle (-capital / 2, head, capital / 2, head + column->capital_height),
+      "%s.capital", name);
   return QN_OK;
 }
 
@@ -81,9 +79,10 @@ qn_masonry_lay_buttress (const QnMasonry *masonry, QnPieces *pieces, QnDiag *dia
     const QnVec2 left[] = { { -w0, y0 }, { 0, y0 }, { 0, y1 }, { -w1, y1 } };
     const QnVec2 *corners = buttress->leans_right ? right : left;
     if (i < 0)
-      qn_pieces_add (pieces, corners, 4, "%s.base", masonry->name)->fixed = true;
+      qn_pieces_add (pieces, qn_ring_of (corners, 4), "%s.base", masonry->name)->fixed =
+        true;
     else
-      qn_pieces_add (pieces, corners, 4, "%s.%d", masonry->name, i + 1);
+      qn_pieces_add (pieces, qn_ring_of (corners, 4), "%s.%d", masonry->name, i + 1);
   }
   return status;
 }

@@ -87,9 +87,9 @@ lay_foundation (const QnMasonry *masonry, QnPieces *pieces)
   }
   if (masonry->foundation == 0 || left >= right)
     return;
-  QnVec2 corners[4];
-  qn_rectangle (left, -masonry->foundation, right, 0, corners);
-  qn_pieces_add (pieces, corners, 4, "%s.base", masonry->name)->fixed = true;
+  qn_pieces_add (pieces, qn_rectangle (left, -masonry->foundation, right, 0), "%s.base",
+                 masonry->name)
+    ->fixed = true;
 }
 
 QnStatus

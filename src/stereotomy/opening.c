@@ -82,17 +82,16 @@ static void
 add_hole (const QnOpening *opening, QnRings *parts)
 {
   double x0 = opening->at.x, x1 = x0 + opening->width, y0 = opening->at.y;
+  QnRing line, hole = { 0 };
   if (opening->head == QN_HEAD_FLAT) {
-    QnVec2 corners[4];
-    qn_rectangle (x0, y0, x1, y0 + opening->height, corners);
-    qn_rings_add (parts, corners, 4);
+    hole = qn_rectangle (x0, y0, x1, y0 + opening->height);
+    qn_rings_take (parts, &hole);
     return;
   }
 
   QnArch arch = head_arch (opening);
   QnArchRing ring;
   qn_arch_ring_init (&ring, &arch);
-  QnRing line, hole = { 0 };
   if (qn_arch_ring_line (&ring, false, INFINITY, &line))
     hole.points = qn_alloc (line.count + 2, sizeof *hole.points);
   QnVec2 springing = { x0, y0 + opening->height - arch.rise };
@@ -104,15 +103,6 @@ add_hole (const QnOpening *opening, QnRings *parts)
     hole.points[hole.count++] = qn_vec2_add (springing, line.points[i]);
   qn_ring_clear (&line);
   qn_rings_take (parts, &hole);
-}
-
-static void
-add_box (QnPieces *pieces, double x0, double y0, double x1, double y1, const char *prefix,
-         const char *part)
-{
-  QnVec2 corners[4];
-  qn_rectangle (x0, y0, x1, y1, corners);
-  qn_pieces_add (pieces, corners, 4, "%s.%s", prefix, part);
 }
 
 /* Voussoirs under a level extrados and over a level intrados, joints evenly spaced on both. */
@@ -129,7 +119,7 @@ lay_flat_arch (const QnOpening *opening, const char *prefix, QnPieces *pieces)
                                { x + s1 * opening->width, y0 },
                                { x - lean + s1 * top, y1 },
                                { x - lean + s0 * top, y1 } };
-    qn_pieces_add (pieces, corners, 4, "%s.v%d", prefix, i + 1);
+    qn_pieces_add (pieces, qn_ring_of (corners, 4), "%s.v%d", prefix, i + 1);
   }
 }
 
@@ -140,8 +130,10 @@ lay_span (const QnOpening *opening, const char *prefix, QnPieces *pieces)
   double y = opening->at.y + opening->height;
   switch (opening->span) {
   case QN_SPAN_LINTEL:
-    add_box (pieces, x0 - opening->bearing, y, x1 + opening->bearing, y + opening->depth,
-             prefix, "lintel");
+    qn_pieces_add (
+      pieces,
+      qn_rectangle (x0 - opening->bearing, y, x1 + opening->bearing, y + opening->depth),
+      "%s.lintel", prefix);
     break;
   case QN_SPAN_FLAT_ARCH:
     lay_flat_arch (opening, prefix, pieces);
@@ -177,10 +169,12 @@ make_cutter (const QnMasonry *masonry, size_t index, Cutter *cutter, QnPieces *p
   add_hole (opening, &cutter->parts);
   lay_span (opening, prefix, pieces);
   if (opening->sill_height > 0)
-    add_box (pieces, opening->at.x - opening->sill_bearing,
-             opening->at.y - opening->sill_height,
-             opening->at.x + opening->width + opening->sill_bearing, opening->at.y,
-             prefix, "sill");
+    qn_pieces_add (pieces,
+                   qn_rectangle (opening->at.x - opening->sill_bearing,
+                                 opening->at.y - opening->sill_height,
+                                 opening->at.x + opening->width + opening->sill_bearing,
+                                 opening->at.y),
+                   "%s.sill", prefix);
   for (size_t i = first; i < pieces->count; i++)
     qn_rings_add (&cutter->parts, pieces->items[i].ring.points,
                   pieces->items[i].ring.count);
@@ -236,11 +230,11 @@ add_remainder (const QnPiece *unit, const QnRings *parts, QnPieces *pieces)
     const QnRing *part = &parts->items[i];
     QnPiece *piece =
       parts->count == 1
-        ? qn_pieces_add (pieces, part->points, part->count, "%s", unit->name)
-      : i < 26
-        ? qn_pieces_add (pieces, part->points, part->count, "%s%c", unit->name,
-                         'a' + (int) i)
-        : qn_pieces_add (pieces, part->points, part->count, "%s-%zu", unit->name, i + 1);
+        ? qn_pieces_add (pieces, qn_ring_of (part->points, part->count), "%s", unit->name)
+      : i < 26 ? qn_pieces_add (pieces, qn_ring_of (part->points, part->count), "%s%c",
+                                unit->name, 'a' + (int) i)
+               : qn_pieces_add (pieces, qn_ring_of (part->points, part->count), "%s-%zu",
+                                unit->name, i + 1);
     qn_piece_inherit (piece, unit);
     piece->cut = true;
   }

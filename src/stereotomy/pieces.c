@@ -6,22 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#if defined __GNUC__
-__attribute__ ((format (printf, 1, 0)))
-#endif
-static char *
-format_name (const char *format, va_list arguments)
-{
-  va_list again;
-  va_copy (again, arguments);
-  int length = vsnprintf (NULL, 0, format, again);
-  va_end (again);
-  char *name = length >= 0 ? qn_alloc ((size_t) length + 1, 1) : NULL;
-  if (name != NULL)
-    vsnprintf (name, (size_t) length + 1, format, arguments);
-  return name;
-}
-
 static void
 piece_clear (QnPiece *piece)
 {
@@ -30,40 +14,21 @@ piece_clear (QnPiece *piece)
   *piece = (QnPiece){ 0 };
 }
 
-/* Takes over name and ring. */
-static QnPiece *
-add (QnPieces *pieces, char *name, QnRing ring)
+QnPiece *
+qn_pieces_add (QnPieces *pieces, QnRing ring, const char *format, ...)
 {
-  QnPiece piece = { .name = name, .ring = ring };
-  if (name != NULL && ring.points != NULL
+  QnPiece piece = { .ring = ring };
+  va_list arguments;
+  va_start (arguments, format);
+  if (vasprintf (&piece.name, format, arguments) < 0)
+    piece.name = NULL;
+  va_end (arguments);
+  if (piece.name != NULL && ring.points != NULL
       && QN_ARRAY_PUSH (pieces->items, pieces->count, pieces->capacity, piece))
     return &pieces->items[pieces->count - 1];
   piece_clear (&piece);
   pieces->failed = true;
   return &pieces->spare;
-}
-
-QnPiece *
-qn_pieces_add (QnPieces *pieces, const QnVec2 *points, size_t count, const char *format,
-               ...)
-{
-  QnRing ring;
-  qn_ring_init (&ring, points, count);
-  va_list arguments;
-  va_start (arguments, format);
-  char *name = format_name (format, arguments);
-  va_end (arguments);
-  return add (pieces, name, ring);
-}
-
-QnPiece *
-qn_pieces_add_ring (QnPieces *pieces, QnRing ring, const char *format, ...)
-{
-  va_list arguments;
-  va_start (arguments, format);
-  char *name = format_name (format, arguments);
-  va_end (arguments);
-  return add (pieces, name, ring);
 }
 
 void

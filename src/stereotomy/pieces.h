@@ -24,12 +24,9 @@ typedef struct QnPieces {
   QnPiece spare; /* what stands for such a piece */
 } QnPieces;
 
-/* A new piece with a copied name, printf-like: the only placeholders are %s, %d. The points are copied. */
-QnPiece *qn_pieces_add (QnPieces *pieces, const QnVec2 *points, size_t count,
-                        const char *format, ...) __attribute__ ((format (printf, 4, 5)));
-
-/* The same of a ring that the piece takes over; one without points is one that there was no memory for. */
-QnPiece *qn_pieces_add_ring (QnPieces *pieces, QnRing ring, const char *format, ...)
+/* A new piece with a name, printf-like, and a ring, which it takes over; one without points is one that there was
+ * no memory for. */
+QnPiece *qn_pieces_add (QnPieces *pieces, QnRing ring, const char *format, ...)
   __attribute__ ((format (printf, 3, 4)));
 
 /* Moves `piece` to the end of the list and zeroes it. */
@@ -43,11 +40,9 @@ void qn_pieces_remove (QnPieces *pieces, size_t index);
 void qn_pieces_clear (QnPieces *pieces);
 
 /* An axis-parallel rectangle, counter-clockwise from the lower left corner. */
-static inline void
-qn_rectangle (double x0, double y0, double x1, double y1, QnVec2 corners[4])
+static inline QnRing
+qn_rectangle (double x0, double y0, double x1, double y1)
 {
-  corners[0] = qn_vec2 (x0, y0);
-  corners[1] = qn_vec2 (x1, y0);
-  corners[2] = qn_vec2 (x1, y1);
-  corners[3] = qn_vec2 (x0, y1);
+  const QnVec2 corners[] = { { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } };
+  return qn_ring_of (corners, 4);
 }

@@ -5,14 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool
-qn_ring_init (QnRing *ring, const QnVec2 *points, size_t count)
+QnRing
+qn_ring_of (const QnVec2 *points, size_t count)
 {
-  ring->points = qn_alloc (count, sizeof *ring->points);
-  ring->count = ring->points != NULL ? count : 0;
-  if (ring->points != NULL && count > 0)
-    memcpy (ring->points, points, count * sizeof *points);
-  return ring->points != NULL;
+  QnRing ring = { .points = qn_alloc (count, sizeof *ring.points) };
+  ring.count = ring.points != NULL ? count : 0;
+  if (ring.count > 0)
+    memcpy (ring.points, points, count * sizeof *points);
+  return ring;
 }
 
 void
@@ -146,8 +146,7 @@ qn_ring_normalize (QnRing *ring)
 void
 qn_rings_add (QnRings *rings, const QnVec2 *points, size_t count)
 {
-  QnRing ring;
-  qn_ring_init (&ring, points, count);
+  QnRing ring = qn_ring_of (points, count);
   qn_rings_take (rings, &ring);
 }
 

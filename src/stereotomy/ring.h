@@ -22,8 +22,8 @@ typedef struct QnRings {
   bool failed; /* rings are missing */
 } QnRings;
 
-/* A copy of the points; false when memory runs out. `ring` is overwritten without being cleared. */
-bool qn_ring_init (QnRing *ring, const QnVec2 *points, size_t count);
+/* Of a copy of the points; without points when memory runs out. */
+QnRing qn_ring_of (const QnVec2 *points, size_t count);
 void qn_ring_clear (QnRing *ring);
 
 /* Signed area, m2, positive counter-clockwise; centroid; perimeter, m; extents. Area and centroid

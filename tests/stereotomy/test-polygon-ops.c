@@ -9,9 +9,7 @@ static QnRing
 box (double x0, double y0, double x1, double y1)
 {
   const QnVec2 corners[] = { { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } };
-  QnRing ring;
-  g_assert_true (qn_ring_init (&ring, corners, 4));
-  return ring;
+  return qn_ring_of (corners, 4);
 }
 
 static double
@@ -137,8 +135,7 @@ test_refuses (void)
                 { bow, 2, QN_PROBLEM_TOO_FEW_VERTICES } };
   QnRing unit = box (0, 0, 1, 1);
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
-    g_auto (QnRing) bad;
-    g_assert_true (qn_ring_init (&bad, cases[i].points, cases[i].count));
+    g_auto (QnRing) bad = qn_ring_of (cases[i].points, cases[i].count);
     QnRings out = { 0 };
     QnDiag diag = { 0 };
     g_assert_cmpint (

@@ -11,8 +11,7 @@ test_measures (void)
   const QnVec2 corners[] = { { 1e6, 1e6 },         { 1e6 + 2, 1e6 },
                              { 1e6 + 2, 1e6 + 1 }, { 1e6 + 1, 1e6 + 1 },
                              { 1e6 + 1, 1e6 + 2 }, { 1e6, 1e6 + 2 } };
-  g_auto (QnRing) ring;
-  g_assert_true (qn_ring_init (&ring, corners, 6));
+  g_auto (QnRing) ring = qn_ring_of (corners, 6);
   g_assert_cmpfloat (qn_ring_area (&ring), ==, 3);
   g_assert_cmpfloat (qn_ring_perimeter (&ring), ==, 8);
   g_assert_cmpfloat_with_epsilon (qn_ring_centroid (&ring).x, 1e6 + 5. / 6, 1e-9);
@@ -24,8 +23,7 @@ static void
 test_orient_and_normalize (void)
 {
   const QnVec2 clockwise[] = { { 1, 1 }, { 1, 0 }, { 0, 0 }, { 0, 1 } };
-  g_auto (QnRing) ring;
-  g_assert_true (qn_ring_init (&ring, clockwise, 4));
+  g_auto (QnRing) ring = qn_ring_of (clockwise, 4);
   qn_ring_orient (&ring);
   g_assert_cmpfloat (qn_ring_area (&ring), ==, 1);
   qn_ring_normalize (&ring);
@@ -42,8 +40,7 @@ test_simplify (void)
   /* A unit square with a repeated vertex, one in the middle of a side, and a spike. */
   const QnVec2 points[] = { { 0, 0 }, { 0.5, 0 }, { 1, 0 }, { 1, 0 },
                             { 1, 1 }, { 3, 1 },   { 1, 1 }, { 0, 1 } };
-  QnRing ring;
-  g_assert_true (qn_ring_init (&ring, points, G_N_ELEMENTS (points)));
+  QnRing ring = qn_ring_of (points, G_N_ELEMENTS (points));
   g_assert_cmpuint (qn_ring_simplify (&ring, 1e-9), ==, 4);
   g_assert_cmpuint (ring.count, ==, 4);
   g_assert_cmpfloat (qn_ring_area (&ring), ==, 1);
@@ -51,7 +48,7 @@ test_simplify (void)
   qn_ring_clear (&ring);
 
   const QnVec2 flat[] = { { 0, 0 }, { 1, 0 }, { 2, 1e-12 } };
-  g_assert_true (qn_ring_init (&ring, flat, 3));
+  ring = qn_ring_of (flat, 3);
   qn_ring_simplify (&ring, 1e-9);
   g_assert_cmpuint (ring.count, <, 3);
   qn_ring_clear (&ring);

@@ -15,8 +15,9 @@
 gboolean
 qn_block_to_ring (const QnModel *model, QnId block, QnRing *ring)
 {
-  return qn_ring_init (ring, qn_model_block_vertices (model, block),
-                       (gsize) model->blocks[block].vertex_count);
+  *ring = qn_ring_of (qn_model_block_vertices (model, block),
+                      (gsize) model->blocks[block].vertex_count);
+  return ring->points != NULL;
 }
 
 gboolean

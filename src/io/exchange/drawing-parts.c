@@ -59,7 +59,8 @@ qn_drawing_join_parts (QnDrawing *drawing, guint first, guint end, gboolean even
   for (guint i = 0; i < count; i++) {
     if (!path[i].closed || path[i].count < 3)
       continue;
-    if (!qn_ring_init (&parts[i].ring, path[i].points, path[i].count)) {
+    parts[i].ring = qn_ring_of (path[i].points, path[i].count);
+    if (parts[i].ring.points == NULL) {
       memory = FALSE;
       continue;
     }

@@ -45,8 +45,8 @@ qn_import_sort_paths (QnImportWork *work)
     QnRole role = path->support ? QN_ROLE_SUPPORT : layer->role;
     if (role == QN_ROLE_IGNORED || (path->hidden && !layer->asked))
       continue;
-    QnRing ring;
-    if (!qn_ring_init (&ring, path->points, path->count)) {
+    QnRing ring = qn_ring_of (path->points, path->count);
+    if (ring.points == NULL) {
       work->no_memory = TRUE;
       return;
     }

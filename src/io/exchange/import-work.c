@@ -28,7 +28,8 @@ void
 qn_import_add_outline (QnImportWork *work, const QnRing *ring, const QnOutline *like)
 {
   QnOutline outline = *like;
-  if (!qn_ring_init (&outline.ring, ring->points, ring->count)) {
+  outline.ring = qn_ring_of (ring->points, ring->count);
+  if (outline.ring.points == NULL) {
     work->no_memory = TRUE;
     return;
   }
