@@ -159,13 +159,20 @@ qn_model_add_item (QnModel *model, size_t items, const char *name)
   return NULL;
 }
 
-static QnId
-find_item (const QnModel *model, size_t items, const char *name)
+QnId
+qn_model_find_item (const QnModel *model, size_t items, const char *name)
 {
   const List *list = list_at (items);
+  const char *all = items_of (model, list), *own;
 
-  return qn_name_index_find (index_of (model, list), items_of (model, list), list->size,
-                             name);
+  if (list->index > 0)
+    return qn_name_index_find (index_of (model, list), all, list->size, name);
+  for (size_t i = 0; i < count_of (model, list); i++) {
+    memcpy (&own, all + i * list->size, sizeof own);
+    if (strcmp (own, name) == 0)
+      return (QnId) i;
+  }
+  return QN_NONE;
 }
 
 void
@@ -284,12 +291,6 @@ qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
   return QN_OK;
 }
 
-QnLaw *
-qn_model_add_law (QnModel *model, const char *name)
-{
-  return qn_model_add_item (model, offsetof (QnModel, laws), name);
-}
-
 /* Appends vertices without counting them yet. */
 static bool
 append_vertices (QnModel *model, const QnVec2 *vertices, size_t count)
@@ -321,110 +322,11 @@ qn_model_add_block (QnModel *model, const char *name, const QnVec2 *vertices,
   return block;
 }
 
-QnNode *
-qn_model_add_node (QnModel *model, const char *name)
-{
-  return qn_model_add_item (model, offsetof (QnModel, nodes), name);
-}
-
-QnSection *
-qn_model_add_section (QnModel *model, const char *name)
-{
-  return qn_model_add_item (model, offsetof (QnModel, sections), name);
-}
-
-QnBeam *
-qn_model_add_beam (QnModel *model, const char *name)
-{
-  return qn_model_add_item (model, offsetof (QnModel, beams), name);
-}
-
-QnTie *
-qn_model_add_soil_tie (QnModel *model, const char *name)
-{
-  return qn_model_add_item (model, offsetof (QnModel, soil_ties), name);
-}
-
-QnWall *
-qn_model_add_wall (QnModel *model, const char *name)
-{
-  return qn_model_add_item (model, offsetof (QnModel, walls), name);
-}
-
-QnFaceOverride *
-qn_model_add_override (QnModel *model)
-{
-  return qn_model_add_item (model, offsetof (QnModel, overrides), NULL);
-}
-
-QnBar *
-qn_model_add_bar (QnModel *model)
-{
-  return qn_model_add_item (model, offsetof (QnModel, bars), NULL);
-}
-
-QnVehicle *
-qn_model_add_vehicle (QnModel *model, const char *name)
-{
-  return qn_model_add_item (model, offsetof (QnModel, vehicles), name);
-}
-
-QnId
-qn_model_find_vehicle (const QnModel *model, const char *name)
-{
-  for (size_t i = 0; i < model->vehicle_count; i++)
-    if (strcmp (model->vehicles[i].name, name) == 0)
-      return (QnId) i;
-  return QN_NONE;
-}
-
-QnTie *
-qn_model_add_tie (QnModel *model, const char *name)
-{
-  return qn_model_add_item (model, offsetof (QnModel, ties), name);
-}
-
-QnLoad *
-qn_model_add_dead_load (QnModel *model)
-{
-  return qn_model_add_item (model, offsetof (QnModel, dead_loads), NULL);
-}
-
-QnLoad *
-qn_model_add_live_load (QnModel *model)
-{
-  return qn_model_add_item (model, offsetof (QnModel, live_loads), NULL);
-}
-
-QnStage *
-qn_model_add_stage (QnModel *model, const char *name)
-{
-  return qn_model_add_item (model, offsetof (QnModel, stages), name);
-}
-
-QnGroundMotion *
-qn_model_add_ground_motion (QnModel *model)
-{
-  return qn_model_add_item (model, offsetof (QnModel, ground), NULL);
-}
-
 bool
 qn_ground_motion_add_point (QnGroundMotion *motion, double time, double acceleration)
 {
   return QN_ARRAY_PUSH (motion->points, motion->point_count, motion->point_capacity,
                         qn_vec2 (time, acceleration));
-}
-
-QnInitialMotion *
-qn_model_add_initial_motion (QnModel *model)
-{
-  return qn_model_add_item (model, offsetof (QnModel, initial), NULL);
-}
-
-QnTrack *
-qn_model_add_track (QnModel *model)
-{
-  return qn_model_add_item (model, offsetof (QnModel, tracks), NULL);
 }
 
 QnId
@@ -467,24 +369,37 @@ qn_model_has_density (const QnModel *model)
   return false;
 }
 
+/* Number of a set or case, from 1. */
+static int32_t
+find_number (const QnModel *model, size_t items, const char *name)
+{
+  QnId found = qn_model_find_item (model, items, name);
+  return found == QN_NONE ? QN_NONE : found + 1;
+}
+
+static int32_t
+add_number (QnModel *model, size_t items, const char *name, size_t count, size_t most)
+{
+  return count < most && qn_model_add_item (model, items, name) != NULL
+           ? (int32_t) count + 1
+           : QN_NONE;
+}
+
 int32_t
 qn_model_find_load_set (const QnModel *model, const char *name)
 {
-  for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++)
-    if (strcmp (qn_model_load_set_name (model, set), name) == 0)
-      return set;
-  return QN_NONE;
+  return strcmp (name, "live") == 0
+           ? 0
+           : find_number (model, offsetof (QnModel, load_sets), name);
 }
 
 int32_t
 qn_model_add_load_set (QnModel *model, const char *name)
 {
   int32_t set = qn_model_find_load_set (model, name);
-  if (set != QN_NONE || model->load_set_count + 1 >= QN_MAX_LOAD_SETS)
-    return set;
-  if (qn_model_add_item (model, offsetof (QnModel, load_sets), name) == NULL)
-    return QN_NONE;
-  return (int32_t) model->load_set_count;
+  return set != QN_NONE ? set
+                        : add_number (model, offsetof (QnModel, load_sets), name,
+                                      model->load_set_count, QN_MAX_LOAD_SETS - 1);
 }
 
 const char *
@@ -496,57 +411,16 @@ qn_model_load_set_name (const QnModel *model, int32_t set)
 int32_t
 qn_model_find_load_case (const QnModel *model, const char *name)
 {
-  for (size_t i = 0; i < model->load_case_count; i++)
-    if (strcmp (model->load_cases[i].name, name) == 0)
-      return (int32_t) i + 1;
-  return QN_NONE;
+  return find_number (model, offsetof (QnModel, load_cases), name);
 }
 
 int32_t
 qn_model_add_load_case (QnModel *model, const char *name)
 {
   int32_t found = qn_model_find_load_case (model, name);
-  if (found != QN_NONE || model->load_case_count >= QN_MAX_LOAD_CASES)
-    return found;
-  if (qn_model_add_item (model, offsetof (QnModel, load_cases), name) == NULL)
-    return QN_NONE;
-  return (int32_t) model->load_case_count;
-}
-
-QnId
-qn_model_find_law (const QnModel *model, const char *name)
-{
-  return find_item (model, offsetof (QnModel, laws), name);
-}
-
-QnId
-qn_model_find_block (const QnModel *model, const char *name)
-{
-  return find_item (model, offsetof (QnModel, blocks), name);
-}
-
-QnId
-qn_model_find_node (const QnModel *model, const char *name)
-{
-  return find_item (model, offsetof (QnModel, nodes), name);
-}
-
-QnId
-qn_model_find_section (const QnModel *model, const char *name)
-{
-  return find_item (model, offsetof (QnModel, sections), name);
-}
-
-QnId
-qn_model_find_beam (const QnModel *model, const char *name)
-{
-  return find_item (model, offsetof (QnModel, beams), name);
-}
-
-QnId
-qn_model_find_tie (const QnModel *model, const char *name)
-{
-  return find_item (model, offsetof (QnModel, ties), name);
+  return found != QN_NONE ? found
+                          : add_number (model, offsetof (QnModel, load_cases), name,
+                                        model->load_case_count, QN_MAX_LOAD_CASES);
 }
 
 void

@@ -431,27 +431,35 @@ void qn_model_clear (QnModel *model);
 /* Deep copy, prepared if `source` is. `copy` is overwritten without being cleared. */
 QnStatus qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag);
 
-/* Each returns a pointer to the new, zeroed entity (valid until the next addition of its kind),
- * or NULL when memory runs out. Both ends of a new tie are on the ground. A new block or wall has
- * law = wall = masonry = QN_NONE and density = -1; a new node stands free; a new section has
- * density = -1, shear_factor = 5/6; a new beam is a Timoshenko beam of one element. */
-QnLaw *qn_model_add_law (QnModel *model, const char *name);
+/* Adds an item with a copy of its name (nullable; items of some lists have none) to the list at this place
+ * of QnModel: a pointer to it, valid until the next one is added, or NULL when memory runs out. It is zeroed
+ * but for these: both ends of a tie are on the ground. A block or wall has law = wall = masonry = QN_NONE and
+ * density = -1; a node stands free; a section has density = -1, shear_factor = 5/6; a beam is a Timoshenko
+ * beam of one element; a ground motion has scale 1 and no points. */
+void *qn_model_add_item (QnModel *model, size_t items, const char *name);
+
+#define QN_ADD(model, type, items, name)                                                 \
+  ((type *) qn_model_add_item (model, offsetof (QnModel, items), name))
+#define qn_model_add_law(model, name)      QN_ADD (model, QnLaw, laws, name)
+#define qn_model_add_wall(model, name)     QN_ADD (model, QnWall, walls, name)
+#define qn_model_add_override(model)       QN_ADD (model, QnFaceOverride, overrides, NULL)
+#define qn_model_add_node(model, name)     QN_ADD (model, QnNode, nodes, name)
+#define qn_model_add_section(model, name)  QN_ADD (model, QnSection, sections, name)
+#define qn_model_add_beam(model, name)     QN_ADD (model, QnBeam, beams, name)
+#define qn_model_add_bar(model)            QN_ADD (model, QnBar, bars, NULL)
+#define qn_model_add_tie(model, name)      QN_ADD (model, QnTie, ties, name)
+#define qn_model_add_vehicle(model, name)  QN_ADD (model, QnVehicle, vehicles, name)
+#define qn_model_add_dead_load(model)      QN_ADD (model, QnLoad, dead_loads, NULL)
+#define qn_model_add_live_load(model)      QN_ADD (model, QnLoad, live_loads, NULL)
+#define qn_model_add_stage(model, name)    QN_ADD (model, QnStage, stages, name)
+#define qn_model_add_ground_motion(model)  QN_ADD (model, QnGroundMotion, ground, NULL)
+#define qn_model_add_initial_motion(model) QN_ADD (model, QnInitialMotion, initial, NULL)
+#define qn_model_add_track(model)          QN_ADD (model, QnTrack, tracks, NULL)
+
 QnBlock *qn_model_add_block (QnModel *model, const char *name, const QnVec2 *vertices,
                              size_t vertex_count);
-QnWall *qn_model_add_wall (QnModel *model, const char *name);
-QnFaceOverride *qn_model_add_override (QnModel *model);
-QnNode *qn_model_add_node (QnModel *model, const char *name);
-QnSection *qn_model_add_section (QnModel *model, const char *name);
-QnBeam *qn_model_add_beam (QnModel *model, const char *name);
-QnBar *qn_model_add_bar (QnModel *model);
-QnTie *qn_model_add_tie (QnModel *model, const char *name);
-QnVehicle *qn_model_add_vehicle (QnModel *model, const char *name);
-QnLoad *qn_model_add_dead_load (QnModel *model);
-QnLoad *qn_model_add_live_load (QnModel *model);
-QnStage *qn_model_add_stage (QnModel *model, const char *name);
 
-/* A new ground motion has scale 1 and no points, which are added one by one; false when memory runs out. */
-QnGroundMotion *qn_model_add_ground_motion (QnModel *model);
+/* False when memory runs out. */
 bool qn_ground_motion_add_point (QnGroundMotion *motion, double time,
                                  double acceleration);
 /* End of an analysis in time, s: the duration of its settings, or the end of the last ground motion; 0: not
@@ -463,12 +471,6 @@ QnStatus qn_model_check_signal (const QnModel *model, QnId ground, QnDiag *diag)
 
 /* Checks that the duration, known once all points are there, has not too many steps. */
 QnStatus qn_model_check_steps (const QnModel *model, QnDiag *diag);
-QnInitialMotion *qn_model_add_initial_motion (QnModel *model);
-QnTrack *qn_model_add_track (QnModel *model);
-
-/* The same of any list but that of blocks, by the offset of its items in QnModel; `name` as the list has
- * names, which its items begin with. */
-void *qn_model_add_item (QnModel *model, size_t items, const char *name);
 
 /* Number of the load set with this name, added where there is none; "live" is 0. QN_NONE where
  * memory runs out or QN_MAX_LOAD_SETS are there already. */
@@ -513,15 +515,20 @@ QnStatus qn_model_expand_walls (QnModel *model, QnDiag *diag);
  * qn_model_prepare(). */
 QnStatus qn_model_expand_beams (QnModel *model, QnDiag *diag);
 
-/* Index of the entity with this name, or QN_NONE; in constant time. Of equal names the first
- * is found. A name must not be changed behind the model's back. */
-QnId qn_model_find_law (const QnModel *model, const char *name);
-QnId qn_model_find_block (const QnModel *model, const char *name);
-QnId qn_model_find_node (const QnModel *model, const char *name);
-QnId qn_model_find_section (const QnModel *model, const char *name);
-QnId qn_model_find_beam (const QnModel *model, const char *name);
-QnId qn_model_find_tie (const QnModel *model, const char *name);
-QnId qn_model_find_vehicle (const QnModel *model, const char *name);
+/* Index of the item with this name in the list at this place of QnModel, or QN_NONE; of equal names the
+ * first, in constant time but for vehicles, load sets and cases. A name must not be changed behind the
+ * model's back. */
+QnId qn_model_find_item (const QnModel *model, size_t items, const char *name);
+
+#define QN_FIND(model, items, name)                                                      \
+  qn_model_find_item (model, offsetof (QnModel, items), name)
+#define qn_model_find_law(model, name)     QN_FIND (model, laws, name)
+#define qn_model_find_block(model, name)   QN_FIND (model, blocks, name)
+#define qn_model_find_node(model, name)    QN_FIND (model, nodes, name)
+#define qn_model_find_section(model, name) QN_FIND (model, sections, name)
+#define qn_model_find_beam(model, name)    QN_FIND (model, beams, name)
+#define qn_model_find_tie(model, name)     QN_FIND (model, ties, name)
+#define qn_model_find_vehicle(model, name) QN_FIND (model, vehicles, name)
 
 /* Expands walls, orients polygons counter-clockwise, computes areas, centroids and weights,
  * and checks every number and reference that can be checked without contacts. The first

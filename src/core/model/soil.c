@@ -61,7 +61,7 @@ add_tie (QnModel *model, const QnLoad *fill, QnId block, const Push *push, doubl
 
   if (name != NULL) {
     snprintf (name, size, "%s%s", prefix, model->blocks[block].name);
-    tie = qn_model_add_soil_tie (model, name);
+    tie = QN_ADD (model, QnTie, soil_ties, name);
   }
   free (name);
   if (tie == NULL)

@@ -15,9 +15,6 @@
 
 #include "core/model/model.h"
 
-/* Appends one, as qn_model_add_tie() does. */
-QnTie *qn_model_add_soil_tie (QnModel *model, const char *name);
-
 /* Drops the soil ties of a model. */
 void qn_model_drop_soil (QnModel *model);
 

@@ -39,7 +39,7 @@ add_blocks (QnModel *model, const QnModel *imported, GError **error)
     g_autofree char *name =
       qn_model_find_block (model, from->name) == QN_NONE
         ? g_strdup (from->name)
-        : qn_edit_dup_new_name (model, qn_model_find_block, from->name, "-", 2);
+        : qn_edit_dup_new_name (model, offsetof (QnModel, blocks), from->name, "-", 2);
     QnBlock *block =
       qn_model_add_block (model, name, qn_model_block_vertices (imported, (QnId) i),
                           (gsize) from->vertex_count);

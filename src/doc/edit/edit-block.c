@@ -58,8 +58,8 @@ gboolean
 qn_edit_add_block (QnModel *model, const QnVec2 *vertices, guint count,
                    QnBlockStyle style, GError **error)
 {
-  g_autofree char *name =
-    qn_edit_dup_new_name (model, qn_model_find_block, "b", "", model->block_count + 1);
+  g_autofree char *name = qn_edit_dup_new_name (model, offsetof (QnModel, blocks), "b",
+                                                "", model->block_count + 1);
   QnBlock *block = qn_model_add_block (model, name, vertices, count);
   if (block == NULL)
     return qn_edit_no_memory (error);
@@ -228,8 +228,8 @@ qn_edit_copy_blocks (QnModel *model, QnBlockSet set, QnTransform transform, int 
       for (gsize v = 0; v < count; v++)
         vertices[v] =
           qn_transform_apply (step, qn_model_block_vertices (model, set.ids[i])[v]);
-      g_autofree char *name = qn_edit_dup_new_name (model, qn_model_find_block, "b", "",
-                                                    model->block_count + 1);
+      g_autofree char *name = qn_edit_dup_new_name (model, offsetof (QnModel, blocks),
+                                                    "b", "", model->block_count + 1);
       QnBlock *block = qn_model_add_block (model, name, vertices, count);
       if (block == NULL)
         return qn_edit_no_memory (error);

@@ -34,7 +34,8 @@ take_node (QnModel *model, QnVec2 at)
   QnId there = qn_model_node_near (model, at, place_reach (at));
   if (there != QN_NONE)
     return there;
-  g_autofree char *name = qn_edit_dup_new_name (model, qn_model_find_node, "n", "", 1);
+  g_autofree char *name =
+    qn_edit_dup_new_name (model, offsetof (QnModel, nodes), "n", "", 1);
   QnNode *node = qn_model_add_node (model, name);
   if (node == NULL)
     return QN_NONE;
@@ -354,7 +355,7 @@ gboolean
 qn_edit_add_section (QnModel *model, QnId like, GError **error)
 {
   g_autofree char *name = qn_edit_dup_new_name (
-    model, qn_model_find_section, _ ("section"), " ", model->section_count + 1);
+    model, offsetof (QnModel, sections), _ ("section"), " ", model->section_count + 1);
   QnSection *section = qn_model_add_section (model, name);
   if (section == NULL)
     return qn_edit_no_memory (error);
@@ -536,8 +537,8 @@ qn_edit_part_beam (QnModel *model, QnId beam, int end, GError **error)
   QnId shared = model->beams[beam].nodes[end];
   if (qn_model_node_beams (model, shared) < 2)
     return qn_edit_refuse (error, _ ("No other beam ends here"));
-  g_autofree char *name =
-    qn_edit_dup_new_name (model, qn_model_find_node, model->nodes[shared].name, "-", 2);
+  g_autofree char *name = qn_edit_dup_new_name (model, offsetof (QnModel, nodes),
+                                                model->nodes[shared].name, "-", 2);
   QnNode *node = qn_model_add_node (model, name);
   if (node == NULL)
     return qn_edit_no_memory (error);

@@ -6,21 +6,22 @@
 #include <string.h>
 
 char *
-qn_edit_dup_new_name (const QnModel *model, QnFindFunc find, const char *word,
+qn_edit_dup_new_name (const QnModel *model, gsize items, const char *word,
                       const char *between, gsize number)
 {
   for (;; number++) {
     g_autofree char *name = g_strdup_printf ("%s%s%zu", word, between, number);
-    if (find (model, name) == QN_NONE)
+    if (qn_model_find_item (model, items, name) == QN_NONE)
       return g_steal_pointer (&name);
   }
 }
 
 char *
-qn_edit_dup_free_name (const QnModel *model, QnFindFunc find, const char *word)
+qn_edit_dup_free_name (const QnModel *model, gsize items, const char *word)
 {
-  return find (model, word) == QN_NONE ? g_strdup (word)
-                                       : qn_edit_dup_new_name (model, find, word, " ", 2);
+  return qn_model_find_item (model, items, word) == QN_NONE
+           ? g_strdup (word)
+           : qn_edit_dup_new_name (model, items, word, " ", 2);
 }
 
 gboolean

@@ -226,7 +226,8 @@ qn_edit_set_weight_load (QnModel *model, gboolean live, QnVec2 direction, GError
 gboolean
 qn_edit_add_law (QnModel *model, QnId like, const char *name, GError **error)
 {
-  g_autofree char *free_name = qn_edit_dup_free_name (model, qn_model_find_law, name);
+  g_autofree char *free_name =
+    qn_edit_dup_free_name (model, offsetof (QnModel, laws), name);
   QnLaw *law = qn_model_add_law (model, free_name);
   return (law != NULL && qn_law_assign (law, &model->laws[like]))
          || qn_edit_no_memory (error);

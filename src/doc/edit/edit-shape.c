@@ -115,8 +115,8 @@ qn_edit_replace_blocks (QnModel *model, const QnId *gone, guint count,
     const QnBlock old = model->blocks[gone[0]];
     g_autofree char *name = i == keeper
                               ? g_strdup (kept_name)
-                              : qn_edit_dup_new_name (model, qn_model_find_block, "b", "",
-                                                      model->block_count + 1);
+                              : qn_edit_dup_new_name (model, offsetof (QnModel, blocks),
+                                                      "b", "", model->block_count + 1);
     QnBlock *block =
       qn_model_add_block (model, name, rings->items[i].points, rings->items[i].count);
     if (block == NULL)

@@ -15,9 +15,9 @@ gboolean
 qn_edit_add_load_list (QnModel *model, gboolean cases, GError **error)
 {
   const gsize count = cases ? model->load_case_count : model->load_set_count;
-  g_autofree char *name =
-    qn_edit_dup_new_name (model, cases ? qn_model_find_load_case : qn_model_find_load_set,
-                          cases ? _ ("case") : _ ("set"), " ", count + 1);
+  g_autofree char *name = qn_edit_dup_new_name (
+    model, cases ? offsetof (QnModel, load_cases) : offsetof (QnModel, load_sets),
+    cases ? _ ("case") : _ ("set"), " ", count + 1);
   if (cases ? count >= QN_MAX_LOAD_CASES : count + 1 >= QN_MAX_LOAD_SETS)
     return qn_edit_refuse (error, cases
                                     ? _ ("The largest number of load cases is reached")

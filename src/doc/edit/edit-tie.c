@@ -56,7 +56,7 @@ static QnTie *
 add_tie (QnModel *model)
 {
   g_autofree char *name =
-    qn_edit_dup_new_name (model, qn_model_find_tie, "t", "", model->tie_count + 1);
+    qn_edit_dup_new_name (model, offsetof (QnModel, ties), "t", "", model->tie_count + 1);
   return qn_model_add_tie (model, name);
 }
 
@@ -226,7 +226,8 @@ find_metal (QnModel *model, QnId *law, GError **error)
         *law = (QnId) i;
         return TRUE;
       }
-  g_autofree char *name = qn_edit_dup_free_name (model, qn_model_find_law, _ ("steel"));
+  g_autofree char *name =
+    qn_edit_dup_free_name (model, offsetof (QnModel, laws), _ ("steel"));
   QnLaw *added = qn_model_add_law (model, name);
   if (added == NULL)
     return qn_edit_no_memory (error);

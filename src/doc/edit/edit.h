@@ -154,15 +154,12 @@ gboolean qn_edit_rebuild (QnModel *model, const gboolean *drop, GError **error);
 gboolean qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop,
                                   const QnMasonries *masonry, GError **error);
 
-/* Finds what has a name in one of the lists of the model; QN_NONE: nothing. */
-typedef QnId (*QnFindFunc) (const QnModel *model, const char *name);
-
-/* A name that is not taken: the word, what stands behind it, and a number, from this one on. The caller frees
+/* A name that is not taken in the list at this place of QnModel: the word, what stands behind it, and a number, from this one on. The caller frees
  * it. */
-char *qn_edit_dup_new_name (const QnModel *model, QnFindFunc find, const char *word,
+char *qn_edit_dup_new_name (const QnModel *model, gsize items, const char *word,
                             const char *between, gsize number);
 /* The word, where that is not taken, or such a name from "word 2" on. */
-char *qn_edit_dup_free_name (const QnModel *model, QnFindFunc find, const char *word);
+char *qn_edit_dup_free_name (const QnModel *model, gsize items, const char *word);
 /* Puts a copy of a name into the place of another. */
 gboolean qn_edit_take_name (char **place, const char *name, GError **error);
 /* The same of a text, of which an empty one is none. */

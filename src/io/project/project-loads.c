@@ -259,14 +259,14 @@ read_load (const QnJsonValue *place, QnModel *model, QnLoad *load)
 }
 
 static gboolean
-read_load_list (const QnJsonValue *loads, const char *key, int32_t set, QnModel *model,
-                QnLoad *(*add) (QnModel *model))
+read_load_list (const QnJsonValue *loads, const char *key, int32_t set, bool live,
+                QnModel *model)
 {
   QnJsonValue list, place = { 0 };
   if (!qn_member_array (loads, key, QN_OPTIONAL, &list))
     return FALSE;
   while (qn_json_value_next (&list, &place)) {
-    QnLoad *load = add (model);
+    QnLoad *load = live ? qn_model_add_live_load (model) : qn_model_add_dead_load (model);
     if (load == NULL)
       return qn_json_value_no_memory (&place);
     load->set = set;
@@ -302,7 +302,7 @@ read_load_sets (const QnJsonValue *loads, QnModel *model)
     int32_t set = qn_model_add_load_set (model, item->string);
     if (set == QN_NONE)
       return qn_json_value_no_memory (&list);
-    if (!read_load_list (&sets, item->string, set, model, qn_model_add_live_load))
+    if (!read_load_list (&sets, item->string, set, true, model))
       return FALSE;
   }
   return TRUE;
@@ -394,8 +394,8 @@ qn_read_loads (const QnJsonValue *root, QnModel *model)
          && qn_json_value_check_keys (&loads, keys, G_N_ELEMENTS (keys))
          && read_load_cases (&loads, model)
          && read_combinations (&loads, &model->combinations)
-         && read_load_list (&loads, "dead", 0, model, qn_model_add_dead_load)
-         && read_load_list (&loads, "live", 0, model, qn_model_add_live_load)
+         && read_load_list (&loads, "dead", 0, false, model)
+         && read_load_list (&loads, "live", 0, true, model)
          && read_load_sets (&loads, model);
 }
 

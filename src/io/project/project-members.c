@@ -28,19 +28,22 @@ gboolean
 qn_read_name_of (const QnJsonValue *place, const QnModel *model, QnNamed named, QnId *id)
 {
   static const struct {
-    QnId (*find) (const QnModel *model, const char *name);
+    size_t
+      items; /* place in QnModel; 0: of load sets and cases, which are numbered otherwise */
     QnProblem unknown;
   } kinds[] = {
-    [QN_NAMED_LAW] = { qn_model_find_law, QN_PROBLEM_LAW_UNKNOWN },
-    [QN_NAMED_BLOCK] = { qn_model_find_block, QN_PROBLEM_BLOCK_UNKNOWN },
-    [QN_NAMED_NODE] = { qn_model_find_node, QN_PROBLEM_NODE_UNKNOWN },
-    [QN_NAMED_SECTION] = { qn_model_find_section, QN_PROBLEM_SECTION_UNKNOWN },
-    [QN_NAMED_BEAM] = { qn_model_find_beam, QN_PROBLEM_BEAM_UNKNOWN },
-    [QN_NAMED_LOAD_SET] = { qn_model_find_load_set, QN_PROBLEM_LOAD_SET_UNKNOWN },
-    [QN_NAMED_LOAD_CASE] = { qn_model_find_load_case, QN_PROBLEM_LOAD_CASE_UNKNOWN },
+    [QN_NAMED_LAW] = { offsetof (QnModel, laws), QN_PROBLEM_LAW_UNKNOWN },
+    [QN_NAMED_BLOCK] = { offsetof (QnModel, blocks), QN_PROBLEM_BLOCK_UNKNOWN },
+    [QN_NAMED_NODE] = { offsetof (QnModel, nodes), QN_PROBLEM_NODE_UNKNOWN },
+    [QN_NAMED_SECTION] = { offsetof (QnModel, sections), QN_PROBLEM_SECTION_UNKNOWN },
+    [QN_NAMED_BEAM] = { offsetof (QnModel, beams), QN_PROBLEM_BEAM_UNKNOWN },
+    [QN_NAMED_LOAD_SET] = { 0, QN_PROBLEM_LOAD_SET_UNKNOWN },
+    [QN_NAMED_LOAD_CASE] = { 0, QN_PROBLEM_LOAD_CASE_UNKNOWN },
   };
   const char *name = place->json->valuestring;
-  *id = kinds[named].find (model, name);
+  *id = kinds[named].items > 0 ? qn_model_find_item (model, kinds[named].items, name)
+        : named == QN_NAMED_LOAD_SET ? qn_model_find_load_set (model, name)
+                                     : qn_model_find_load_case (model, name);
   return *id != QN_NONE || fail_unknown_name (place, kinds[named].unknown, name);
 }
 
