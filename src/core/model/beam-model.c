@@ -1,12 +1,12 @@
 /* Nodes, sections and beams of a model: cutting beams into elements, and what is derived of them. */
 #include "core/model/beam-model.h"
 
-#include "core/base/decimal.h"
 #include "core/base/memory.h"
 #include "core/base/tolerance.h"
 #include "core/model/model-check.h"
 #include "core/model/outline.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,13 +16,11 @@ static bool
 add_inner_node (QnModel *model, QnId beam, int32_t number)
 {
   const char *prefix = model->beams[beam].name != NULL ? model->beams[beam].name : "";
-  size_t length = strlen (prefix), room = length + 1 + QN_DECIMAL_SIZE;
+  size_t room = strlen (prefix) + sizeof ".2147483647";
   char *name = qn_alloc (room, 1);
   if (name == NULL)
     return false;
-  memcpy (name, prefix, length);
-  name[length] = '.';
-  qn_write_decimal (name + length + 1, number);
+  snprintf (name, room, "%s.%d", prefix, number);
   QnNode *node = qn_model_add_node (model, name);
   free (name);
   if (node != NULL)

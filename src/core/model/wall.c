@@ -1,8 +1,8 @@
-#include "core/base/decimal.h"
 #include "core/base/memory.h"
 #include "core/base/require.h"
 #include "core/model/model.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -80,25 +80,13 @@ check_wall (const QnWall *wall, size_t *block_count, QnSubject of)
                         "courses", (double) *block_count);
 }
 
-/* "<wall>.<course>.<position>" into `out`, which has room for it. */
-static void
-write_block_name (char *out, const char *wall, int32_t course, int32_t position)
-{
-  size_t length = strlen (wall);
-  memcpy (out, wall, length);
-  out += length;
-  *out++ = '.';
-  out = qn_write_decimal (out, course);
-  *out++ = '.';
-  qn_write_decimal (out, position);
-}
-
 /* Adds the blocks of one checked wall; false when memory runs out. */
 static bool
 expand_wall (QnModel *model, QnId index)
 {
   const QnWall *wall = &model->walls[index];
-  char *name = qn_alloc (strlen (wall->name) + 2 * QN_DECIMAL_SIZE + 2, 1);
+  const size_t room = strlen (wall->name) + sizeof ".2147483647.2147483647";
+  char *name = qn_alloc (room, 1);
   if (name == NULL)
     return false;
 
@@ -117,7 +105,7 @@ expand_wall (QnModel *model, QnId index)
       double x0 = wall->origin.x + wall->unit.x * begin;
       double x1 = wall->origin.x + wall->unit.x * end;
       const QnVec2 corners[] = { { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } };
-      write_block_name (name, wall->name, course + 1, ++position);
+      snprintf (name, room, "%s.%d.%d", wall->name, course + 1, ++position);
       QnBlock *block = qn_model_add_block (model, name, corners, 4);
       done = block != NULL;
       if (done) {
