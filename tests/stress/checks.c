@@ -45,7 +45,7 @@ out_of_balance (const QnModel *model, const QnContacts *contacts, const double *
   g_autofree double *live = g_new0 (double, count);
   double largest = 0, worst = 0;
 
-  qn_model_dead_forces (model, sum);
+  qn_model_set_forces (model, NULL, sum);
   qn_model_live_forces (model, live);
   for (size_t i = 0; i < count; i++) {
     bool counts = i % QN_DOF_COUNT != QN_DOF_RZ
@@ -131,7 +131,7 @@ relative_power (const QnModel *model, double multiplier, const double *velocitie
   g_autofree double *live = g_new0 (double, count);
   double power = 0, size = 0;
 
-  qn_model_dead_forces (model, dead);
+  qn_model_set_forces (model, NULL, dead);
   qn_model_live_forces (model, live);
   for (size_t i = 0; i < count; i += QN_DOF_COUNT) {
     double speed = hypot (velocities[i], velocities[i + 1]);
@@ -254,7 +254,7 @@ falls_freely (const QnModel *model, const QnContacts *contacts, const double *ve
   g_autofree double *dead = g_new0 (double, count);
   double power = 0, fastest = 0, worst = 0, dissipation = 0;
 
-  qn_model_dead_forces (model, dead);
+  qn_model_set_forces (model, NULL, dead);
   for (size_t i = 0; i < count; i++)
     power += dead[i] * velocities[i];
   for (size_t p = 0; p < contacts->pair_count; p++) {

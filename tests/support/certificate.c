@@ -37,7 +37,7 @@ imbalance (const QnModel *model, const QnContacts *contacts, const double *force
   size_t count = model->block_count * QN_DOF_COUNT;
   double *sum = g_new0 (double, count), *live = g_new0 (double, count), worst = 0;
 
-  qn_model_dead_forces (model, sum);
+  qn_model_set_forces (model, NULL, sum);
   qn_model_live_forces (model, live);
   for (size_t i = 0; i < count; i++)
     sum[i] += multiplier * live[i];
@@ -88,7 +88,7 @@ test_assert_certified (const QnModel *model, const QnContacts *contacts,
   double dissipation = 0, power = 0, violation = 0, fastest = 0, weight = 0;
   const double *v = solution->velocities;
 
-  qn_model_dead_forces (model, dead);
+  qn_model_set_forces (model, NULL, dead);
   qn_model_live_forces (model, live);
   for (size_t i = 0; i < count; i++) {
     bool fixed = model->blocks[i / QN_DOF_COUNT].support[i % QN_DOF_COUNT];

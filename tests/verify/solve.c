@@ -36,7 +36,7 @@ check_equilibrium (const Solved *solved)
   g_autofree double *live = g_new0 (double, 3 * model->block_count);
   double heaviest = 0, worst = 0;
 
-  qn_model_dead_forces (model, dead);
+  qn_model_set_forces (model, NULL, dead);
   qn_model_live_forces (model, live);
   for (size_t i = 0; i < model->block_count; i++) {
     const QnBlock *block = &model->blocks[i];

@@ -53,7 +53,7 @@ qn_assembly_set_loads (QnAssembly *as, const double *held, const double *driven)
   qn_beam_assembly_set_loads (&as->beams, held, driven);
   sum_sets (as, driven, as->beams.loads[1], as->live_at_rest);
   sum_sets (as, held, as->beams.loads[0], as->dead_at_rest);
-  qn_model_dead_forces (as->model, as->forces);
+  qn_model_set_forces (as->model, NULL, as->forces);
   scatter_forces (as, as->dead);
   for (size_t s = 0; s < as->settling_count; s++)
     as->dead[as->settling[s].unknown] = 0;
@@ -235,7 +235,7 @@ qn_assembly_reactions (QnAssembly *as, double multiplier, double *reactions)
   memset (reactions, 0, count * sizeof *reactions);
   add_pair_forces (as, reactions);
   qn_beam_assembly_add_body_forces (&as->beams, multiplier, reactions);
-  qn_model_dead_forces (model, as->forces);
+  qn_model_set_forces (model, NULL, as->forces);
   for (size_t i = 0; i < count; i++)
     reactions[i] -= as->forces[i];
   qn_model_set_forces (model, factors, as->forces);

@@ -121,7 +121,7 @@ add_loads (const Sum *sum, const double *factors, double *live)
   const QnModel *model = sum->model;
   size_t size = qn_model_body_count (model) * QN_DOF_COUNT;
 
-  qn_model_dead_forces (model, sum->balance);
+  qn_model_set_forces (model, NULL, sum->balance);
   qn_model_set_forces (model, factors, live);
   for (size_t i = 0; i < size; i++)
     sum->balance[i] += live[i];

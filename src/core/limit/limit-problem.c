@@ -106,7 +106,7 @@ scale_loads (QnLimitProblem *limit, const QnModel *model, double *dead, double *
 {
   size_t count = model->block_count * QN_DOF_COUNT;
 
-  qn_model_dead_forces (model, dead);
+  qn_model_set_forces (model, NULL, dead);
   qn_model_live_forces (model, live);
   for (size_t i = QN_DOF_RZ; i < count; i += QN_DOF_COUNT) {
     dead[i] /= limit->length_unit;

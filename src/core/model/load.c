@@ -78,13 +78,6 @@ add_force (const QnModel *model, const QnLoad *load, double factor, double *forc
   out[QN_DOF_RZ] += factor * moment;
 }
 
-static void
-set_zero (const QnModel *model, double *forces)
-{
-  for (size_t i = 0; i < qn_model_body_count (model) * QN_DOF_COUNT; i++)
-    forces[i] = 0;
-}
-
 /* Factor of a load by its set, 0 for dead loads; without `factors` 1 for dead loads, 0 for others. */
 static double
 part_of (const QnLoad *load, const double *factors)
@@ -94,51 +87,25 @@ part_of (const QnLoad *load, const double *factors)
   return load->set == QN_NONE ? 0 : factors[load->set];
 }
 
-static void
-sum_forces (const QnModel *model, const double *factors, double *forces)
-{
-  set_zero (model, forces);
-  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
-    const QnLoad load = qn_model_acting_load (model, i);
-    double part = part_of (&load, factors);
-    if (part != 0) {
-      /* forces += factor x load */
-      switch (load.kind) {
-      case QN_LOAD_WEIGHT:
-        for (size_t b = 0; b < model->block_count; b++) {
-          double *out = forces + b * QN_DOF_COUNT;
-          out[QN_DOF_UX] += part * (model->blocks[b].weight * load.vector.x);
-          out[QN_DOF_UY] += part * (model->blocks[b].weight * load.vector.y);
-        }
-        break;
-      case QN_LOAD_FORCE:
-      case QN_LOAD_NODE:
-        add_force (model, &load, part, forces);
-        break;
-      case QN_LOAD_SETTLEMENT:
-      case QN_LOAD_LINE:
-      case QN_LOAD_EDGE: /* their forces come behind the loads */
-      case QN_LOAD_SURCHARGE:
-      case QN_LOAD_BACKFILL:
-      case QN_LOAD_FILL:
-      case QN_LOAD_VEHICLE:
-      case QN_LOAD_KIND_COUNT:
-        break;
-      }
-    }
-  }
-}
-
-void
-qn_model_dead_forces (const QnModel *model, double *forces)
-{
-  sum_forces (model, NULL, forces);
-}
-
 void
 qn_model_set_forces (const QnModel *model, const double *factors, double *forces)
 {
-  sum_forces (model, factors, forces);
+  for (size_t i = 0; i < qn_model_body_count (model) * QN_DOF_COUNT; i++)
+    forces[i] = 0;
+  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    double part = part_of (&load, factors);
+    if (part == 0)
+      continue;
+    for (size_t b = 0; b < model->block_count && load.kind == QN_LOAD_WEIGHT; b++) {
+      double *out = forces + b * QN_DOF_COUNT;
+      out[QN_DOF_UX] += part * (model->blocks[b].weight * load.vector.x);
+      out[QN_DOF_UY] += part * (model->blocks[b].weight * load.vector.y);
+    }
+    /* Those of loads on edges come behind the loads. */
+    if (load.kind == QN_LOAD_FORCE || load.kind == QN_LOAD_NODE)
+      add_force (model, &load, part, forces);
+  }
 }
 
 void

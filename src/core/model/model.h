@@ -690,12 +690,13 @@ qn_load_is_on_edges (QnLoadKind kind)
  * included, N: on fixed blocks and along beams too; {0, 0} of settlements. */
 QnVec2 qn_model_load_resultant (const QnModel *model, size_t source);
 
-/* Resultant of the dead or the live loads (those of set 0) on every body, without those
- * distributed over beams. Settlements are no forces.
+/* Resultant on every body of the loads of all sets, each times its own factor (factors: QN_MAX_LOAD_SETS),
+ * or of the dead loads where `factors` is NULL; of the live loads (set 0). Without loads distributed over
+ * beams. Settlements are no forces.
  *
  * forces: body_count x 3: fx, fy in N and the moment about centroid or node in N m. Loads on
  * riding nodes count as the block's. */
-void qn_model_dead_forces (const QnModel *model, double *forces);
+void qn_model_set_forces (const QnModel *model, const double *factors, double *forces);
 void qn_model_live_forces (const QnModel *model, double *forces);
 
 /* Whether there is a force or a weight among the loads of some sets, bit by bit as in QnStage.
@@ -707,9 +708,6 @@ bool qn_model_has_bonds (const QnModel *model);
 
 /* Whether joints slide with less dilatancy than friction. */
 bool qn_model_is_non_associative (const QnModel *model);
-
-/* Loads of all sets, each times its own factor; factors: QN_MAX_LOAD_SETS. */
-void qn_model_set_forces (const QnModel *model, const double *factors, double *forces);
 
 /* The body that a FORCE or a NODE load acts on, and the arm from its centroid. */
 size_t qn_model_load_body (const QnModel *model, const QnLoad *load);

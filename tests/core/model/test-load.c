@@ -18,7 +18,7 @@ test_weights_and_forces (void)
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
 
   double forces[6] = { 9, 9, 9, 9, 9, 9 };
-  qn_model_dead_forces (&model, forces);
+  qn_model_set_forces (&model, NULL, forces);
   const double dead[] = { 0, -80000, 0, 0, -20000, 0 };
   for (int i = 0; i < 6; i++)
     g_assert_cmpfloat (forces[i], ==, dead[i]);

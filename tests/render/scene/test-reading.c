@@ -51,7 +51,7 @@ dup_loads (const Solved *s)
   size_t count = 3 * s->model->block_count;
   double *loads = g_new0 (double, count);
   g_autofree double *live = g_new0 (double, count);
-  qn_model_dead_forces (s->model, loads);
+  qn_model_set_forces (s->model, NULL, loads);
   qn_model_live_forces (s->model, live);
   for (size_t i = 0; i < count; i++)
     loads[i] += s->result.steps[s->step].multiplier * live[i];
