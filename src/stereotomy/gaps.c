@@ -89,20 +89,6 @@ is_filled (const Search *search, const QnGap *gap)
   return filled == QN_N_ELEMENTS (places);
 }
 
-/* In the order of the sides, whatever the tree's. */
-static int
-compare_gaps (const void *left, const void *right)
-{
-  const QnGap *a = left, *b = right;
-  for (int i = 0; i < 2; i++) {
-    if (a->rings[i] != b->rings[i])
-      return a->rings[i] < b->rings[i] ? -1 : 1;
-    if (a->edges[i] != b->edges[i])
-      return a->edges[i] < b->edges[i] ? -1 : 1;
-  }
-  return 0;
-}
-
 static bool
 collect (Search *search)
 {
@@ -114,18 +100,13 @@ collect (Search *search)
                 &tree, search->most,
                 QN_MOST_SIDE_PAIRS + QN_PAIRS_PER_SIDE * tree.item_count, &pairs);
   for (size_t i = 0; done && i < pairs.count; i++) {
-    size_t first = (size_t) (pairs.items[i][0] < pairs.items[i][1] ? pairs.items[i][0]
-                                                                   : pairs.items[i][1]);
-    size_t second = (size_t) (pairs.items[i][0] + pairs.items[i][1]) - first;
-    QnRingSide one = sides[first], two = sides[second];
+    QnRingSide one = sides[pairs.items[i][0]], two = sides[pairs.items[i][1]];
     QnGap gap = { .rings = { one.ring, two.ring }, .edges = { one.edge, two.edge } };
     if (one.ring != two.ring && face_each_other (search, one, two, &gap)
         && !is_filled (search, &gap))
       done = QN_ARRAY_PUSH (search->gaps->items, search->gaps->count,
                             search->gaps->capacity, gap);
   }
-  if (done && search->gaps->count > 1)
-    qsort (search->gaps->items, search->gaps->count, sizeof (QnGap), compare_gaps);
   qn_box_pairs_clear (&pairs);
   return done;
 }

@@ -41,30 +41,13 @@ cell_of (double value, double low, double extent)
   return (uint32_t) qn_to_integer (share * LARGEST_CELL, 0, LARGEST_CELL);
 }
 
-/* Bits of a key that one pass of the sort looks at. */
-#define DIGIT_BITS 8
-#define DIGITS     (1 << DIGIT_BITS)
-
-/* Sorts by key, digit by digit from the last one; equal keys stay in their order. `spare` has room
- * for as many entries; the sorted ones end in `entries`, since the passes are even in number. */
-static void
-sort_entries (Entry *entries, Entry *spare, size_t count)
+static int
+compare_entries (const void *a, const void *b)
 {
-  Entry *from = entries, *to = spare;
-  for (int shift = 0; shift < 2 * CURVE_BITS; shift += DIGIT_BITS) {
-    size_t next[DIGITS + 1] = { 0 };
-    for (size_t i = 0; i < count; i++)
-      next[((from[i].key >> shift) & (DIGITS - 1)) + 1]++;
-    for (int digit = 1; digit < DIGITS; digit++)
-      next[digit] += next[digit - 1];
-    for (size_t i = 0; i < count; i++)
-      to[next[(from[i].key >> shift) & (DIGITS - 1)]++] = from[i];
-    Entry *swap = from;
-    from = to;
-    to = swap;
-  }
+  const Entry *p = a, *q = b;
+
+  return p->key != q->key ? (p->key < q->key ? -1 : 1) : p->item - q->item;
 }
-_Static_assert(2 * CURVE_BITS % (2 * DIGIT_BITS) == 0, "an even number of passes");
 
 static void
 sort_items (QnBoxTree *tree, const QnBox *boxes, Entry *entries)
@@ -80,7 +63,7 @@ sort_items (QnBoxTree *tree, const QnBox *boxes, Entry *entries)
                                     cell_of (middle.y, whole.min.y, extent));
     entries[i].item = (QnId) i;
   }
-  sort_entries (entries, entries + tree->item_count, tree->item_count);
+  qsort (entries, tree->item_count, sizeof *entries, compare_entries);
   for (size_t i = 0; i < tree->item_count; i++) {
     tree->items[i] = entries[i].item;
     tree->nodes[i] = boxes[entries[i].item];
@@ -106,9 +89,9 @@ qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count, QnPool *poo
   }
 
   tree->item_count = count;
-  tree->nodes = qn_pool_add (pool, qn_alloc_unset (node_count, sizeof *tree->nodes));
-  tree->items = qn_pool_add (pool, qn_alloc_unset (count, sizeof *tree->items));
-  Entry *entries = qn_alloc_unset (2 * count, sizeof *entries);
+  tree->nodes = qn_pool_alloc (pool, node_count, sizeof *tree->nodes);
+  tree->items = qn_pool_alloc (pool, count, sizeof *tree->items);
+  Entry *entries = qn_alloc (count, sizeof *entries);
   pool->failed |= entries == NULL;
   if (pool->failed)
     *tree = (QnBoxTree){ 0 };
@@ -169,76 +152,6 @@ qn_box_query_next (QnBoxQuery *query)
   return QN_NONE;
 }
 
-static bool
-add_pair (QnBoxPairs *pairs, QnId a, QnId b)
-{
-  if (pairs->count == pairs->capacity
-      && !qn_array_reserve (&pairs->items, &pairs->capacity, pairs->count + 1,
-                            sizeof *pairs->items))
-    return false;
-  pairs->items[pairs->count][0] = a;
-  pairs->items[pairs->count++][1] = b;
-  return true;
-}
-
-/* One walk of a tree against itself. */
-typedef struct {
-  const QnBoxTree *tree;
-  double margin;
-  size_t most;
-  QnBoxPairs *pairs;
-} Join;
-
-/* The children of a node: nodes of the level below it. */
-typedef struct {
-  size_t begin, end;
-} Children;
-
-static Children
-children_of (const QnBoxTree *tree, int32_t level, size_t node)
-{
-  size_t begin = node * QN_BOX_TREE_FANOUT, below = tree->level_sizes[level - 1];
-  size_t end = begin + QN_BOX_TREE_FANOUT;
-  return (Children){ begin, end < below ? end : below };
-}
-
-/* Finds the pairs below two nodes, whose children `u` and `v` are of the level given; all of `v` lie
- * within `around_v`. A node is paired with itself, an item is not. */
-static bool
-join_nodes (const Join *how, int32_t level, Children u, Children v, QnBox around_v)
-{
-  const QnBoxTree *tree = how->tree;
-  const QnBox *boxes = tree->nodes + tree->level_starts[level];
-  for (size_t i = u.begin; i < u.end; i++) {
-    QnBox box = qn_box_grow (boxes[i], how->margin);
-    if (!qn_box_meets (box, around_v))
-      continue;
-    size_t j = u.begin != v.begin ? v.begin : level == 0 ? i + 1 : i;
-    for (; j < v.end && how->pairs->count < how->most; j++) {
-      if (!qn_box_meets (box, boxes[j]))
-        continue;
-      bool done = level == 0 ? add_pair (how->pairs, tree->items[i], tree->items[j])
-                             : join_nodes (how, level - 1, children_of (tree, level, i),
-                                           children_of (tree, level, j), boxes[j]);
-      if (!done)
-        return false;
-    }
-  }
-  return true;
-}
-
-bool
-qn_box_tree_pairs (const QnBoxTree *tree, double margin, size_t most, QnBoxPairs *pairs)
-{
-  static const QnBox everywhere = { { -INFINITY, -INFINITY }, { INFINITY, INFINITY } };
-  if (tree->level_count == 0)
-    return true;
-  int32_t top = tree->level_count - 1;
-  Children all = { 0, tree->level_sizes[top] };
-  Join how = { tree, margin, most, pairs };
-  return join_nodes (&how, top, all, all, everywhere);
-}
-
 static int
 compare_pairs (const void *a, const void *b)
 {
@@ -247,18 +160,25 @@ compare_pairs (const void *a, const void *b)
   return p[0] != q[0] ? (p[0] < q[0] ? -1 : 1) : (p[1] > q[1]) - (p[1] < q[1]);
 }
 
-void
-qn_box_pairs_sort (QnBoxPairs *pairs)
+bool
+qn_box_tree_pairs (const QnBoxTree *tree, double margin, size_t most, QnBoxPairs *pairs)
 {
-  for (size_t i = 0; i < pairs->count; i++) {
-    QnId *pair = pairs->items[i], first = pair[0];
-    if (pair[1] < first) {
-      pair[0] = pair[1];
-      pair[1] = first;
+  for (size_t i = 0; i < tree->item_count; i++) {
+    QnId a = tree->items[i], b;
+    QnBoxQuery query = qn_box_tree_query (tree, qn_box_grow (tree->nodes[i], margin));
+    while (pairs->count < most && (b = qn_box_query_next (&query)) != QN_NONE) {
+      if (b <= a)
+        continue;
+      if (!qn_array_reserve (&pairs->items, &pairs->capacity, pairs->count + 1,
+                             sizeof *pairs->items))
+        return false;
+      pairs->items[pairs->count][0] = a;
+      pairs->items[pairs->count++][1] = b;
     }
   }
   if (pairs->count > 1)
     qsort (pairs->items, pairs->count, sizeof *pairs->items, compare_pairs);
+  return true;
 }
 
 void

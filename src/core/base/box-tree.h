@@ -47,14 +47,10 @@ typedef struct QnBoxPairs {
   size_t count, capacity;
 } QnBoxPairs;
 
-/* Appends all pairs of items whose boxes meet once one of the two is grown by `margin` (m), each
- * pair once, in an order that depends on the boxes alone. The tree is walked against itself, which
- * takes O(n + k) for well-separated boxes. Ends once `pairs` holds `most`. False when memory runs
- * out. */
+/* Fills in the pairs of items whose boxes meet once that of the lower one is grown by `margin` (m): lower
+ * items first in each pair, and pairs ascending by them. O((n + k) log n) for well-separated boxes. Ends
+ * once there are `most`. False when memory runs out. `pairs` must be empty. */
 bool qn_box_tree_pairs (const QnBoxTree *tree, double margin, size_t most,
                         QnBoxPairs *pairs);
-
-/* Lower items first in each pair, and pairs ascending by them. */
-void qn_box_pairs_sort (QnBoxPairs *pairs);
 
 void qn_box_pairs_clear (QnBoxPairs *pairs);

@@ -42,15 +42,6 @@ qn_alloc (size_t count, size_t size)
 }
 
 void *
-qn_alloc_unset (size_t count, size_t size)
-{
-  if (size > 0 && count > SIZE_MAX / size)
-    return NULL;
-  return with_large_pages (malloc (count > 0 && size > 0 ? count * size : 1), count,
-                           size);
-}
-
-void *
 qn_alloc_lines (size_t count, size_t size)
 {
   if (size > 0 && count > (SIZE_MAX - LINE) / size)

@@ -11,10 +11,6 @@
  * gives a block that may be freed. */
 void *qn_alloc (size_t count, size_t size);
 
-/* The same, not zeroed: for memory that is
- * written before it is read. */
-void *qn_alloc_unset (size_t count, size_t size);
-
 /* The same, not zeroed, aligned to a cache line: no
  * SIMD vector lies in two lines. */
 void *qn_alloc_lines (size_t count, size_t size);

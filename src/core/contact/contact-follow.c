@@ -258,7 +258,6 @@ list_all (QnContactFollow *follow, const double *displacements, double margin)
   qn_box_tree_init (&tree, boxes, blocks, &room);
   follow->pool.failed |=
     room.failed || !qn_box_tree_pairs (&tree, margin, MOST_NEAR * blocks, &pairs);
-  qn_box_pairs_sort (&pairs);
   for (size_t i = 0; i < pairs.count; i++) {
     QnId a = pairs.items[i][0], b = pairs.items[i][1];
     if (qn_support_is_full (model->blocks[a].support)

@@ -13,7 +13,6 @@ find_neighbours (const QnContactSearch *search, QnBoxPairs *pairs, QnDiag *diag)
   if (pairs->count == most)
     return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_TOO_MANY_NEIGHBOURS,
                         QN_ENTITY_MODEL, QN_NONE, QN_NONE);
-  qn_box_pairs_sort (pairs);
   return QN_OK;
 }
 
