@@ -35,8 +35,7 @@ qn_geos_failed (const QnGeos *geos, QnDiag *diag)
 {
   if (geos->no_memory)
     return qn_diag_no_memory (diag);
-  return qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_GEOMETRY_FAILED,
-                      QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+  return qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_GEOMETRY_FAILED);
 }
 
 GEOSGeometry *

@@ -235,8 +235,7 @@ check_crossings (const QnSegments *segments, QnDiag *diag)
   }
   qn_pool_clear (&room);
   if (most)
-    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_TOO_MANY_CROSSINGS,
-                        QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+    return qn_refuse (diag, QN_PROBLEM_TOO_MANY_CROSSINGS, QN_ENTITY_MODEL, QN_NONE);
   return done ? QN_OK : qn_diag_no_memory (diag);
 }
 

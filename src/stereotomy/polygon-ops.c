@@ -27,9 +27,11 @@ qn_ring_check (const QnRing *ring, QnId index, QnDiag *diag)
     return QN_OK;
   if (flaw.problem == QN_PROBLEM_NO_MEMORY)
     return qn_diag_no_memory (diag);
-  qn_diag_set (diag, QN_ERROR_INVALID, flaw.problem, QN_ENTITY_BLOCK, index, flaw.vertex);
-  if (diag != NULL && flaw.vertex != QN_NONE)
+  qn_refuse (diag, flaw.problem, QN_ENTITY_BLOCK, index);
+  if (diag != NULL && flaw.vertex != QN_NONE) {
+    diag->sub = flaw.vertex;
     diag->at = ring->points[flaw.vertex];
+  }
   return QN_ERROR_INVALID;
 }
 
@@ -131,8 +133,7 @@ collect (QnGeos *geos, GEOSGeometry *geometry, QnBox bounds, int round, QnRings 
     qn_geos_read_polygons (geos, geometry, found, &holes);
     status = qn_rings_status (found, diag);
     if (status == QN_OK && holes > 0)
-      status = qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_GEOMETRY_HOLE,
-                            QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+      status = qn_refuse (diag, QN_PROBLEM_GEOMETRY_HOLE, QN_ENTITY_MODEL, QN_NONE);
   } else {
     for (int side = 0; side < 2 && status == QN_OK; side++) {
       GEOSGeometry *half = half_of (geos, bounds, x, side == 1);
@@ -229,7 +230,7 @@ qn_polygon_intersection (const QnRing *a, const QnRing *b, QnRings *out, QnDiag 
 static QnStatus
 union_problem (QnDiag *diag, QnProblem problem)
 {
-  return qn_diag_set (diag, QN_ERROR_INVALID, problem, QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+  return qn_refuse (diag, problem, QN_ENTITY_MODEL, QN_NONE);
 }
 
 static QnStatus

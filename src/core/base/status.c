@@ -18,35 +18,37 @@ qn_problem_is_of_state (QnProblem problem)
          || problem == QN_PROBLEM_STATE_UNSTABLE || problem == QN_PROBLEM_MODES_NOT_FOUND;
 }
 
-QnStatus
-qn_diag_set (QnDiag *diag, QnStatus status, QnProblem problem, QnEntity entity,
-             QnId index, QnId sub)
+static QnStatus
+set (QnDiag *diag, QnDiag to)
 {
+  to.sub = to.other = QN_NONE;
   if (diag != NULL)
-    *diag = (QnDiag){ .status = status,
-                      .problem = problem,
-                      .entity = entity,
-                      .index = index,
-                      .sub = sub,
-                      .other = QN_NONE };
-  return status;
+    *diag = to;
+  return to.status;
+}
+
+QnStatus
+qn_diag_set (QnDiag *diag, QnStatus status, QnProblem problem)
+{
+  return set (diag, (QnDiag){ status, problem, .index = QN_NONE });
 }
 
 QnStatus
 qn_diag_set_field (QnDiag *diag, QnProblem problem, QnEntity entity, QnId index,
                    const char *field, double value)
 {
-  qn_diag_set (diag, QN_ERROR_INVALID, problem, entity, index, QN_NONE);
-  if (diag != NULL) {
-    diag->field = field;
-    diag->value = value;
-  }
-  return QN_ERROR_INVALID;
+  return set (diag, (QnDiag){ QN_ERROR_INVALID, problem, entity, index, .field = field,
+                              .value = value });
+}
+
+QnStatus
+qn_refuse (QnDiag *diag, QnProblem problem, QnEntity entity, QnId index)
+{
+  return qn_diag_set_field (diag, problem, entity, index, NULL, 0);
 }
 
 QnStatus
 qn_diag_no_memory (QnDiag *diag)
 {
-  return qn_diag_set (diag, QN_ERROR_NO_MEMORY, QN_PROBLEM_NO_MEMORY, QN_ENTITY_MODEL,
-                      QN_NONE, QN_NONE);
+  return qn_diag_set (diag, QN_ERROR_NO_MEMORY, QN_PROBLEM_NO_MEMORY);
 }

@@ -65,11 +65,11 @@ typedef struct QnDiag {
  * answer, and the problem no place in a file. */
 bool qn_problem_is_of_state (QnProblem problem);
 
-/* Fills *diag (nullable) with a problem of an entity and returns `status`. */
-QnStatus qn_diag_set (QnDiag *diag, QnStatus status, QnProblem problem, QnEntity entity,
-                      QnId index, QnId sub);
+/* Fills *diag (nullable) with a problem of the model as a whole, and returns `status`. */
+QnStatus qn_diag_set (QnDiag *diag, QnStatus status, QnProblem problem);
 
-/* The same for one number of an entity: `field` is kept by reference. Always QN_ERROR_INVALID. */
+/* The same of an entity, and of one number of it: `field` is kept by reference. QN_ERROR_INVALID. */
+QnStatus qn_refuse (QnDiag *diag, QnProblem problem, QnEntity entity, QnId index);
 QnStatus qn_diag_set_field (QnDiag *diag, QnProblem problem, QnEntity entity, QnId index,
                             const char *field, double value);
 

@@ -24,11 +24,9 @@ QnStatus
 qn_capacity_check_model (const QnModel *model, QnDiag *diag)
 {
   if (model->live_load_count == 0)
-    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_NO_LIVE_LOAD, QN_ENTITY_MODEL,
-                        QN_NONE, QN_NONE);
+    return qn_refuse (diag, QN_PROBLEM_NO_LIVE_LOAD, QN_ENTITY_MODEL, QN_NONE);
   if (model->beam_count > 0)
-    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_CAPACITY_BEAMS, QN_ENTITY_BEAM,
-                        0, QN_NONE);
+    return qn_refuse (diag, QN_PROBLEM_CAPACITY_BEAMS, QN_ENTITY_BEAM, 0);
   return model->gravity > 0
            ? QN_OK
            : qn_diag_set_field (diag, QN_PROBLEM_NOT_POSITIVE, QN_ENTITY_MODEL, QN_NONE,
@@ -41,8 +39,7 @@ check_loads (const QnModel *model, QnDiag *diag)
   for (size_t i = 0; i < model->live_load_count; i++) {
     const QnLoad *load = &model->live_loads[i];
     if (load->set == 0 && (load->kind != QN_LOAD_WEIGHT || load->vector.y != 0))
-      return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_CAPACITY_LOADS,
-                          QN_ENTITY_LIVE_LOAD, (QnId) i, QN_NONE);
+      return qn_refuse (diag, QN_PROBLEM_CAPACITY_LOADS, QN_ENTITY_LIVE_LOAD, (QnId) i);
   }
   return qn_capacity_check_model (model, diag);
 }
@@ -146,8 +143,7 @@ qn_capacity_init (QnCapacity *c, const QnModel *model, const QnResult *result,
              || result->steps[to].multiplier > FALLEN * result->steps[peak].multiplier))
     to++;
   if (peak == 0 || !find_masses (c, model, result, from, to, direction))
-    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_CAPACITY_MOTION,
-                        QN_ENTITY_BLOCK, control, QN_NONE);
+    return qn_refuse (diag, QN_PROBLEM_CAPACITY_MOTION, QN_ENTITY_BLOCK, control);
   c->points = qn_alloc (result->step_count, sizeof *c->points);
   if (c->points == NULL)
     return qn_diag_no_memory (diag);

@@ -329,8 +329,7 @@ stretch_ties (const Chain *c, double *work, QnDiag *diag)
     if (!(rate > NO_MOTION))
       continue;
     if (!isfinite (qn_tie_strength (tie)))
-      return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_MECHANISM_TIE, QN_ENTITY_TIE,
-                          (QnId) i, QN_NONE);
+      return qn_refuse (diag, QN_PROBLEM_MECHANISM_TIE, QN_ENTITY_TIE, (QnId) i);
     *work += qn_tie_strength (tie) * rate;
   }
   return QN_OK;
@@ -513,7 +512,7 @@ follow (Chain *c, QnCapacity *capacity, double tie_strain, QnDiag *diag)
 static QnStatus
 refuse (QnProblem problem, QnDiag *diag)
 {
-  return qn_diag_set (diag, QN_ERROR_INVALID, problem, QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+  return qn_refuse (diag, problem, QN_ENTITY_MODEL, QN_NONE);
 }
 
 /* Whether every joint that moves turns: one that slides far is no hinge. */
@@ -523,8 +522,8 @@ check_joints (const QnMechanism *m, const QnContacts *contacts, QnDiag *diag)
   for (size_t f = 0; f < m->joint_count; f++)
     if (m->joints[f].kind == QN_JOINT_SLIDING
         && fabs (m->joints[f].slip) > DEVIATION * m->largest)
-      return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_MECHANISM_SLIDES,
-                          QN_ENTITY_BLOCK, contacts->faces[f].b, contacts->faces[f].a);
+      return qn_refuse (diag, QN_PROBLEM_MECHANISM_SLIDES, QN_ENTITY_BLOCK,
+                        contacts->faces[f].b);
   return QN_OK;
 }
 
@@ -542,8 +541,7 @@ analyse (Chain *c, QnCapacity *capacity, const QnContacts *contacts, QnId contro
   if (project (c) > DEVIATION)
     return refuse (QN_PROBLEM_MECHANISM_SLIDES, diag);
   if (!find_chain_masses (c, capacity, control))
-    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_CAPACITY_MOTION,
-                        QN_ENTITY_BLOCK, capacity->block, QN_NONE);
+    return qn_refuse (diag, QN_PROBLEM_CAPACITY_MOTION, QN_ENTITY_BLOCK, capacity->block);
   status = stretch_ties (c, &capacity->works[QN_WORK_TIES], diag);
   if (status != QN_OK)
     return status;

@@ -255,8 +255,7 @@ qn_bar_search_finish (const QnBarSearch *search, const QnModel *model,
 
   for (size_t i = 0; status == QN_OK && i < model->bar_count; i++)
     if (!search->used[i])
-      status =
-        qn_diag_set_field (diag, QN_PROBLEM_BAR_UNUSED, QN_ENTITY_BAR, (QnId) i, NULL, 0);
+      status = qn_refuse (diag, QN_PROBLEM_BAR_UNUSED, QN_ENTITY_BAR, (QnId) i);
   if (status == QN_OK)
     share_ends (model, contacts);
   return status;

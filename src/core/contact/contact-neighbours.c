@@ -11,8 +11,7 @@ find_neighbours (const QnContactSearch *search, QnBoxPairs *pairs, QnDiag *diag)
   search->room->failed |=
     !qn_box_tree_pairs (&search->block_tree, 2 * search->lengths.gap_limit, most, pairs);
   if (pairs->count == most)
-    return qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_TOO_MANY_NEIGHBOURS,
-                        QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+    return qn_refuse (diag, QN_PROBLEM_TOO_MANY_NEIGHBOURS, QN_ENTITY_MODEL, QN_NONE);
   return QN_OK;
 }
 
@@ -43,8 +42,8 @@ qn_contact_search_all (const QnContactSearch *search, QnContacts *contacts, QnDi
   free (cuts.items);
 
   if (deep_overlaps > QN_MOST_OVERLAPS (blocks)) { /* the first is named */
-    status = qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_TOO_MANY_OVERLAPS,
-                          QN_ENTITY_BLOCK, overlaps.items[0].block_a, QN_NONE);
+    status = qn_refuse (diag, QN_PROBLEM_TOO_MANY_OVERLAPS, QN_ENTITY_BLOCK,
+                        overlaps.items[0].block_a);
     if (diag != NULL)
       diag->other = overlaps.items[0].block_b;
   } else if (status == QN_OK) {

@@ -85,8 +85,7 @@ qn_contacts_require_sound (const QnModel *model, const QnContacts *contacts, QnD
     if (finding == NULL)
       continue;
     if (finding->problem == QN_PROBLEM_BEAM_FLOATING)
-      qn_diag_set_field (diag, finding->problem, QN_ENTITY_BEAM, finding->subject, NULL,
-                         0);
+      qn_refuse (diag, finding->problem, QN_ENTITY_BEAM, finding->subject);
     else
       qn_diag_set_field (diag, finding->problem,
                          finding->block_a == QN_NONE ? QN_ENTITY_MODEL : QN_ENTITY_BLOCK,

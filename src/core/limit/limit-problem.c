@@ -123,8 +123,7 @@ scale_loads (QnLimitProblem *limit, const QnModel *model, double *dead, double *
     }
   return limit->load_unit > 0.0
            ? QN_OK
-           : qn_diag_set (diag, QN_ERROR_INVALID, QN_PROBLEM_NO_LIVE_LOAD,
-                          QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+           : qn_refuse (diag, QN_PROBLEM_NO_LIVE_LOAD, QN_ENTITY_MODEL, QN_NONE);
 }
 
 /* Weights stand for masses; a weightless block has the little that keeps its motion finite. */

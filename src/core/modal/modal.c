@@ -35,16 +35,14 @@ factorize (Pencil *pencil, QnDiag *diag)
   QnAssembly *as = pencil->assembly;
 
   if (!qn_assembly_is_symmetric (as))
-    return qn_diag_set_field (diag, QN_PROBLEM_STATE_SLIPS, QN_ENTITY_MODEL, QN_NONE,
-                              NULL, 0);
+    return qn_refuse (diag, QN_PROBLEM_STATE_SLIPS, QN_ENTITY_MODEL, QN_NONE);
   pencil->shift = -SHIFT * pencil->proof.largest;
   for (int32_t k = 0; k < as->ap[pencil->n]; k++)
     as->ax[k] -= pencil->shift * pencil->proof.mass[k];
 
   QnSolveStatus solved = qn_linsys_factor (pencil->linsys, as->ax);
   if (solved == QN_SOLVE_FAILED)
-    return qn_diag_set_field (diag, QN_PROBLEM_STATE_SINGULAR, QN_ENTITY_MODEL, QN_NONE,
-                              NULL, 0);
+    return qn_refuse (diag, QN_PROBLEM_STATE_SINGULAR, QN_ENTITY_MODEL, QN_NONE);
   return solved == QN_SOLVE_CONVERGED ? QN_OK : qn_diag_no_memory (diag);
 }
 
@@ -130,8 +128,7 @@ prove_modes (Pencil *pencil, QnDiag *diag)
       || !qn_mode_proof_count (proof, pencil->values[pencil->found - 1], &below, &up_to))
     return qn_diag_no_memory (diag);
   if (negative > 0)
-    status = qn_diag_set_field (diag, QN_PROBLEM_STATE_UNSTABLE, QN_ENTITY_MODEL, QN_NONE,
-                                NULL, 0);
+    status = qn_refuse (diag, QN_PROBLEM_STATE_UNSTABLE, QN_ENTITY_MODEL, QN_NONE);
   for (size_t i = 0; status == QN_OK && i < pencil->found; i++)
     worst =
       qn_worse (worst, qn_mode_proof_residual (proof, pencil->values[i],
@@ -140,8 +137,7 @@ prove_modes (Pencil *pencil, QnDiag *diag)
     worst =
       qn_worse (worst, qn_mode_proof_skewness (proof, pencil->found, pencil->vectors));
   if (status == QN_OK && !(below < (int32_t) pencil->found && worst <= QN_MODE_RESIDUAL))
-    status = qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND,
-                          QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+    status = qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND);
   return status;
 }
 
@@ -171,8 +167,7 @@ find_modes (QnEquilibrium *eq, size_t wanted, bool sliding, QnModes *modes, QnDi
   QnStatus status = QN_OK;
 
   if (n == 0)
-    return qn_diag_set_field (diag, QN_PROBLEM_TOO_FEW_UNKNOWNS, QN_ENTITY_MODEL, QN_NONE,
-                              NULL, 0);
+    return qn_refuse (diag, QN_PROBLEM_TOO_FEW_UNKNOWNS, QN_ENTITY_MODEL, QN_NONE);
   pencil.values = qn_alloc (most, sizeof *pencil.values);
   pencil.vectors = qn_alloc (n, most * sizeof *pencil.vectors);
   if (pencil.values == NULL || pencil.vectors == NULL)
@@ -196,8 +191,7 @@ find_modes (QnEquilibrium *eq, size_t wanted, bool sliding, QnModes *modes, QnDi
     case QN_LANCZOS_CANCELLED:
       break;
     case QN_LANCZOS_NOT_FOUND:
-      status = qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND,
-                            QN_ENTITY_MODEL, QN_NONE, QN_NONE);
+      status = qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND);
       break;
     case QN_LANCZOS_NO_MEMORY:
       status = qn_diag_no_memory (diag);

@@ -139,8 +139,7 @@ check_use (const QnModel *model, QnDiag *diag)
   for (size_t i = 0; i < model->node_count && status == QN_OK; i++) {
     const QnNode *node = &model->nodes[i];
     if (!used[i] && node->beam == QN_NONE && node->seat == QN_SEAT_FREE)
-      status = qn_diag_set_field (diag, QN_PROBLEM_NODE_UNUSED, QN_ENTITY_NODE, (QnId) i,
-                                  NULL, 0);
+      status = qn_refuse (diag, QN_PROBLEM_NODE_UNUSED, QN_ENTITY_NODE, (QnId) i);
   }
   free (used);
   return status;

@@ -20,8 +20,7 @@ check_state (Search *search, bool *stable, QnDiag *diag)
 
   qn_assembly_tangent_at_rest (as, eq->multiplier);
   if (!qn_assembly_is_symmetric (as) && qn_path_slips (as))
-    return qn_diag_set_field (diag, QN_PROBLEM_STATE_SLIPS, QN_ENTITY_MODEL, QN_NONE,
-                              NULL, 0);
+    return qn_refuse (diag, QN_PROBLEM_STATE_SLIPS, QN_ENTITY_MODEL, QN_NONE);
   if (!qn_path_count_inertia (&search->path, &count))
     return qn_diag_no_memory (diag);
   *stable = count.negative + count.zero == 0;

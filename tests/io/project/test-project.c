@@ -65,15 +65,13 @@ test_errors (void)
   QnDiag diag;
   test_parse (walls, &project);
 
-  qn_diag_set (&diag, QN_ERROR_INVALID, QN_PROBLEM_BLOCKS_OVERLAP, QN_ENTITY_BLOCK, 0,
-               QN_NONE);
+  qn_refuse (&diag, QN_PROBLEM_BLOCKS_OVERLAP, QN_ENTITY_BLOCK, 0);
   diag.other = 3;
   expect_error (
     &project, &diag, QN_IO_ERROR_INVALID,
     "wall.quoin:3:15: blocks[0]: blocks overlap (blocks \"base\" and \"w.1.1\")");
 
-  qn_diag_set (&diag, QN_ERROR_INVALID, QN_PROBLEM_BLOCK_FLOATING, QN_ENTITY_BLOCK, 5,
-               QN_NONE);
+  qn_refuse (&diag, QN_PROBLEM_BLOCK_FLOATING, QN_ENTITY_BLOCK, 5);
   expect_error (&project, &diag, QN_IO_ERROR_INVALID,
                 "wall.quoin:9:56: walls[1].courses[1][2]: block is not connected to any "
                 "support (block \"w.2.2\")");
