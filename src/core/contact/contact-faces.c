@@ -5,9 +5,6 @@
 
 #include <stdlib.h>
 
-/* Up to so many matches are sorted by insertion: two bricks have four. */
-#define FEW_MATCHES 16
-
 typedef enum { MATCH_FACE, MATCH_TOUCH, MATCH_GAP } MatchKind;
 
 /* Relation of one side of block a to one side of block b. */
@@ -136,23 +133,6 @@ compare_matches (const void *left, const void *right)
   return (l->side_b > r->side_b) - (l->side_b < r->side_b);
 }
 
-static void
-sort_matches (Matches *matches)
-{
-  Match *items = matches->items;
-  if (matches->count > FEW_MATCHES) {
-    qsort (items, matches->count, sizeof *items, compare_matches);
-    return;
-  }
-  for (size_t i = 1; i < matches->count; i++) {
-    Match match = items[i];
-    size_t place = i;
-    for (; place > 0 && compare_matches (&items[place - 1], &match) > 0; place--)
-      items[place] = items[place - 1];
-    items[place] = match;
-  }
-}
-
 /* Everything that two blocks have to do with each other, sorted. */
 static void
 find_matches (const QnContactSearch *search, QnId a, QnId b, Matches *matches)
@@ -174,7 +154,8 @@ find_matches (const QnContactSearch *search, QnId a, QnId b, Matches *matches)
       match_corners (search, side_a, side_b, match, matches);
     }
   }
-  sort_matches (matches);
+  if (matches->count > 1)
+    qsort (matches->items, matches->count, sizeof *matches->items, compare_matches);
 }
 
 static void

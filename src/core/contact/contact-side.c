@@ -1,5 +1,7 @@
 #include "core/contact/contact-side.h"
 
+#include <stdlib.h>
+
 /* Directions that a run from its first vertex may take without leaving a vertex behind, as an
  * interval of angles about the direction of its first edge. */
 typedef struct {
@@ -97,29 +99,12 @@ collect_sides (QnSides *sides, const QnModel *model, QnId block, double toleranc
   }
 }
 
-static void
-reverse_sides (QnSide *sides, size_t count)
+static int
+compare_sides (const void *a, const void *b)
 {
-  for (size_t i = 0; i < count / 2; i++) {
-    QnSide swap = sides[i];
-    sides[i] = sides[count - 1 - i];
-    sides[count - 1 - i] = swap;
-  }
-}
+  const QnSide *p = a, *q = b;
 
-/* Lets the sides of one block, which stand in their order around it, begin with the one of the
- * lowest vertex. */
-static void
-rotate_sides (QnSide *sides, size_t count)
-{
-  size_t lowest = 0;
-  while (lowest < count && sides[lowest].vertex >= sides[0].vertex)
-    lowest++;
-  if (lowest == count)
-    return;
-  reverse_sides (sides, lowest);
-  reverse_sides (sides + lowest, count - lowest);
-  reverse_sides (sides, count);
+  return p->vertex - q->vertex;
 }
 
 void
@@ -134,7 +119,9 @@ qn_sides_init (QnSides *sides, const QnModel *model, double tolerance, QnPool *p
     size_t begin = sides->count;
     sides->first[block] = begin;
     collect_sides (sides, model, (QnId) block, tolerance);
-    rotate_sides (sides->items + begin, sides->count - begin);
+    /* In their order around the block, from its lowest vertex on. */
+    qsort (sides->items + begin, sides->count - begin, sizeof *sides->items,
+           compare_sides);
   }
   sides->first[model->block_count] = sides->count;
 }
