@@ -13,13 +13,10 @@
 static void
 clear_settling_rows (QnAssembly *as)
 {
-  for (size_t s = 0; s < as->settling_count; s++) {
-    const QnSettling *settling = &as->settling[s];
-    int32_t i = settling->unknown, count = as->ap[i + 1] - as->ap[i] - 1;
-    for (int32_t k = 0; k < count; k++)
-      as->ax[as->settling_entries[settling->first_entry + k]] = 0;
-    as->ax[as->diagonal[i]] = as->stiffness;
-  }
+  for (int32_t j = 0; j < as->unknown_count && as->settling_count > 0; j++)
+    for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++)
+      if (as->settles[as->ai[k]])
+        as->ax[k] = as->ai[k] == j ? as->stiffness : 0;
 }
 
 void

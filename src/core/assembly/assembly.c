@@ -76,9 +76,7 @@ number_unknowns (QnAssembly *as)
     bool fixed =
       qn_model_body_is_fixed (model, i / QN_DOF_COUNT, (QnDof) (i % QN_DOF_COUNT));
     if (settles)
-      *next++ = (QnSettling){ .unknown = as->unknown_count,
-                              .block = (QnId) (i / QN_DOF_COUNT),
-                              .dof = (QnDof) (i % QN_DOF_COUNT) };
+      *next++ = (QnSettling){ as->unknown_count, (QnId) (i / QN_DOF_COUNT), 0 };
     as->unknown[i] = fixed && !settles ? QN_NONE : as->unknown_count++;
   }
 }
@@ -97,31 +95,6 @@ qn_assembly_place_pair (QnAssembly *as, size_t p)
   if (pair->found)
     qn_pair_kinematics_set_corner (&as->kinematics[p], qn_vec2_sub (pair->point, from));
   as->gradients[p] = qn_pair_kinematics_gradient (&as->kinematics[p]);
-}
-
-/* Where the rows of settling unknowns stand: the pattern is symmetric, so their columns say
- * which columns have an entry in them. */
-static void
-find_settling_rows (QnAssembly *as)
-{
-  size_t count = 0;
-  int32_t next = 0;
-
-  for (size_t s = 0; s < as->settling_count; s++) {
-    int32_t i = as->settling[s].unknown;
-    as->settles[i] = true;
-    count += (size_t) (as->ap[i + 1] - as->ap[i]);
-  }
-  as->settling_entries = qn_pool_alloc (&as->pool, count, sizeof *as->settling_entries);
-  if (as->settling_entries == NULL)
-    return;
-  for (size_t s = 0; s < as->settling_count; s++) {
-    int32_t i = as->settling[s].unknown;
-    as->settling[s].first_entry = next;
-    for (int32_t k = as->ap[i]; k < as->ap[i + 1]; k++)
-      if (as->ai[k] != i)
-        as->settling_entries[next++] = qn_sparse_find (as->ap, as->ai, i, as->ai[k]);
-  }
 }
 
 /* Where a face's 6 x 6 goes in ax. */
@@ -164,7 +137,8 @@ build_pattern (QnAssembly *as)
   qn_beam_assembly_find_places (&as->beams, as->ap, as->ai);
   for (int32_t i = 0; i < as->unknown_count; i++)
     as->diagonal[i] = qn_sparse_find (as->ap, as->ai, i, i);
-  find_settling_rows (as);
+  for (size_t s = 0; s < as->settling_count; s++)
+    as->settles[as->settling[s].unknown] = true;
 }
 
 /* What a body resists acceleration with: its weight, or its area, and the square of the radius of

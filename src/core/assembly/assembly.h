@@ -39,9 +39,7 @@ typedef struct QnEccentricLoad {
 typedef struct QnSettling {
   int32_t unknown;
   QnId block;
-  QnDof dof;
-  double u;            /* at the last evaluation, m */
-  int32_t first_entry; /* of its row in QnAssembly.settling_entries */
+  double u; /* at the last evaluation, m */
 } QnSettling;
 
 /* Unknowns that a face couples: three of either block. */
@@ -61,8 +59,7 @@ typedef struct QnAssembly {
   int32_t *unknown; /* body_count x 3; QN_NONE: fixed, or a node on a block */
   QnSettling *settling;
   size_t settling_count;
-  bool *settles;             /* unknown_count: settlement of a support */
-  int32_t *settling_entries; /* indices in ax of settling rows, without diagonals */
+  bool *settles; /* unknown_count: settlement of a support */
 
   size_t pair_count;
   QnPairKinematics *kinematics; /* last evaluation; linear geometry: undeformed */
