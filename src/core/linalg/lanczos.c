@@ -135,7 +135,7 @@ grow (Lanczos *l)
   size_t j = l->count;
   double *w = column (l, j + 1), *parts = l->other;
 
-  if (l->problem->go_on != NULL && !l->problem->go_on (l->problem->user_data))
+  if (l->problem->go_on != NULL && !l->problem->go_on (l->problem->data))
     return false;
   apply (l, column (l, j), w);
   memset (parts, 0, (j + 1) * sizeof *parts);
@@ -217,30 +217,30 @@ shrink (Lanczos *l, size_t kept)
 }
 
 /* Grows the basis until the wanted values have settled. */
-static QnLanczosStatus
+static QnSolveStatus
 settle (Lanczos *l)
 {
   for (int restart = 0; restart < MOST_RESTARTS; restart++) {
     while (l->count < l->most && !l->full)
       if (!grow (l))
-        return QN_LANCZOS_CANCELLED;
+        return QN_SOLVE_CANCELLED;
     if (!project (l))
-      return QN_LANCZOS_NOT_FOUND;
+      return QN_SOLVE_FAILED;
     if (l->full || has_settled (l))
-      return QN_LANCZOS_DONE;
+      return QN_SOLVE_CONVERGED;
     shrink (l, l->wanted + (l->most - l->wanted) / 2);
   }
-  return QN_LANCZOS_NOT_FOUND;
+  return QN_SOLVE_FAILED;
 }
 
 /* Settles, and again from other starts, until that changes nothing. */
-static QnLanczosStatus
+static QnSolveStatus
 find_all (Lanczos *l, double *before)
 {
-  QnLanczosStatus status = settle (l);
+  QnSolveStatus status = settle (l);
   bool changed = true;
 
-  for (size_t i = 0; i < l->wanted && status == QN_LANCZOS_DONE && !l->full && changed;
+  for (size_t i = 0; i < l->wanted && status == QN_SOLVE_CONVERGED && !l->full && changed;
        i++) {
     memcpy (before, l->theta, l->wanted * sizeof *before);
     shrink (l, l->wanted + (l->most - l->wanted) / 2);
@@ -273,12 +273,12 @@ take (Lanczos *l, double *values, double *vectors)
   return found;
 }
 
-QnLanczosStatus
+QnSolveStatus
 qn_lanczos_run (const QnLanczosProblem *problem, size_t wanted, size_t *found,
                 double *values, double *vectors)
 {
   Lanczos l;
-  QnLanczosStatus status = QN_LANCZOS_NO_MEMORY;
+  QnSolveStatus status = QN_SOLVE_NO_MEMORY;
   double *before = NULL;
 
   *found = 0;
@@ -288,9 +288,9 @@ qn_lanczos_run (const QnLanczosProblem *problem, size_t wanted, size_t *found,
     if (before != NULL && !l.full)
       status = find_all (&l, before);
     else if (l.full)
-      status = QN_LANCZOS_DONE; /* nothing has mass */
+      status = QN_SOLVE_CONVERGED; /* nothing has mass */
   }
-  if (status == QN_LANCZOS_DONE && l.count > 0)
+  if (status == QN_SOLVE_CONVERGED && l.count > 0)
     *found = take (&l, values, vectors);
   free (before);
   qn_pool_clear (&l.pool);

@@ -15,27 +15,19 @@
  */
 #pragma once
 
-#include "core/base/status.h"
+#include "core/linalg/linsys.h"
 
 typedef struct QnLanczosProblem {
-  int32_t n;                                                       /* unknowns */
-  double shift;                                                    /* sigma */
-  void (*multiply) (const void *data, const double *x, double *y); /* y = M x */
-  void (*solve) (const void *data, double *b); /* b := (K - sigma M) \ b */
-  bool (*go_on) (void *user_data);             /* once per product; false cancels */
-  void *user_data;
-  const void *data;
+  int32_t n;                                                 /* unknowns */
+  double shift;                                              /* sigma */
+  void (*multiply) (void *data, const double *x, double *y); /* y = M x */
+  void (*solve) (void *data, double *b);                     /* b := (K - sigma M) \ b */
+  bool (*go_on) (void *data); /* once per product; false cancels; nullable */
+  void *data;
 } QnLanczosProblem;
-
-typedef enum {
-  QN_LANCZOS_DONE,
-  QN_LANCZOS_NOT_FOUND, /* they did not settle */
-  QN_LANCZOS_CANCELLED,
-  QN_LANCZOS_NO_MEMORY
-} QnLanczosStatus;
 
 /* Finds the `wanted` (>= 1) eigenvalues next to the shift. *found: how many there are, fewer
  * where M has not the rank. values: ascending, at least `wanted` of room; vectors: the same
- * number of columns of n, of unit length in the metric of M. */
-QnLanczosStatus qn_lanczos_run (const QnLanczosProblem *problem, size_t wanted,
-                                size_t *found, double *values, double *vectors);
+ * number of columns of n, of unit length in the metric of M. QN_SOLVE_FAILED: they did not settle. */
+QnSolveStatus qn_lanczos_run (const QnLanczosProblem *problem, size_t wanted,
+                              size_t *found, double *values, double *vectors);

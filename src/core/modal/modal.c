@@ -19,6 +19,7 @@
 #define ROUNDING 1e-12
 
 typedef struct {
+  QnEquilibrium *equilibrium;
   QnAssembly *assembly;
   QnLinsys *linsys;
   int32_t n;
@@ -48,23 +49,24 @@ factorize (Pencil *pencil, QnDiag *diag)
 
 /* y = M x */
 static void
-multiply (const void *data, const double *x, double *y)
+multiply (void *data, const double *x, double *y)
 {
   const Pencil *pencil = data;
   qn_assembly_multiply (pencil->assembly, pencil->proof.mass, x, y);
 }
 
 static void
-solve_shifted (const void *data, double *b)
+solve_shifted (void *data, double *b)
 {
   const Pencil *pencil = data;
   qn_linsys_solve (pencil->linsys, b);
 }
 
 static bool
-go_on_modes (void *equilibrium)
+go_on_modes (void *data)
 {
-  return qn_equilibrium_go_on (equilibrium);
+  const Pencil *pencil = data;
+  return qn_equilibrium_go_on (pencil->equilibrium);
 }
 
 /* Modes scaled to a largest displacement of 1; the vectors have a modal mass of 1. */
@@ -160,7 +162,8 @@ count_joints (const Pencil *pencil, QnModes *modes)
 static QnStatus
 find_modes (QnEquilibrium *eq, size_t wanted, bool sliding, QnModes *modes, QnDiag *diag)
 {
-  Pencil pencil = { .assembly = &eq->assembly,
+  Pencil pencil = { .equilibrium = eq,
+                    .assembly = &eq->assembly,
                     .linsys = eq->linsys,
                     .n = eq->assembly.unknown_count };
   size_t n = (size_t) pencil.n, most = wanted < n ? wanted : n;
@@ -183,20 +186,13 @@ find_modes (QnEquilibrium *eq, size_t wanted, bool sliding, QnModes *modes, QnDi
                                        .multiply = multiply,
                                        .solve = solve_shifted,
                                        .go_on = go_on_modes,
-                                       .user_data = eq,
                                        .data = &pencil };
-    switch (
-      qn_lanczos_run (&problem, most, &pencil.found, pencil.values, pencil.vectors)) {
-    case QN_LANCZOS_DONE:
-    case QN_LANCZOS_CANCELLED:
-      break;
-    case QN_LANCZOS_NOT_FOUND:
+    QnSolveStatus solved =
+      qn_lanczos_run (&problem, most, &pencil.found, pencil.values, pencil.vectors);
+    if (solved == QN_SOLVE_FAILED)
       status = qn_diag_set (diag, QN_ERROR_INTERNAL, QN_PROBLEM_MODES_NOT_FOUND);
-      break;
-    case QN_LANCZOS_NO_MEMORY:
+    else if (solved == QN_SOLVE_NO_MEMORY)
       status = qn_diag_no_memory (diag);
-      break;
-    }
   }
   if (status == QN_OK && pencil.found > 0)
     status = prove_modes (&pencil, diag);

@@ -14,7 +14,7 @@ typedef struct Diagonal {
 } Diagonal;
 
 static void
-multiply (const void *data, const double *x, double *y)
+multiply (void *data, const double *x, double *y)
 {
   const Diagonal *d = data;
   for (int i = 0; i < d->n; i++)
@@ -22,7 +22,7 @@ multiply (const void *data, const double *x, double *y)
 }
 
 static void
-solve (const void *data, double *b)
+solve (void *data, double *b)
 {
   const Diagonal *d = data;
   for (int i = 0; i < d->n; i++)
@@ -75,7 +75,7 @@ check (Diagonal *d, size_t wanted, const double *expected, size_t count)
   size_t n = (size_t) d->n, found = 0;
   double *values = g_new0 (double, wanted), *vectors = g_new0 (double, wanted *n);
   g_assert_cmpint (qn_lanczos_run (&problem, wanted, &found, values, vectors), ==,
-                   QN_LANCZOS_DONE);
+                   QN_SOLVE_CONVERGED);
   g_assert_cmpuint (found, ==, count);
   for (size_t a = 0; a < count; a++) {
     const double *x = vectors + a * n;
@@ -165,21 +165,17 @@ test_cancel (void)
   double values[WANTED], vectors[WANTED * N];
   size_t found;
   diagonal_init (&d, N, -1);
-  const QnLanczosProblem problem = { .n = N,
-                                     .shift = -1,
-                                     .multiply = multiply,
-                                     .solve = solve,
-                                     .go_on = go_on,
-                                     .user_data = &d,
-                                     .data = &d };
+  const QnLanczosProblem problem = {
+    .n = N, .shift = -1, .multiply = multiply, .solve = solve, .go_on = go_on, .data = &d
+  };
   g_assert_cmpint (qn_lanczos_run (&problem, WANTED, &found, values, vectors), ==,
-                   QN_LANCZOS_DONE);
+                   QN_SOLVE_CONVERGED);
   int products = d.products;
   g_assert_cmpint (products, >, 20);
   for (d.allowed = 1; d.allowed <= products; d.allowed++) {
     d.products = 0;
     g_assert_cmpint (qn_lanczos_run (&problem, WANTED, &found, values, vectors), ==,
-                     QN_LANCZOS_CANCELLED);
+                     QN_SOLVE_CANCELLED);
     g_assert_cmpint (d.products, ==, d.allowed);
     g_assert_cmpuint (found, ==, 0);
   }
