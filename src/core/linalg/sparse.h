@@ -6,13 +6,13 @@
 /* Collects entries, repeated or not, of an n x n pattern. */
 typedef struct QnSparsePattern {
   int32_t n;
-  uint64_t *entries; /* column in the high, row in the low half */
-  size_t count, capacity;
+  int32_t *rows, *columns; /* one allocation */
+  size_t count, most;
   QnPool *pool; /* of the compressed pattern; lack of memory is told by it alone */
 } QnSparsePattern;
 
-/* An empty pattern with room for `expected` entries. */
-void qn_sparse_pattern_init (QnSparsePattern *pattern, int32_t n, size_t expected,
+/* An empty pattern with room for `most` entries, repeated ones included. */
+void qn_sparse_pattern_init (QnSparsePattern *pattern, int32_t n, size_t most,
                              QnPool *pool);
 
 /* Adds all entries between the given unknowns, skipping those that are QN_NONE. */

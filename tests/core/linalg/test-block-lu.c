@@ -43,7 +43,7 @@ grid_init (Grid *grid, int side, GRand *random)
     for (int d = 0; d < 3; d++)
       grid->unknown[body][d] =
         body > 0 && g_rand_int_range (random, 0, 8) == 0 ? QN_NONE : grid->n++;
-  qn_sparse_pattern_init (&pattern, grid->n, 100, &grid->pool);
+  qn_sparse_pattern_init (&pattern, grid->n, (size_t) bodies * 72, &grid->pool);
   for (int body = 0; body < bodies; body++) {
     if (body % side > 0)
       couple (grid, &pattern, body, body - 1);

@@ -18,7 +18,7 @@ make_pattern (GRand *random, int32_t **ap, int32_t **ai, QnPool *pool)
   for (int b = 0; b < SIDE * SIDE; b++)
     for (int d = 0; d < 3; d++)
       unknown[b][d] = g_rand_int_range (random, 0, 6) == 0 ? QN_NONE : n++;
-  qn_sparse_pattern_init (&pattern, n, 100, pool);
+  qn_sparse_pattern_init (&pattern, n, SIDE * SIDE * (9 + 3 * 36), pool);
   for (int b = 0; b < SIDE * SIDE; b++) {
     bool shifted = b / SIDE % 2 == 1; /* running bond: the other block below */
     int below = b >= SIDE ? b - SIDE : b, next = shifted ? below + 1 : below - 1;

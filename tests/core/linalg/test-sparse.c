@@ -13,7 +13,7 @@ test_cliques (void)
   QnSparsePattern pattern;
   QnPool pool = { 0 };
 
-  qn_sparse_pattern_init (&pattern, 3, 1, &pool);
+  qn_sparse_pattern_init (&pattern, 3, 12, &pool);
   qn_sparse_pattern_add_clique (&pattern, first, 3);
   qn_sparse_pattern_add_clique (&pattern, second, 2);
   qn_sparse_pattern_add_clique (&pattern, second, 2);
@@ -41,7 +41,7 @@ test_random_pattern (void)
   QnPool pool = { 0 };
   GRand *random = g_rand_new_with_seed (7);
 
-  qn_sparse_pattern_init (&pattern, N, 0, &pool);
+  qn_sparse_pattern_init (&pattern, N, 60 * 36, &pool);
   for (int k = 0; k < 60; k++) {
     int32_t unknowns[6];
     for (int i = 0; i < 6; i++)
