@@ -37,7 +37,7 @@ sum_sets (const QnAssembly *as, const double *factors, const QnVec2 *beam_loads,
 {
   qn_model_set_forces (as->model, factors, as->forces);
   scatter_forces (as, loads);
-  qn_beam_assembly_add_loads (&as->beams, beam_loads, loads);
+  qn_beam_assembly_add_loads (as, beam_loads, loads);
   for (size_t s = 0; s < as->settling_count; s++)
     loads[as->settling[s].unknown] = 0;
   add_settlements (as, factors, loads);
@@ -50,7 +50,7 @@ qn_assembly_set_loads (QnAssembly *as, const double *held, const double *driven)
 
   memcpy (as->held, held, sizeof as->held);
   memcpy (as->driven, driven, sizeof as->driven);
-  qn_beam_assembly_set_loads (&as->beams, held, driven);
+  qn_beam_assembly_set_loads (as, held, driven);
   sum_sets (as, driven, as->beams.loads[1], as->live_at_rest);
   sum_sets (as, held, as->beams.loads[0], as->dead_at_rest);
   qn_model_set_forces (as->model, NULL, as->forces);
@@ -151,8 +151,7 @@ qn_assembly_turn_loads (QnAssembly *as, const double *u)
     as->dead[load->unknown] += load->dead * moment;
     as->live[load->unknown] += load->live * moment;
   }
-  qn_beam_assembly_turn_loads (&as->beams, as->beams.loads[0], as->dead);
-  qn_beam_assembly_turn_loads (&as->beams, as->beams.loads[1], as->live);
+  qn_beam_assembly_turn_loads (as);
   for (size_t s = 0; s < as->settling_count; s++) {
     int32_t i = as->settling[s].unknown;
     as->dead[i] = as->dead_at_rest[i];
@@ -170,7 +169,7 @@ qn_assembly_add_load_stiffness (QnAssembly *as, double multiplier)
     as->ax[as->diagonal[load->unknown]] +=
       factor * qn_vec2_dot (load->turned, load->force);
   }
-  qn_beam_assembly_add_load_stiffness (&as->beams, multiplier, as->ax);
+  qn_beam_assembly_add_load_stiffness (as, multiplier);
 }
 
 /* --- Reactions -------------------------------------------------------------------------- */
@@ -234,7 +233,7 @@ qn_assembly_reactions (QnAssembly *as, double multiplier, double *reactions)
     factors[set] = as->held[set] + multiplier * as->driven[set];
   memset (reactions, 0, count * sizeof *reactions);
   add_pair_forces (as, reactions);
-  qn_beam_assembly_add_body_forces (&as->beams, multiplier, reactions);
+  qn_beam_assembly_add_body_forces (as, multiplier, reactions);
   qn_model_set_forces (model, NULL, as->forces);
   for (size_t i = 0; i < count; i++)
     reactions[i] -= as->forces[i];

@@ -38,7 +38,7 @@ qn_assembly_mass (const QnAssembly *as, double *mass, QnDiag *diag)
       return qn_diag_set_field (diag, QN_PROBLEM_BEAM_WITHOUT_MASS, QN_ENTITY_BEAM,
                                 (QnId) b, NULL, own);
   }
-  qn_beam_assembly_add_mass (&as->beams, mass);
+  qn_beam_assembly_add_mass (as, mass);
   for (int32_t j = 0; j < as->unknown_count; j++)
     for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++)
       if (as->settles[j] || as->settles[as->ai[k]])
@@ -57,7 +57,7 @@ qn_assembly_add_inertia (const QnAssembly *as, QnVec2 acceleration, double *forc
       if (unknown != QN_NONE)
         forces[unknown] += block_mass (as, b, i) * components[i];
     }
-  qn_beam_assembly_add_inertia (&as->beams, acceleration, forces);
+  qn_beam_assembly_add_inertia (as, acceleration, forces);
   for (size_t s = 0; s < as->settling_count; s++)
     forces[as->settling[s].unknown] = 0;
 }

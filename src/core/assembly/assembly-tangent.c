@@ -25,7 +25,7 @@ qn_assembly_tangent_of (QnAssembly *as, double multiplier, double viscosity,
 {
   memset (as->ax, 0, (size_t) as->ap[as->unknown_count] * sizeof *as->ax);
   qn_assembly_add_face_tangents (as, tangents, stride);
-  qn_beam_assembly_add_tangent (&as->beams, as->ax);
+  qn_beam_assembly_add_tangent (as);
   for (int32_t i = 0; i < as->unknown_count; i++)
     as->ax[as->diagonal[i]] += viscosity * as->damping[i];
   if (as->nonlinear)

@@ -1,7 +1,6 @@
 #include "core/assembly/assembly-parts.h"
 
 #include "core/base/memory.h"
-#include "core/linalg/sparse.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -125,7 +124,7 @@ build_pattern (QnAssembly *as)
   for (size_t f = 0; f < contacts->face_count; f++)
     qn_sparse_pattern_add_clique (&pattern, as->face_unknowns + QN_FACE_UNKNOWNS * f,
                                   QN_FACE_UNKNOWNS);
-  qn_beam_assembly_add_pattern (&as->beams, &pattern);
+  qn_beam_assembly_add_pattern (as, &pattern);
   qn_sparse_pattern_compress (&pattern, &as->ap, &as->ai);
   if (!as->pool.failed)
     as->ax =
@@ -134,7 +133,7 @@ build_pattern (QnAssembly *as)
     return;
   for (size_t f = 0; f < contacts->face_count; f++)
     find_face_places (as, f);
-  qn_beam_assembly_find_places (&as->beams, as->ap, as->ai);
+  qn_beam_assembly_find_places (as);
   for (int32_t i = 0; i < as->unknown_count; i++)
     as->diagonal[i] = qn_sparse_find (as->ap, as->ai, i, i);
   for (size_t s = 0; s < as->settling_count; s++)
@@ -175,7 +174,7 @@ mean_stiffness (const QnAssembly *as)
   double sum = 0;
 
   if (as->pair_count == 0)
-    return qn_beam_assembly_stiffness (&as->beams);
+    return qn_beam_assembly_stiffness (as);
   for (size_t p = 0; p < as->pair_count; p++) {
     double k[2];
     qn_pair_elastic_stiffness (&as->springs[p], k);
@@ -245,7 +244,7 @@ qn_assembly_setup (QnAssembly *as, const QnModel *model, const QnContacts *conta
 
   number_unknowns (as);
   allocate (as);
-  qn_beam_assembly_setup (&as->beams, model, as->unknown, &as->pool);
+  qn_beam_assembly_setup (as);
   for (size_t p = 0; p < as->pair_count && !as->pool.failed; p++) {
     qn_assembly_place_pair (as, p);
     as->springs[p] = qn_contacts_pair_springs (as->model, as->contacts, p);
@@ -289,7 +288,7 @@ void
 qn_assembly_update_kinematics (QnAssembly *as, const double *u)
 {
   qn_assembly_move_faces (as, u);
-  qn_beam_assembly_update_kinematics (&as->beams, u);
+  qn_beam_assembly_update_kinematics (as, u);
   if (as->nonlinear)
     qn_assembly_turn_loads (as, u);
   for (size_t s = 0; s < as->settling_count; s++)
@@ -309,7 +308,7 @@ qn_assembly_evaluate (QnAssembly *as, const double *u)
     else
       ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
                               &as->responses[p]);
-  qn_beam_assembly_evaluate (&as->beams);
+  qn_beam_assembly_evaluate (as);
   return ok;
 }
 
@@ -328,7 +327,7 @@ qn_assembly_residual_of (const QnAssembly *as, double multiplier, const double *
     residual[i] = as->settles[i] ? 0 : as->dead[i] + multiplier * as->live[i];
   double scale = fmax (as->force_scale, qn_assembly_largest (as, residual, NULL));
   qn_assembly_subtract_face_forces (as, forces, stride, residual);
-  qn_beam_assembly_subtract_forces (&as->beams, residual);
+  qn_beam_assembly_subtract_forces (as, residual);
   for (size_t s = 0; s < as->settling_count; s++) {
     int32_t i = as->settling[s].unknown;
     residual[i] =
@@ -351,7 +350,7 @@ qn_assembly_commit (QnAssembly *as)
 {
   for (size_t p = 0; p < as->pair_count; p++)
     as->committed[p] = as->responses[p].memory;
-  qn_beam_assembly_commit (&as->beams);
+  qn_beam_assembly_commit (as);
   as->commits++;
 }
 

@@ -12,7 +12,7 @@
  */
 #pragma once
 
-#include "core/assembly/beam-assembly.h"
+#include "core/assembly/beam-element.h"
 #include "core/base/memory.h"
 #include "core/contact/contact-pair.h"
 #include "core/contact/contacts.h"
@@ -29,6 +29,55 @@ typedef struct QnEccentricLoad {
   QnVec2 turned;     /* the arm at the last evaluation */
   QnVec2 force;      /* N */
 } QnEccentricLoad;
+
+/* Beam elements, and ties: elements between two points of blocks, or of the ground, that have a normal
+ * force alone.
+ *
+ * A node that rides on a block moves with it: its displacement is u + (R - 1) r, with r the arm from the
+ * centroid, and its forces act on the block with that arm, which in nonlinear geometry turns.
+ *
+ * Distributed loads act on the nodes: in linear geometry as the forces and moments that make
+ * displacements of nodes exact; in nonlinear geometry, and where an end yields, as forces half
+ * and half. Moments at the ends are exact in statically determinate members either way; what is
+ * reported as end forces is in equilibrium with the load itself. */
+#define QN_GROUND SIZE_MAX
+
+/* One element in its place. Unknowns: ux, uy, L rz of the bodies at both ends. */
+typedef struct QnAssembledBeam {
+  QnBeamProperties properties;
+  size_t bodies[2];    /* at both ends; QN_GROUND: none */
+  int32_t unknowns[6]; /* QN_NONE where fixed */
+  QnVec2 arms[2];      /* from the bodies' centroids to the nodes, undeformed, m */
+  int32_t scatter[36];
+
+  /* Of the last update. */
+  QnVec2 turned[2];
+  QnBeamKinematics kinematics;
+} QnAssembledBeam;
+
+/* Share of a node in its elements, half of each. */
+typedef struct QnBeamShare {
+  double weight;  /* N */
+  double volume;  /* m3 */
+  double longest; /* length of an element, m */
+} QnBeamShare;
+
+typedef struct QnBeamAssembly {
+  size_t count; /* of the elements of beams, then the ties */
+  QnAssembledBeam *beams;
+  QnBeamMemory *committed;   /* from which every evaluation starts */
+  QnBeamResponse *responses; /* of the last evaluation, or of a state taken back */
+  QnVec2 *loads[2];          /* what is held and what is driven, N/m, by element */
+  QnVec2 *scratch;           /* by element */
+  QnBeamShare *shares;       /* of the nodes */
+  int8_t *assembled_phases;  /* of the tangent that was assembled last */
+} QnBeamAssembly;
+
+/* Part of a state that is independent of the displacements; one item per element. */
+typedef struct QnBeamState {
+  QnBeamMemory *memory;
+  QnBeamResponse *responses;
+} QnBeamState;
 
 /* A supported degree of freedom with a settlement. Instead of equilibrium its unknown u satisfies
  *
@@ -222,3 +271,41 @@ void qn_assembly_expand_rates (const QnAssembly *assembly, const double *u,
 /* State, forces and springs of every pair at the last evaluation, which was at u. */
 void qn_assembly_pair_results (const QnAssembly *assembly, const double *u,
                                QnPairResult *results);
+
+/* --- Beams and ties (beam-assembly.c) ----------------------------------------------------- */
+
+/* Stiffness, limits and mass of an element of a prepared model. */
+QnBeamProperties qn_beam_properties (const QnModel *model, QnId element);
+
+/* Takes over displacements of the unknowns; evaluates the elements there. */
+void qn_beam_assembly_update_kinematics (QnAssembly *assembly, const double *u);
+void qn_beam_assembly_evaluate (QnAssembly *assembly);
+
+/* Whether the tangent of the elements is another than the one assembled last. */
+bool qn_beam_assembly_has_changed (const QnAssembly *assembly);
+
+/* States, for going back; from a pool. */
+void qn_beam_state_init (QnBeamState *state, const QnAssembly *assembly, QnPool *pool);
+void qn_beam_state_save (QnBeamState *state, const QnAssembly *assembly);
+void qn_beam_state_set (const QnBeamState *state, QnAssembly *assembly);
+
+/* Adds the tangent without its geometric part to ax: positive semidefinite, for damping. */
+void qn_beam_assembly_add_material_tangent (const QnAssembly *assembly, double *ax);
+
+/* Every tie at the last evaluation. */
+void qn_beam_assembly_ties (const QnAssembly *assembly, QnTieResult *ties);
+
+/* Slack of a tie at the last evaluation, m; <= 0: the tie pulls. */
+double qn_beam_assembly_tie_gap (const QnAssembly *assembly, size_t tie);
+
+/* Rate of elongation of a tie at the last evaluation under velocities v of the unknowns. */
+double qn_beam_assembly_tie_rate (const QnAssembly *assembly, size_t tie,
+                                  const double *v);
+
+/* Ends the tensioning of prestressed ties: from the last evaluation on they are elastic about their present
+ * force. Call commit next. */
+void qn_beam_assembly_tension (QnAssembly *assembly);
+
+/* Section forces of every element of beams at the last evaluation under dead + multiplier live load. */
+void qn_beam_assembly_forces (const QnAssembly *assembly, double multiplier,
+                              QnBeamForces *forces);

@@ -1,6 +1,5 @@
-#include "core/assembly/beam-assembly.h"
-
-#include "core/base/memory.h"
+/* Beam elements and ties within the assembled structure. */
+#include "core/assembly/assembly-parts.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -52,12 +51,12 @@ tie_properties (const QnTie *tie)
 }
 
 static void
-place (QnBeamAssembly *as, size_t index, const int32_t *unknowns)
+place (QnAssembly *as, size_t index)
 {
   const QnModel *model = as->model;
   const size_t elements = model->element_count;
   const QnTie *tie = index < elements ? NULL : qn_model_tie (model, index - elements);
-  QnAssembledBeam *beam = &as->beams[index];
+  QnAssembledBeam *beam = &as->beams.beams[index];
 
   beam->properties =
     tie != NULL ? tie_properties (tie) : qn_beam_properties (model, (QnId) index);
@@ -81,22 +80,22 @@ place (QnBeamAssembly *as, size_t index, const int32_t *unknowns)
       beam->unknowns[3 * end + i] =
         beam->bodies[end] == QN_GROUND
           ? QN_NONE
-          : unknowns[QN_DOF_COUNT * beam->bodies[end] + (size_t) i];
+          : as->unknown[QN_DOF_COUNT * beam->bodies[end] + (size_t) i];
   }
   qn_beam_kinematics_init (&beam->kinematics, &beam->properties);
 }
 
 static void
-share_out (QnBeamAssembly *as)
+share_out (QnAssembly *as)
 {
   const QnModel *model = as->model;
 
   for (size_t i = 0; i < model->element_count; i++) {
     const QnBeamElement *element = &model->elements[i];
     const QnSection *section = &model->sections[model->beams[element->beam].section];
-    double length = as->beams[i].properties.length;
+    double length = as->beams.beams[i].properties.length;
     for (int end = 0; end < 2; end++) {
-      QnBeamShare *share = &as->shares[element->nodes[end]];
+      QnBeamShare *share = &as->beams.shares[element->nodes[end]];
       share->weight += 0.5 * length * qn_section_weight (section);
       share->volume += 0.5 * length * section->area;
       share->longest = fmax (share->longest, length);
@@ -105,13 +104,13 @@ share_out (QnBeamAssembly *as)
 }
 
 double
-qn_beam_assembly_stiffness (const QnBeamAssembly *as)
+qn_beam_assembly_stiffness (const QnAssembly *as)
 {
   const QnModel *model = as->model;
   QnVec2 low = { INFINITY, INFINITY }, high = { -INFINITY, -INFINITY };
   double sum = 0;
 
-  if (as->count == 0)
+  if (as->beams.count == 0)
     return 1;
   for (size_t i = 0; i < model->node_count; i++) {
     QnVec2 at = model->nodes[i].at;
@@ -119,56 +118,55 @@ qn_beam_assembly_stiffness (const QnBeamAssembly *as)
     high = qn_vec2 (fmax (high.x, at.x), fmax (high.y, at.y));
   }
   double extent = qn_vec2_length (qn_vec2_sub (high, low));
-  for (size_t i = 0; i < as->count; i++) {
-    const QnBeamProperties *p = &as->beams[i].properties;
+  for (size_t i = 0; i < as->beams.count; i++) {
+    const QnBeamProperties *p = &as->beams.beams[i].properties;
     sum +=
       log (p->tie != NULL ? p->axial
                           : 12 * p->bending * p->length / (extent * extent * extent));
   }
-  return exp (sum / (double) as->count);
+  return exp (sum / (double) as->beams.count);
 }
 
 void
-qn_beam_assembly_setup (QnBeamAssembly *as, const QnModel *model, const int32_t *unknowns,
-                        QnPool *pool)
+qn_beam_assembly_setup (QnAssembly *as)
 {
+  const QnModel *model = as->model;
   size_t count = model->element_count + qn_model_tie_count (model);
+  QnPool *pool = &as->pool;
+  QnBeamAssembly *beams = &as->beams;
 
-  *as = (QnBeamAssembly){ .model = model,
-                          .length = model->characteristic_length,
-                          .nonlinear = model->analysis.geometry == QN_GEOMETRY_NONLINEAR,
-                          .count = count };
-  as->beams = qn_pool_alloc (pool, count, sizeof *as->beams);
-  as->committed = qn_pool_alloc (pool, count, sizeof *as->committed);
-  as->responses = qn_pool_alloc (pool, count, sizeof *as->responses);
-  as->loads[0] = qn_pool_alloc (pool, count, sizeof *as->loads[0]);
-  as->loads[1] = qn_pool_alloc (pool, count, sizeof *as->loads[1]);
-  as->scratch = qn_pool_alloc (pool, count, sizeof *as->scratch);
-  as->assembled_phases = qn_pool_alloc (pool, count, sizeof *as->assembled_phases);
-  as->shares = qn_pool_alloc (pool, model->node_count, sizeof *as->shares);
+  beams->count = count;
+  beams->beams = qn_pool_alloc (pool, count, sizeof *beams->beams);
+  beams->committed = qn_pool_alloc (pool, count, sizeof *beams->committed);
+  beams->responses = qn_pool_alloc (pool, count, sizeof *beams->responses);
+  beams->loads[0] = qn_pool_alloc (pool, count, sizeof *beams->loads[0]);
+  beams->loads[1] = qn_pool_alloc (pool, count, sizeof *beams->loads[1]);
+  beams->scratch = qn_pool_alloc (pool, count, sizeof *beams->scratch);
+  beams->assembled_phases = qn_pool_alloc (pool, count, sizeof *beams->assembled_phases);
+  beams->shares = qn_pool_alloc (pool, model->node_count, sizeof *beams->shares);
   if (pool->failed)
     return;
   for (size_t i = 0; i < count; i++)
-    place (as, i, unknowns);
+    place (as, i);
   share_out (as);
 }
 
 void
-qn_beam_assembly_add_pattern (const QnBeamAssembly *as, QnSparsePattern *pattern)
+qn_beam_assembly_add_pattern (const QnAssembly *as, QnSparsePattern *pattern)
 {
-  for (size_t i = 0; i < as->count; i++)
-    qn_sparse_pattern_add_clique (pattern, as->beams[i].unknowns, 6);
+  for (size_t i = 0; i < as->beams.count; i++)
+    qn_sparse_pattern_add_clique (pattern, as->beams.beams[i].unknowns, 6);
 }
 
 void
-qn_beam_assembly_find_places (QnBeamAssembly *as, const int32_t *ap, const int32_t *ai)
+qn_beam_assembly_find_places (QnAssembly *as)
 {
-  for (size_t b = 0; b < as->count; b++) {
-    QnAssembledBeam *beam = &as->beams[b];
+  for (size_t b = 0; b < as->beams.count; b++) {
+    QnAssembledBeam *beam = &as->beams.beams[b];
     for (int i = 0; i < 6; i++)
       for (int j = 0; j < 6; j++)
         beam->scatter[6 * i + j] =
-          qn_sparse_find (ap, ai, beam->unknowns[i], beam->unknowns[j]);
+          qn_sparse_find (as->ap, as->ai, beam->unknowns[i], beam->unknowns[j]);
   }
 }
 
@@ -224,10 +222,10 @@ node_forces (const QnAssembledBeam *beam, const QnBeamResponse *response, double
 }
 
 void
-qn_beam_assembly_update_kinematics (QnBeamAssembly *as, const double *u)
+qn_beam_assembly_update_kinematics (QnAssembly *as, const double *u)
 {
-  for (size_t b = 0; b < as->count; b++) {
-    QnAssembledBeam *beam = &as->beams[b];
+  for (size_t b = 0; b < as->beams.count; b++) {
+    QnAssembledBeam *beam = &as->beams.beams[b];
     double v[6];
 
     for (int i = 0; i < 6; i++)
@@ -258,9 +256,9 @@ can_yield (const QnBeamProperties *p)
 
 /* Moments that hold a distributed load q (N/m, in the axes of the model) at the ends. */
 static void
-held_moments (const QnBeamAssembly *as, size_t element, QnVec2 q, double moments[2])
+held_moments (const QnAssembly *as, size_t element, QnVec2 q, double moments[2])
 {
-  const QnAssembledBeam *beam = &as->beams[element];
+  const QnAssembledBeam *beam = &as->beams.beams[element];
 
   moments[0] = moments[1] = 0;
   if (!as->nonlinear && !can_yield (&beam->properties))
@@ -269,21 +267,21 @@ held_moments (const QnBeamAssembly *as, size_t element, QnVec2 q, double moments
 }
 
 void
-qn_beam_assembly_set_loads (QnBeamAssembly *as, const double *held, const double *driven)
+qn_beam_assembly_set_loads (QnAssembly *as, const double *held, const double *driven)
 {
-  qn_model_element_loads (as->model, driven, as->loads[1]);
-  qn_model_element_loads (as->model, held, as->loads[0]);
-  qn_model_element_loads (as->model, NULL, as->scratch);
-  for (size_t b = 0; b < as->count; b++)
-    as->loads[0][b] = qn_vec2_add (as->loads[0][b], as->scratch[b]);
+  qn_model_element_loads (as->model, driven, as->beams.loads[1]);
+  qn_model_element_loads (as->model, held, as->beams.loads[0]);
+  qn_model_element_loads (as->model, NULL, as->beams.scratch);
+  for (size_t b = 0; b < as->beams.count; b++)
+    as->beams.loads[0][b] = qn_vec2_add (as->beams.loads[0][b], as->beams.scratch[b]);
 }
 
 /* Forces and moments of a load q on an element at its two nodes. */
 static void
-node_loads (const QnBeamAssembly *as, size_t element, QnVec2 q, QnVec2 forces[2],
+node_loads (const QnAssembly *as, size_t element, QnVec2 q, QnVec2 forces[2],
             double moments[2])
 {
-  const QnAssembledBeam *beam = &as->beams[element];
+  const QnAssembledBeam *beam = &as->beams.beams[element];
   QnVec2 half = qn_vec2_scale (0.5 * beam->properties.length, q);
   double held[2];
 
@@ -298,10 +296,10 @@ node_loads (const QnBeamAssembly *as, size_t element, QnVec2 q, QnVec2 forces[2]
 }
 
 void
-qn_beam_assembly_add_loads (const QnBeamAssembly *as, const QnVec2 *q, double *loads)
+qn_beam_assembly_add_loads (const QnAssembly *as, const QnVec2 *q, double *loads)
 {
-  for (size_t b = 0; b < as->count; b++) {
-    const QnAssembledBeam *beam = &as->beams[b];
+  for (size_t b = 0; b < as->beams.count; b++) {
+    const QnAssembledBeam *beam = &as->beams.beams[b];
     QnVec2 forces[2];
     double moments[2];
 
@@ -320,48 +318,50 @@ qn_beam_assembly_add_loads (const QnBeamAssembly *as, const QnVec2 *q, double *l
 }
 
 void
-qn_beam_assembly_turn_loads (const QnBeamAssembly *as, const QnVec2 *q, double *loads)
+qn_beam_assembly_turn_loads (QnAssembly *as)
 {
-  for (size_t b = 0; b < as->count; b++) {
-    const QnAssembledBeam *beam = &as->beams[b];
-    QnVec2 half = qn_vec2_scale (0.5 * beam->properties.length, q[b]);
+  for (size_t b = 0; b < as->beams.count; b++)
     for (int end = 0; end < 2; end++) {
+      const QnAssembledBeam *beam = &as->beams.beams[b];
       QnVec2 moved = qn_vec2_sub (beam->turned[end], beam->arms[end]);
       int32_t unknown = beam->unknowns[3 * end + 2];
-      if (unknown != QN_NONE)
-        loads[unknown] += qn_vec2_cross (moved, half) / as->length;
+      for (int live = 0; live < 2 && unknown != QN_NONE; live++) {
+        QnVec2 half =
+          qn_vec2_scale (0.5 * beam->properties.length, as->beams.loads[live][b]);
+        (live ? as->live : as->dead)[unknown] += qn_vec2_cross (moved, half) / as->length;
+      }
     }
-  }
 }
 
 /* A force at the arm r of a block that turns loses -d(r x F)/drz = r . F of its moment. */
 void
-qn_beam_assembly_add_load_stiffness (const QnBeamAssembly *as, double multiplier,
-                                     double *ax)
+qn_beam_assembly_add_load_stiffness (QnAssembly *as, double multiplier)
 {
-  for (size_t b = 0; b < as->count; b++) {
-    const QnAssembledBeam *beam = &as->beams[b];
-    QnVec2 q = qn_vec2_add_scaled (as->loads[0][b], multiplier, as->loads[1][b]);
+  for (size_t b = 0; b < as->beams.count; b++) {
+    const QnAssembledBeam *beam = &as->beams.beams[b];
+    QnVec2 q =
+      qn_vec2_add_scaled (as->beams.loads[0][b], multiplier, as->beams.loads[1][b]);
     QnVec2 half = qn_vec2_scale (0.5 * beam->properties.length, q);
     for (int end = 0; end < 2; end++) {
       int32_t place = beam->scatter[7 * (3 * end + 2)];
       if (place != QN_NONE)
-        ax[place] += qn_vec2_dot (beam->turned[end], half) / (as->length * as->length);
+        as->ax[place] +=
+          qn_vec2_dot (beam->turned[end], half) / (as->length * as->length);
     }
   }
 }
 
 void
-qn_beam_assembly_add_body_forces (const QnBeamAssembly *as, double multiplier,
-                                  double *forces)
+qn_beam_assembly_add_body_forces (const QnAssembly *as, double multiplier, double *forces)
 {
-  for (size_t b = 0; b < as->count; b++) {
-    const QnAssembledBeam *beam = &as->beams[b];
-    QnVec2 q = qn_vec2_add_scaled (as->loads[0][b], multiplier, as->loads[1][b]),
+  for (size_t b = 0; b < as->beams.count; b++) {
+    const QnAssembledBeam *beam = &as->beams.beams[b];
+    QnVec2 q = qn_vec2_add_scaled (as->beams.loads[0][b], multiplier,
+                                   as->beams.loads[1][b]),
            loads[2];
     double p[6], moments[2];
 
-    node_forces (beam, &as->responses[b], p);
+    node_forces (beam, &as->beams.responses[b], p);
     node_loads (as, b, q, loads, moments);
     for (int end = 0; end < 2; end++) {
       if (beam->bodies[end] == QN_GROUND)
@@ -379,23 +379,24 @@ qn_beam_assembly_add_body_forces (const QnBeamAssembly *as, double multiplier,
 /* --- Evaluating ------------------------------------------------------------------------- */
 
 void
-qn_beam_assembly_evaluate (QnBeamAssembly *as)
+qn_beam_assembly_evaluate (QnAssembly *as)
 {
-  for (size_t b = 0; b < as->count; b++) {
-    const QnBeamProperties *p = &as->beams[b].properties;
+  for (size_t b = 0; b < as->beams.count; b++) {
+    const QnBeamProperties *p = &as->beams.beams[b].properties;
     (p->tie != NULL ? qn_tie_evaluate : qn_beam_evaluate) (
-      p, &as->committed[b], as->beams[b].kinematics.deformation, &as->responses[b]);
+      p, &as->beams.committed[b], as->beams.beams[b].kinematics.deformation,
+      &as->beams.responses[b]);
   }
 }
 
 void
-qn_beam_assembly_subtract_forces (const QnBeamAssembly *as, double *residual)
+qn_beam_assembly_subtract_forces (const QnAssembly *as, double *residual)
 {
-  for (size_t b = 0; b < as->count; b++) {
-    const QnAssembledBeam *beam = &as->beams[b];
+  for (size_t b = 0; b < as->beams.count; b++) {
+    const QnAssembledBeam *beam = &as->beams.beams[b];
     double p[6];
 
-    node_forces (beam, &as->responses[b], p);
+    node_forces (beam, &as->beams.responses[b], p);
     for (int end = 0; end < 2; end++) {
       const int k = 3 * end;
       QnVec2 force = qn_vec2 (p[k], p[k + 1]);
@@ -409,11 +410,11 @@ qn_beam_assembly_subtract_forces (const QnBeamAssembly *as, double *residual)
 
 /* k = G' D G */
 static void
-material_tangent (const QnBeamAssembly *as, size_t index, double k[6][6])
+material_tangent (const QnAssembly *as, size_t index, double k[6][6])
 {
-  const QnAssembledBeam *beam = &as->beams[index];
+  const QnAssembledBeam *beam = &as->beams.beams[index];
   const double (*g)[6] = beam->kinematics.gradient;
-  const QnBeamResponse *response = &as->responses[index];
+  const QnBeamResponse *response = &as->beams.responses[index];
 
   for (int j = 0; j < 6; j++) {
     double dg[3];
@@ -429,10 +430,10 @@ material_tangent (const QnBeamAssembly *as, size_t index, double k[6][6])
 
 /* k = T' (G' D G + geometric) T - r . F of arms that turn */
 static void
-element_tangent (const QnBeamAssembly *as, size_t index, double out[6][6])
+element_tangent (const QnAssembly *as, size_t index, double out[6][6])
 {
-  const QnAssembledBeam *beam = &as->beams[index];
-  const QnBeamResponse *response = &as->responses[index];
+  const QnAssembledBeam *beam = &as->beams.beams[index];
+  const QnBeamResponse *response = &as->beams.responses[index];
   double k[6][6], p[6];
 
   material_tangent (as, index, k);
@@ -457,25 +458,25 @@ add_matrix (const QnAssembledBeam *beam, double k[6][6], double *ax)
 }
 
 void
-qn_beam_assembly_add_tangent (QnBeamAssembly *as, double *ax)
+qn_beam_assembly_add_tangent (QnAssembly *as)
 {
-  for (size_t b = 0; b < as->count; b++) {
+  for (size_t b = 0; b < as->beams.count; b++) {
     double k[6][6];
     element_tangent (as, b, k);
-    add_matrix (&as->beams[b], k, ax);
-    as->assembled_phases[b] = as->responses[b].phase;
+    add_matrix (&as->beams.beams[b], k, as->ax);
+    as->beams.assembled_phases[b] = as->beams.responses[b].phase;
   }
 }
 
 void
-qn_beam_assembly_add_material_tangent (const QnBeamAssembly *as, double *ax)
+qn_beam_assembly_add_material_tangent (const QnAssembly *as, double *ax)
 {
-  for (size_t b = 0; b < as->count; b++) {
+  for (size_t b = 0; b < as->beams.count; b++) {
     double k[6][6], out[6][6];
 
     material_tangent (as, b, k);
-    transform_matrix (&as->beams[b], as->length, k, out);
-    add_matrix (&as->beams[b], out, ax);
+    transform_matrix (&as->beams.beams[b], as->length, k, out);
+    add_matrix (&as->beams.beams[b], out, ax);
   }
 }
 
@@ -490,23 +491,22 @@ moved_mass (const QnAssembledBeam *beam, double m[6][6])
 }
 
 void
-qn_beam_assembly_add_mass (const QnBeamAssembly *as, double *ax)
+qn_beam_assembly_add_mass (const QnAssembly *as, double *ax)
 {
-  for (size_t b = 0; b < as->count; b++) {
+  for (size_t b = 0; b < as->beams.count; b++) {
     double m[6][6], out[6][6];
 
-    moved_mass (&as->beams[b], m);
-    transform_matrix (&as->beams[b], as->length, m, out);
-    add_matrix (&as->beams[b], out, ax);
+    moved_mass (&as->beams.beams[b], m);
+    transform_matrix (&as->beams.beams[b], as->length, m, out);
+    add_matrix (&as->beams.beams[b], out, ax);
   }
 }
 
 void
-qn_beam_assembly_add_inertia (const QnBeamAssembly *as, QnVec2 acceleration,
-                              double *forces)
+qn_beam_assembly_add_inertia (const QnAssembly *as, QnVec2 acceleration, double *forces)
 {
-  for (size_t b = 0; b < as->count; b++) {
-    const QnAssembledBeam *beam = &as->beams[b];
+  for (size_t b = 0; b < as->beams.count; b++) {
+    const QnAssembledBeam *beam = &as->beams.beams[b];
     double m[6][6];
 
     moved_mass (beam, m);
@@ -525,48 +525,49 @@ qn_beam_assembly_add_inertia (const QnBeamAssembly *as, QnVec2 acceleration,
 }
 
 bool
-qn_beam_assembly_has_changed (const QnBeamAssembly *as)
+qn_beam_assembly_has_changed (const QnAssembly *as)
 {
-  for (size_t b = 0; b < as->count; b++)
-    if (as->assembled_phases[b] != as->responses[b].phase)
+  for (size_t b = 0; b < as->beams.count; b++)
+    if (as->beams.assembled_phases[b] != as->beams.responses[b].phase)
       return true;
   return false;
 }
 
 void
-qn_beam_assembly_commit (QnBeamAssembly *as)
+qn_beam_assembly_commit (QnAssembly *as)
 {
-  for (size_t b = 0; b < as->count; b++)
-    as->committed[b] = as->responses[b].memory;
+  for (size_t b = 0; b < as->beams.count; b++)
+    as->beams.committed[b] = as->beams.responses[b].memory;
 }
 
 void
-qn_beam_assembly_ties (const QnBeamAssembly *as, QnTieResult *ties)
+qn_beam_assembly_ties (const QnAssembly *as, QnTieResult *ties)
 {
   const size_t elements = as->model->element_count;
 
-  for (size_t b = elements; b < as->count; b++) {
-    double force = as->responses[b].force[0];
+  for (size_t b = elements; b < as->beams.count; b++) {
+    double force = as->beams.responses[b].force[0];
     ties[b - elements] =
       (QnTieResult){ .force = force,
-                     .elongation = as->beams[b].kinematics.deformation[0],
-                     .state = qn_tie_state (as->beams[b].properties.tie, force, 0) };
+                     .elongation = as->beams.beams[b].kinematics.deformation[0],
+                     .state =
+                       qn_tie_state (as->beams.beams[b].properties.tie, force, 0) };
   }
 }
 
 double
-qn_beam_assembly_tie_gap (const QnBeamAssembly *as, size_t tie)
+qn_beam_assembly_tie_gap (const QnAssembly *as, size_t tie)
 {
   size_t b = as->model->element_count + tie;
 
-  return as->beams[b].properties.rest + as->responses[b].memory.stretch
-         - as->beams[b].kinematics.deformation[0];
+  return as->beams.beams[b].properties.rest + as->beams.responses[b].memory.stretch
+         - as->beams.beams[b].kinematics.deformation[0];
 }
 
 double
-qn_beam_assembly_tie_rate (const QnBeamAssembly *as, size_t tie, const double *v)
+qn_beam_assembly_tie_rate (const QnAssembly *as, size_t tie, const double *v)
 {
-  const QnAssembledBeam *beam = &as->beams[as->model->element_count + tie];
+  const QnAssembledBeam *beam = &as->beams.beams[as->model->element_count + tie];
   double rate = 0;
 
   for (int end = 0; end < 2; end++) {
@@ -582,11 +583,11 @@ qn_beam_assembly_tie_rate (const QnBeamAssembly *as, size_t tie, const double *v
 }
 
 void
-qn_beam_assembly_tension (QnBeamAssembly *as)
+qn_beam_assembly_tension (QnAssembly *as)
 {
-  for (size_t b = as->model->element_count; b < as->count; b++) {
-    const QnAssembledBeam *beam = &as->beams[b];
-    QnBeamResponse *response = &as->responses[b];
+  for (size_t b = as->model->element_count; b < as->beams.count; b++) {
+    const QnAssembledBeam *beam = &as->beams.beams[b];
+    QnBeamResponse *response = &as->beams.responses[b];
     if (beam->properties.tie->prestress == 0)
       continue;
     const double force = response->force[0];
@@ -600,13 +601,13 @@ qn_beam_assembly_tension (QnBeamAssembly *as)
 }
 
 void
-qn_beam_assembly_forces (const QnBeamAssembly *as, double multiplier,
-                         QnBeamForces *forces)
+qn_beam_assembly_forces (const QnAssembly *as, double multiplier, QnBeamForces *forces)
 {
   for (size_t b = 0; b < as->model->element_count; b++) {
-    const QnAssembledBeam *beam = &as->beams[b];
-    const double *force = as->responses[b].force;
-    QnVec2 q = qn_vec2_add_scaled (as->loads[0][b], multiplier, as->loads[1][b]);
+    const QnAssembledBeam *beam = &as->beams.beams[b];
+    const double *force = as->beams.responses[b].force;
+    QnVec2 q =
+      qn_vec2_add_scaled (as->beams.loads[0][b], multiplier, as->beams.loads[1][b]);
     QnVec2 x = beam->kinematics.axis, y = qn_vec2_perp (x);
     double half = 0.5 * beam->properties.length, held[2];
 
@@ -623,22 +624,24 @@ qn_beam_assembly_forces (const QnBeamAssembly *as, double multiplier,
 /* --- States ----------------------------------------------------------------------------- */
 
 void
-qn_beam_state_init (QnBeamState *state, const QnBeamAssembly *as, QnPool *pool)
+qn_beam_state_init (QnBeamState *state, const QnAssembly *as, QnPool *pool)
 {
-  state->memory = qn_pool_alloc (pool, as->count, sizeof *state->memory);
-  state->responses = qn_pool_alloc (pool, as->count, sizeof *state->responses);
+  state->memory = qn_pool_alloc (pool, as->beams.count, sizeof *state->memory);
+  state->responses = qn_pool_alloc (pool, as->beams.count, sizeof *state->responses);
 }
 
 void
-qn_beam_state_save (QnBeamState *state, const QnBeamAssembly *as)
+qn_beam_state_save (QnBeamState *state, const QnAssembly *as)
 {
-  memcpy (state->memory, as->committed, as->count * sizeof *state->memory);
-  memcpy (state->responses, as->responses, as->count * sizeof *state->responses);
+  memcpy (state->memory, as->beams.committed, as->beams.count * sizeof *state->memory);
+  memcpy (state->responses, as->beams.responses,
+          as->beams.count * sizeof *state->responses);
 }
 
 void
-qn_beam_state_set (const QnBeamState *state, QnBeamAssembly *as)
+qn_beam_state_set (const QnBeamState *state, QnAssembly *as)
 {
-  memcpy (as->committed, state->memory, as->count * sizeof *state->memory);
-  memcpy (as->responses, state->responses, as->count * sizeof *state->responses);
+  memcpy (as->beams.committed, state->memory, as->beams.count * sizeof *state->memory);
+  memcpy (as->beams.responses, state->responses,
+          as->beams.count * sizeof *state->responses);
 }

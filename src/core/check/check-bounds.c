@@ -86,7 +86,7 @@ tie_dissipation (const QnCheck *check)
   double sum = 0;
 
   for (size_t i = 0; i < qn_model_tie_count (check->model); i++) {
-    double rate = qn_beam_assembly_tie_rate (members, i, check->velocity);
+    double rate = qn_beam_assembly_tie_rate (&check->assembly, i, check->velocity);
     double strength = qn_tie_strength (qn_model_tie (check->model, i));
     double force = members->responses[elements + i].force[0];
     /* What nothing limits does not give: what rounding leaves counts as in joints. */

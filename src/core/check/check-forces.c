@@ -647,7 +647,7 @@ check_beam_forces (QnCheck *check, size_t step)
   const QnBeamForces *stated = qn_result_step_beam_forces (check->result, step);
   double tolerance = QN_CHECK_FORCES * check->scale;
 
-  qn_beam_assembly_forces (&check->assembly.beams, 0, check->beam_forces);
+  qn_beam_assembly_forces (&check->assembly, 0, check->beam_forces);
   if (stated == NULL && check->model->element_count > 0 && !check->faults->in_time)
     qn_check_tell_model (check, QN_CLAIM_BEAM_FORCES, (QnId) step, NAN, NAN);
   if (stated == NULL)

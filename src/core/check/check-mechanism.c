@@ -117,9 +117,9 @@ check_joint (QnCheck *check, size_t p, const double rate[2], double none)
 static void
 check_beams (QnCheck *check, double none)
 {
-  QnBeamAssembly *beams = &check->assembly.beams;
+  const QnBeamAssembly *beams = &check->assembly.beams;
 
-  qn_beam_assembly_update_kinematics (beams, check->velocity);
+  qn_beam_assembly_update_kinematics (&check->assembly, check->velocity);
   for (size_t e = 0; e < check->model->element_count; e++) {
     const QnBeamProperties *p = &beams->beams[e].properties;
     const double *rate = beams->beams[e].kinematics.deformation;
@@ -135,7 +135,7 @@ check_beams (QnCheck *check, double none)
       qn_check_tell (check, QN_CLAIM_FLOW, (QnId) check->result->step_count - 1,
                      QN_ENTITY_BEAM, check->model->elements[e].beam, rate[0], 0);
   }
-  qn_beam_assembly_update_kinematics (beams, check->u);
+  qn_beam_assembly_update_kinematics (&check->assembly, check->u);
 }
 
 /* Ties give where they hang slack or have their strength; forces are none or reach the strength within
@@ -149,7 +149,7 @@ check_tie_rates (QnCheck *check, double none, double little)
   for (size_t i = 0; i < qn_model_tie_count (check->model); i++) {
     const QnBeamResponse *response = &members->responses[elements + i];
     const QnAssembledBeam *at = &members->beams[elements + i];
-    double rate = qn_beam_assembly_tie_rate (members, i, check->velocity);
+    double rate = qn_beam_assembly_tie_rate (&check->assembly, i, check->velocity);
     double force = response->force[0];
     bool hangs =
       !check->result->limit.given

@@ -92,7 +92,7 @@ check_step (QnCheck *check, size_t step, QnDiag *diag)
   if (status == QN_OK && check->follows)
     status = qn_check_found_missing (check, step, diag);
   if (step == 0)
-    qn_beam_assembly_tension (&as->beams);
+    qn_beam_assembly_tension (as);
   qn_assembly_commit (as);
   return status;
 }

@@ -387,9 +387,9 @@ qn_record_step (QnEquilibrium *eq, QnMovingContacts *moving, double multiplier,
   if (ok) {
     qn_assembly_expand (as, eq->u, rows);
     ok = qn_result_add_step (result, step, rows);
-    qn_beam_assembly_forces (&as->beams, multiplier, forces);
+    qn_beam_assembly_forces (as, multiplier, forces);
     ok = ok && (model->element_count == 0 || qn_result_add_beam_forces (result, forces));
-    qn_beam_assembly_ties (&as->beams, ties);
+    qn_beam_assembly_ties (as, ties);
     ok = ok && qn_result_add_ties (result, ties);
     qn_assembly_reactions (as, multiplier, rows);
     ok = ok && qn_result_add_reactions (result, rows);

@@ -82,7 +82,7 @@ renew_beam_damping (QnTimeStep *step)
     return;
   memset (step->beam_damping, 0,
           (size_t) as->ap[as->unknown_count] * sizeof *step->beam_damping);
-  qn_beam_assembly_add_material_tangent (&as->beams, step->beam_damping);
+  qn_beam_assembly_add_material_tangent (as, step->beam_damping);
   for (int32_t j = 0; j < as->unknown_count; j++)
     for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++)
       if (as->settles[j] || as->settles[as->ai[k]])
@@ -405,7 +405,7 @@ is_factored (const QnTimeStep *step)
   const QnAssembly *as = &step->equation.eq->assembly;
 
   return step->factored_length == step->h && !step->stale
-         && !qn_beam_assembly_has_changed (&as->beams)
+         && !qn_beam_assembly_has_changed (as)
          && memcmp (step->factored, step->branches,
                     QN_BRANCH * as->pair_count * sizeof *step->branches)
               == 0;

@@ -79,7 +79,7 @@ prepare_path (Increment *increment)
   QnAssembly *as = &path->eq->assembly;
 
   qn_assembly_update_kinematics (as, path->eq->u);
-  qn_beam_assembly_evaluate (&as->beams);
+  qn_beam_assembly_evaluate (as);
   if (!qn_central_pairs_prepare (&path->pairs, &increment->residuals))
     return false;
   increment->elongation = fmax (1, increment->residuals.elongation);

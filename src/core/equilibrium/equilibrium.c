@@ -11,7 +11,7 @@ qn_equilibrium_state_init (QnEquilibriumState *state, const QnAssembly *as, QnPo
   state->u = qn_pool_alloc (pool, (size_t) as->unknown_count, sizeof *state->u);
   state->memory = qn_pool_alloc (pool, as->pair_count, sizeof *state->memory);
   state->responses = qn_pool_alloc (pool, as->pair_count, sizeof *state->responses);
-  qn_beam_state_init (&state->beams, &as->beams, pool);
+  qn_beam_state_init (&state->beams, as, pool);
 }
 
 double
@@ -34,7 +34,7 @@ qn_equilibrium_save (const QnEquilibrium *eq, QnEquilibriumState *state)
   state->out_of_balance = eq->out_of_balance;
   memcpy (state->memory, as->committed, as->pair_count * sizeof *as->committed);
   memcpy (state->responses, as->responses, as->pair_count * sizeof *as->responses);
-  qn_beam_state_save (&state->beams, &as->beams);
+  qn_beam_state_save (&state->beams, as);
 }
 
 void
@@ -47,7 +47,7 @@ qn_equilibrium_set_state (QnEquilibrium *eq, const QnEquilibriumState *state)
   eq->out_of_balance = state->out_of_balance;
   memcpy (as->committed, state->memory, as->pair_count * sizeof *as->committed);
   memcpy (as->responses, state->responses, as->pair_count * sizeof *as->responses);
-  qn_beam_state_set (&state->beams, &as->beams);
+  qn_beam_state_set (&state->beams, as);
   qn_assembly_update_kinematics (as, eq->u);
 }
 
@@ -130,7 +130,7 @@ qn_equilibrium_renew (QnEquilibrium *eq)
   QnAssembly *as = &eq->assembly;
 
   qn_assembly_update_kinematics (as, eq->u);
-  qn_beam_assembly_evaluate (&as->beams);
+  qn_beam_assembly_evaluate (as);
   for (size_t p = 0; p < as->pair_count; p++)
     if (!as->inactive[p] && as->responses[p].phase == QN_PHASE_OPEN)
       qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
@@ -150,8 +150,8 @@ qn_equilibrium_exchange (QnEquilibrium *eq, QnAssembly *assembly, QnDiag *diag)
     free_for_pairs (&next);
     return qn_diag_no_memory (diag);
   }
-  qn_beam_state_save (&next.committed.beams, &eq->assembly.beams);
-  qn_beam_state_set (&next.committed.beams, &next.assembly.beams);
+  qn_beam_state_save (&next.committed.beams, &eq->assembly);
+  qn_beam_state_set (&next.committed.beams, &next.assembly);
   free_for_pairs (eq);
   *eq = next;
   eq->factored = false;

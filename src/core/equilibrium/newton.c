@@ -100,7 +100,7 @@ is_factored (const QnEquilibrium *eq, double viscosity)
 {
   const QnAssembly *as = &eq->assembly;
   bool same = eq->factored && eq->factored_viscosity == viscosity && !as->nonlinear
-              && !qn_beam_assembly_has_changed (&as->beams);
+              && !qn_beam_assembly_has_changed (as);
 
   for (size_t p = 0; p < as->pair_count && same; p++)
     same = !as->responses[p].varies && eq->factored_phases[p] == as->responses[p].phase;

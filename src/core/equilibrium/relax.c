@@ -94,8 +94,7 @@ qn_equilibrium_note_gaps (QnEquilibrium *eq)
   for (size_t p = 0; p < eq->assembly.pair_count; p++)
     eq->gaps[p] = qn_assembly_gap (&eq->assembly, p);
   for (size_t t = 0; t < tie_count (eq); t++)
-    eq->gaps[eq->assembly.pair_count + t] =
-      qn_beam_assembly_tie_gap (&eq->assembly.beams, t);
+    eq->gaps[eq->assembly.pair_count + t] = qn_beam_assembly_tie_gap (&eq->assembly, t);
 }
 
 static bool
@@ -114,8 +113,8 @@ qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step, double hor
         && closes (eq->gaps[p], qn_assembly_gap (as, p), time_step, horizon))
       return true;
   for (size_t t = 0; t < tie_count (eq); t++)
-    if (closes (eq->gaps[as->pair_count + t], qn_beam_assembly_tie_gap (&as->beams, t),
-                time_step, horizon))
+    if (closes (eq->gaps[as->pair_count + t], qn_beam_assembly_tie_gap (as, t), time_step,
+                horizon))
       return true;
   return false;
 }
@@ -267,7 +266,7 @@ come_straight (QnEquilibrium *eq, const QnTarget *target)
   memcpy (as->committed, eq->recorded.memory, as->pair_count * sizeof *as->committed);
   for (size_t p = 0; p < as->pair_count; p++) /* but what is broken is broken */
     qn_pair_keep_damage (&as->springs[p], &eq->anchor.memory[p], &as->committed[p]);
-  qn_beam_state_set (&eq->recorded.beams, &as->beams);
+  qn_beam_state_set (&eq->recorded.beams, as);
   QnSolveStatus status = qn_assembly_evaluate (as, eq->u)
                            ? qn_equilibrium_newton (eq, target, 0, QN_NEWTON_BUDGET)
                            : QN_SOLVE_FAILED;

@@ -269,7 +269,7 @@ qn_path_apply_dead_load (QnPath *path, bool *stands, QnDiag *diag)
   *stands = solve == QN_SOLVE_CONVERGED;
 
   if (*stands) {
-    qn_beam_assembly_tension (&eq->assembly.beams);
+    qn_beam_assembly_tension (&eq->assembly);
     return qn_path_accept (path, 0, QN_EVENT_NONE) ? QN_OK : qn_diag_no_memory (diag);
   }
   if (solve == QN_SOLVE_NO_MEMORY)

@@ -1,7 +1,7 @@
 /* Shared by the drawings of beams; private to the scene-*.c files. */
 #pragma once
 
-#include "core/assembly/beam-assembly.h"
+#include "core/assembly/assembly.h"
 #include "render/scene/scene-builder.h"
 
 typedef struct QnBeamDrawing {
