@@ -263,21 +263,6 @@ order_groups (Analysis *a, QnFrontTree *tree)
   }
 }
 
-static int32_t
-front_of_position (const QnFrontTree *tree, int32_t position)
-{
-  int32_t low = 0, high = tree->front_count - 1;
-
-  while (low < high) {
-    int32_t middle = (low + high + 1) / 2;
-    if (tree->fronts[middle].first <= position)
-      low = middle;
-    else
-      high = middle - 1;
-  }
-  return low;
-}
-
 /* The rests, and where they stand in the parents. */
 static void
 list_rests (const Analysis *a, QnFrontTree *tree)
@@ -304,7 +289,7 @@ list_rests (const Analysis *a, QnFrontTree *tree)
     qsort (tree->rows + front->first_row, (size_t) front->rest, sizeof *tree->rows,
            qn_compare_ids);
     front->parent =
-      front->rest > 0 ? front_of_position (tree, tree->rows[front->first_row]) : QN_NONE;
+      front->rest > 0 ? a->marks[a->group[a->rows[a->column_start[j]]]] : QN_NONE;
   }
 }
 
