@@ -13,7 +13,8 @@
  *   |kn (q - p) - x| > ny:   p = (1 - r) (q -+ ny / kn),   n = x +- ny,   dn/dq = r kn
  *   |x| = nu - ny:           p = q - n / kn,               n = x +- ny,   dn/dq = 0
  *
- * Source: Simo & Hughes, Computational Inelasticity (1998), section 1.4. Shear is elastic.
+ * Without hardening it is the law elastic-plastic. Source: Simo & Hughes, Computational Inelasticity (1998),
+ * section 1.4. Shear is elastic.
  */
 #include "core/law/law-ops.h"
 
@@ -70,7 +71,7 @@ static void
 resolve_bilinear (const QnLaw *law, QnLawScale scale, QnSpring *spring)
 {
   spring->yield = law->yield * scale.force;
-  spring->hardening = law->hardening;
+  spring->hardening = law->kind == QN_LAW_BILINEAR ? law->hardening : 0;
   spring->strength = INFINITY;
 }
 
@@ -83,3 +84,8 @@ const QnLawOps qn_law_ops_bilinear = { QN_LAW_PARAMETERS (bilinear_parameters),
                                        .check = check_bilinear,
                                        .resolve = resolve_bilinear,
                                        .evaluate = qn_law_bilinear_evaluate };
+
+const QnLawOps qn_law_ops_elastic_plastic = { .parameters = bilinear_parameters,
+                                              .parameter_count = 1, /* yield */
+                                              .resolve = resolve_bilinear,
+                                              .evaluate = qn_law_bilinear_evaluate };
