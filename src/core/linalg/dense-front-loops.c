@@ -1,4 +1,4 @@
-#include "core/linalg/dense-front-loops.h"
+#include "core/linalg/dense-front.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "core/linalg/dense-front-loops.h"
+#include "core/linalg/dense-front.h"
 
 /* Compiled once for vectors of two and of four numbers: the compiler would split vectors wider than the
  * processor's. Every width does the same operations on every number, in the same order. */

@@ -55,5 +55,6 @@ typedef struct QnFrontLoops {
   void (*backward) (const QnDenseFront *front, double *x, const double *above);
 } QnFrontLoops;
 
-/* The fastest loops of this processor with at most `width` doubles per vector. */
+/* Those for vectors of two and of four doubles, and the fastest of this processor with at most `width`. */
+extern const QnFrontLoops qn_front_loops_2, qn_front_loops_4;
 const QnFrontLoops *qn_front_loops (int width);
