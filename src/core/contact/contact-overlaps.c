@@ -14,14 +14,15 @@ add_number (const QnContactSearch *search, QnContactCuts *numbers, double value)
 }
 
 /* How far block b reaches behind the sides of the convex block a: the least over these sides of
- * the largest depth, m; negative or zero where one of them separates the two. Sides after one
- * that separates by more than `enough` are not looked at. */
+ * the largest depth, m; at most the tolerance where one of them separates the two. Sides after that one are
+ * not looked at. */
 static double
-reach_behind_sides (const QnContactSearch *search, QnId a, QnId b, double enough)
+reach_behind_sides (const QnContactSearch *search, QnId a, QnId b)
 {
   const QnSides *sides = &search->sides;
   double least = INFINITY;
-  for (size_t i = sides->first[a]; i < sides->first[a + 1] && least > enough; i++) {
+  for (size_t i = sides->first[a];
+       i < sides->first[a + 1] && least > search->lengths.tolerance; i++) {
     const QnSide *side = &sides->items[i];
     double deepest = -INFINITY;
     for (size_t j = sides->first[b]; j < sides->first[b + 1]; j++) {
@@ -191,9 +192,9 @@ qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
     qn_side_count (search, a) * qn_side_count (search, b) <= QN_FEW_SIDES * QN_FEW_SIDES;
   double depth = INFINITY;
   if (small && search->convex[a])
-    depth = reach_behind_sides (search, a, b, search->lengths.tolerance);
+    depth = reach_behind_sides (search, a, b);
   if (small && search->convex[b] && depth > search->lengths.tolerance)
-    depth = qn_min (depth, reach_behind_sides (search, b, a, search->lengths.tolerance));
+    depth = qn_min (depth, reach_behind_sides (search, b, a));
   if (depth <= search->lengths.tolerance)
     return;
 

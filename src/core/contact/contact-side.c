@@ -29,25 +29,10 @@ sleeve_admits (Sleeve *sleeve, QnVec2 last, QnVec2 next, double tolerance)
   return true;
 }
 
-/* Whether `middle` lies so far from the line through `first` and `next` that no run passes it.
- * Twice the tolerance, so that rounding has no say: what is nearer is left to the sleeve. */
-static bool
-is_corner (QnVec2 first, QnVec2 middle, QnVec2 next, double tolerance)
-{
-  QnVec2 to_middle = qn_vec2_sub (middle, first), to_next = qn_vec2_sub (next, first);
-  double off = qn_vec2_cross (to_middle, to_next);
-  return off * off > 4 * tolerance * tolerance * qn_vec2_dot (to_next, to_next);
-}
-
 /* Number of edges in the straight run that begins at vertex `first`, at most `limit`. */
 static size_t
 run_length (const QnVec2 *v, size_t count, size_t first, size_t limit, double tolerance)
 {
-  if (limit == 1
-      || is_corner (v[first % count], v[(first + 1) % count], v[(first + 2) % count],
-                    tolerance))
-    return 1;
-
   QnVec2 edge = qn_vec2_sub (v[(first + 1) % count], v[first % count]);
   double length = qn_vec2_length (edge);
   Sleeve sleeve = { v[first % count], qn_vec2_scale (1 / length, edge), -1, 1 };
