@@ -568,7 +568,7 @@ depth_of (QnBox a, QnBox b)
 }
 
 /* Blocks that came to overlap: where more than two joints meet, or a block
- * touches another at its corner alone, no lines part them. */
+ * touches another at its corner alone, no lines part them. The smaller one is trimmed. */
 static QnStatus
 trim_overlaps (const Closing *closing, QnRings *moved, QnDiag *diag)
 {
@@ -584,7 +584,10 @@ trim_overlaps (const Closing *closing, QnRings *moved, QnDiag *diag)
   QnStatus status = done ? QN_OK : qn_diag_no_memory (diag);
   double least = ROUNDING * closing->widest;
   for (size_t i = 0; status == QN_OK && i < pairs.count; i++) {
-    const QnId *pair = pairs.items[i];
+    const QnId *ids = pairs.items[i];
+    const bool second =
+      qn_ring_area (&moved->items[ids[1]]) < qn_ring_area (&moved->items[ids[0]]);
+    const QnId pair[2] = { ids[second], ids[!second] };
     /* What overlapped before is not ours to judge. */
     if (depth_of (boxes[pair[0]], boxes[pair[1]]) > least
         && common_area (moved, pair) > least * closing->widest
