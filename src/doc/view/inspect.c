@@ -89,29 +89,45 @@ qn_inspect_dup_title (const QnStepView *view, QnInspected what)
 
 /* ---- lines ---- */
 
+/* Values below those of `noise` are shown as 0. */
+typedef struct Lines {
+  GString *text;
+  double noise[QN_QUANTITY_COUNT];
+} Lines;
+
 static void
-add_text (GString *text, const char *name, const char *value)
+add_text (Lines *lines, const char *name, const char *value)
 {
-  g_string_append_printf (text, "%s%s\t%s", text->len > 0 ? "\n" : "", name, value);
+  g_string_append_printf (lines->text, "%s%s\t%s", lines->text->len > 0 ? "\n" : "", name,
+                          value);
+}
+
+static double
+quiet (const Lines *lines, QnQuantity quantity, double value)
+{
+  return fabs (value) < lines->noise[quantity] ? 0.0 : value;
 }
 
 static void
-add_value (GString *text, QnUnits units, const char *name, QnQuantity quantity,
+add_value (Lines *lines, QnUnits units, const char *name, QnQuantity quantity,
            double value)
 {
-  g_autofree char *number = qn_units_format_full (units, quantity, value, DIGITS);
-  add_text (text, name, number);
+  g_autofree char *number =
+    qn_units_format_full (units, quantity, quiet (lines, quantity, value), DIGITS);
+  add_text (lines, name, number);
 }
 
 /* Two values on one line, the unit behind the second. */
 static void
-add_pair (GString *text, QnUnits units, const char *name, QnQuantity quantity, double a,
+add_pair (Lines *lines, QnUnits units, const char *name, QnQuantity quantity, double a,
           double b)
 {
-  g_autofree char *first = qn_units_format (units, quantity, a, DIGITS);
-  g_autofree char *second = qn_units_format_full (units, quantity, b, DIGITS);
+  g_autofree char *first =
+    qn_units_format (units, quantity, quiet (lines, quantity, a), DIGITS);
+  g_autofree char *second =
+    qn_units_format_full (units, quantity, quiet (lines, quantity, b), DIGITS);
   g_autofree char *both = g_strdup_printf ("%s; %s", first, second);
-  add_text (text, name, both);
+  add_text (lines, name, both);
 }
 
 /* ---- joints ---- */
@@ -130,12 +146,12 @@ place_word (QnPressurePlace place)
 
 /* "e 83 mm, outside the kern (±67 mm; edge ±200 mm)" */
 static void
-add_eccentricity (GString *text, QnUnits units, const QnContactFace *face,
+add_eccentricity (Lines *lines, QnUnits units, const QnContactFace *face,
                   const QnJointReading *reading, gboolean brief)
 {
   QnUnits mm = qn_units_of_motion (units);
   if (reading->place == QN_PLACE_NOWHERE) {
-    add_text (text, _ ("Eccentricity"), _ ("no compression"));
+    add_text (lines, _ ("Eccentricity"), _ ("no compression"));
     return;
   }
   g_autofree char *e =
@@ -145,14 +161,14 @@ add_eccentricity (GString *text, QnUnits units, const QnContactFace *face,
     qn_units_format_full (mm, QN_QUANTITY_LENGTH, face->length / 2.0, 3);
   g_autofree char *bounds = g_strdup_printf (_ ("kern ±%s, edge ±%s"), kern, edge);
   g_autofree char *where = g_strdup_printf ("%s, %s", e, place_word (reading->place));
-  add_text (text, _ ("Eccentricity"), where);
+  add_text (lines, _ ("Eccentricity"), where);
   if (!brief)
-    add_text (text, "", bounds);
+    add_text (lines, "", bounds);
 }
 
 /* Where a joint is one of a row, what passes through the whole row: the force of the line of thrust. */
 static void
-tell_row (GString *text, const QnStepView *view, QnId id, QnUnits units)
+tell_row (Lines *lines, const QnStepView *view, QnId id, QnUnits units)
 {
   QnThrust thrust;
   int alike = 0;
@@ -167,112 +183,80 @@ tell_row (GString *text, const QnStepView *view, QnId id, QnUnits units)
     g_autofree char *e = qn_units_format_full (
       qn_units_of_motion (units), QN_QUANTITY_LENGTH, cut->eccentricity, DIGITS);
     g_autofree char *both = g_strdup_printf (_ ("%s, e = %s"), force, e);
-    add_text (text, _ ("Whole row"), both);
+    add_text (lines, _ ("Whole row"), both);
   }
   qn_thrust_clear (&thrust);
 }
 
 static void
-quiet (double *value, double largest)
-{
-  if (fabs (*value) < NOISE * largest)
-    *value = 0;
-}
-
-/* Rounding errors are shown as 0. */
-static void
-quiet_joint (const QnStepView *view, const QnContactFace *face, QnJointReading *reading)
-{
-  double thickness =
-    fmin (view->model->blocks[face->a].thickness, view->model->blocks[face->b].thickness);
-  quiet (&reading->normal, view->force);
-  quiet (&reading->shear, view->force);
-  quiet (&reading->moment, view->force * face->length);
-  quiet (&reading->pressure, view->force / (face->length * thickness));
-  quiet (&reading->eccentricity, face->length);
-  quiet (&reading->opening_start, view->length);
-  quiet (&reading->opening_end, view->length);
-  quiet (&reading->slip, view->length);
-}
-
-static void
-quiet_block (const QnStepView *view, const QnBlock *block, QnBlockReading *reading)
-{
-  double size = sqrt (block->area);
-  quiet (&reading->force.x, view->force);
-  quiet (&reading->force.y, view->force);
-  for (int i = 0; i < 2; i++) {
-    quiet (&reading->principal[i], view->force / (size * block->thickness));
-    quiet (&reading->displacement[i], view->length);
-  }
-  quiet (&reading->displacement[QN_DOF_RZ], view->length / size);
-  quiet (&reading->largest, view->length);
-}
-
-static void
-tell_joint (GString *text, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
+tell_joint (Lines *lines, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
 {
   const QnContactFace *face = &view->contacts->faces[id];
   QnJointReading reading =
     qn_joint_reading (view->contacts, id, view->pairs,
                       view->motion.displacements != NULL ? &view->motion : NULL);
-  quiet_joint (view, face, &reading);
+  const double thickness =
+    fmin (view->model->blocks[face->a].thickness, view->model->blocks[face->b].thickness);
+  lines->noise[QN_QUANTITY_MOMENT] = NOISE * view->force * face->length;
+  lines->noise[QN_QUANTITY_STRESS] = NOISE * view->force / (face->length * thickness);
+  if (fabs (reading.eccentricity) < NOISE * face->length)
+    reading.eccentricity = 0.0;
   if (reading.has_forces) {
-    add_value (text, units, "N", QN_QUANTITY_FORCE, reading.normal);
-    add_value (text, units, "T", QN_QUANTITY_FORCE, reading.shear);
-    add_value (text, units, "M", QN_QUANTITY_MOMENT, reading.moment);
-    add_eccentricity (text, units, face, &reading, brief);
-    add_value (text, units, _ ("Greatest pressure"), QN_QUANTITY_STRESS,
+    add_value (lines, units, "N", QN_QUANTITY_FORCE, reading.normal);
+    add_value (lines, units, "T", QN_QUANTITY_FORCE, reading.shear);
+    add_value (lines, units, "M", QN_QUANTITY_MOMENT, reading.moment);
+    add_eccentricity (lines, units, face, &reading, brief);
+    add_value (lines, units, _ ("Greatest pressure"), QN_QUANTITY_STRESS,
                -reading.pressure);
-    tell_row (text, view, id, units);
+    tell_row (lines, view, id, units);
     g_autofree char *state = qn_explain_pairs (reading.states);
-    add_text (text, _ ("State"), state);
+    add_text (lines, _ ("State"), state);
   } else if (view->result != NULL)
-    add_text (text, _ ("Forces"), _ ("not kept of this step"));
+    add_text (lines, _ ("Forces"), _ ("not kept of this step"));
   if (reading.has_motion) {
     QnUnits mm = qn_units_of_motion (units);
-    add_pair (text, mm, _ ("Opening at its ends"), QN_QUANTITY_LENGTH,
+    add_pair (lines, mm, _ ("Opening at its ends"), QN_QUANTITY_LENGTH,
               reading.opening_start, reading.opening_end);
-    add_value (text, mm, _ ("Slip"), QN_QUANTITY_LENGTH, reading.slip);
+    add_value (lines, mm, _ ("Slip"), QN_QUANTITY_LENGTH, reading.slip);
   }
   if (brief && view->result != NULL)
     return;
-  add_value (text, units, _ ("Length"), QN_QUANTITY_LENGTH, face->length);
+  add_value (lines, units, _ ("Length"), QN_QUANTITY_LENGTH, face->length);
   const char *law_a = view->model->laws[face->law_a].name;
   const char *law_b = view->model->laws[face->law_b].name;
   g_autofree char *laws = face->law_a == face->law_b
                             ? g_strdup (law_a)
                             : g_strdup_printf ("%s, %s", law_a, law_b);
-  add_text (text, _ ("Law"), laws);
+  add_text (lines, _ ("Law"), laws);
 }
 
 /* ---- contacts found on the way ---- */
 
 static void
-tell_found (GString *text, const QnStepView *view, QnId id, QnUnits units)
+tell_found (Lines *lines, const QnStepView *view, QnId id, QnUnits units)
 {
   gsize count;
   const QnFoundForce *forces = qn_step_found (view->result, view->step, &count);
   for (gsize i = 0; i < count; i++) {
     if (forces[i].found != id)
       continue;
-    add_value (text, units, "N", QN_QUANTITY_FORCE, forces[i].normal);
-    add_value (text, units, "T", QN_QUANTITY_FORCE, forces[i].shear);
-    add_text (text, _ ("State"), qn_explain_pair_state (forces[i].state));
+    add_value (lines, units, "N", QN_QUANTITY_FORCE, forces[i].normal);
+    add_value (lines, units, "T", QN_QUANTITY_FORCE, forces[i].shear);
+    add_text (lines, _ ("State"), qn_explain_pair_state (forces[i].state));
   }
   double at = view->result->found[id].time;
   if (view->result->history.width > 0) {
-    add_value (text, units, _ ("Found at"), QN_QUANTITY_TIME, at);
+    add_value (lines, units, _ ("Found at"), QN_QUANTITY_TIME, at);
   } else {
     g_autofree char *step = g_strdup_printf ("%.0f", at);
-    add_text (text, _ ("Found at step"), step);
+    add_text (lines, _ ("Found at step"), step);
   }
 }
 
 /* ---- blocks ---- */
 
 static void
-tell_block (GString *text, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
+tell_block (Lines *lines, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
 {
   const QnBlock *block = &view->model->blocks[id];
   double factors[QN_MAX_LOAD_SETS] = { 0 };
@@ -281,27 +265,30 @@ tell_block (GString *text, const QnStepView *view, QnId id, QnUnits units, gbool
   g_autofree QnBlockReading *all = qn_block_readings (
     view->model, view->contacts, view->pairs, view->touches, view->touch_count, factors,
     view->motion.displacements != NULL ? &view->motion : NULL);
-  QnBlockReading reading = all[id];
-  quiet_block (view, block, &reading);
+  const QnBlockReading reading = all[id];
+  const double size = sqrt (block->area);
+  lines->noise[QN_QUANTITY_STRESS] = NOISE * view->force / (size * block->thickness);
+  lines->noise[QN_QUANTITY_ROTATION] = NOISE * view->length / size;
   if (reading.has_motion) {
     QnUnits mm = qn_units_of_motion (units);
-    add_pair (text, mm, _ ("Displacement x; y"), QN_QUANTITY_LENGTH,
+    add_pair (lines, mm, _ ("Displacement x; y"), QN_QUANTITY_LENGTH,
               reading.displacement[QN_DOF_UX], reading.displacement[QN_DOF_UY]);
-    add_value (text, units, _ ("Rotation"), QN_QUANTITY_ROTATION,
+    add_value (lines, units, _ ("Rotation"), QN_QUANTITY_ROTATION,
                reading.displacement[QN_DOF_RZ]);
-    add_value (text, mm, _ ("Largest displacement"), QN_QUANTITY_LENGTH, reading.largest);
+    add_value (lines, mm, _ ("Largest displacement"), QN_QUANTITY_LENGTH,
+               reading.largest);
   }
   if (reading.has_forces) {
-    add_pair (text, units, _ ("Principal stresses"), QN_QUANTITY_STRESS,
+    add_pair (lines, units, _ ("Principal stresses"), QN_QUANTITY_STRESS,
               reading.principal[0], reading.principal[1]);
-    add_pair (text, units, _ ("Force of its joints x; y"), QN_QUANTITY_FORCE,
+    add_pair (lines, units, _ ("Force of its joints x; y"), QN_QUANTITY_FORCE,
               reading.force.x, reading.force.y);
   } else if (view->result != NULL)
-    add_text (text, _ ("Forces"), _ ("not kept of this step"));
+    add_text (lines, _ ("Forces"), _ ("not kept of this step"));
   if (brief && view->result != NULL)
     return;
-  add_value (text, units, _ ("Weight"), QN_QUANTITY_FORCE, block->weight);
-  add_pair (text, units, _ ("Centroid x; y"), QN_QUANTITY_LENGTH, block->centroid.x,
+  add_value (lines, units, _ ("Weight"), QN_QUANTITY_FORCE, block->weight);
+  add_pair (lines, units, _ ("Centroid x; y"), QN_QUANTITY_LENGTH, block->centroid.x,
             block->centroid.y);
 }
 
@@ -311,12 +298,14 @@ qn_inspect_dup_values (const QnStepView *view, QnInspected what, QnUnits units,
 {
   if (!is_there (view, what))
     return NULL;
-  GString *text = g_string_new (NULL);
+  Lines lines = { g_string_new (NULL),
+                  { [QN_QUANTITY_FORCE] = NOISE * view->force,
+                    [QN_QUANTITY_LENGTH] = NOISE * view->length } };
   if (what.kind == QN_INSPECTED_JOINT)
-    tell_joint (text, view, what.id, units, brief);
+    tell_joint (&lines, view, what.id, units, brief);
   else if (what.kind == QN_INSPECTED_FOUND)
-    tell_found (text, view, what.id, units);
+    tell_found (&lines, view, what.id, units);
   else
-    tell_block (text, view, what.id, units, brief);
-  return g_string_free (text, FALSE);
+    tell_block (&lines, view, what.id, units, brief);
+  return g_string_free (lines.text, FALSE);
 }

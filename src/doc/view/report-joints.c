@@ -3,9 +3,9 @@
 
 #include "core/base/integer.h"
 #include "doc/text/explain.h"
-#include "doc/view/inspect.h"
 #include "doc/view/pair-text.h"
 #include "render/drawing/text.h"
+#include "render/scene/reading.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
