@@ -165,8 +165,7 @@ take_initial (const Form *form, QnModel *model, guint field, double number,
   for (guint i = 0; i < set.count; i++) {
     QnInitialMotion motion = qn_initial_motion_of (model, set.ids[i]);
     *initial_number (&motion, field) = number;
-    if (!qn_edit_set_initial (model, (QnBlockSet){ set.ids + i, 1 }, motion.displacement,
-                              motion.velocity, error))
+    if (!qn_edit_set_initial (model, &motion, error))
       return FALSE;
   }
   return TRUE;

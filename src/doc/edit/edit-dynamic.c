@@ -5,7 +5,6 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 gboolean
 qn_edit_add_pulse (QnModel *model, GError **error)
@@ -55,65 +54,33 @@ qn_initial_transform (const QnModel *model, const QnInitialMotion *motion)
                                qn_transform_translation (u[QN_DOF_UX], u[QN_DOF_UY]));
 }
 
-static gboolean
-rests (const QnInitialMotion *motion)
-{
-  for (int i = 0; i < QN_DOF_COUNT; i++)
-    if (motion->displacement[i] != 0.0 || motion->velocity[i] != 0.0)
-      return FALSE;
-  return TRUE;
-}
-
-/* In place of what the model says of the block; no entry for one that rests. */
-static gboolean
-put_initial (QnModel *model, const QnInitialMotion *motion, GError **error)
-{
-  gsize i = 0;
-  while (i < model->initial_count && model->initial[i].block != motion->block)
-    i++;
-  if (i < model->initial_count && rests (motion)) {
-    qn_edit_drop (model->initial, &model->initial_count, sizeof *model->initial, i);
-    return TRUE;
-  }
-  if (rests (motion))
-    return TRUE;
-  QnInitialMotion *to =
-    i < model->initial_count ? &model->initial[i] : qn_model_add_initial_motion (model);
-  if (to == NULL)
-    return qn_edit_no_memory (error);
-  int32_t note = to->note;
-  *to = *motion;
-  to->note = note;
-  return TRUE;
-}
-
 /* Fixed blocks that would move are named; the check of the model knows no more of the hand. */
-static gboolean
-put_moving (QnModel *model, const QnInitialMotion *motion, GError **error)
+gboolean
+qn_edit_set_initial (QnModel *model, const QnInitialMotion *motion, GError **error)
 {
   const QnBlock *block = &model->blocks[motion->block];
-  for (int i = 0; i < QN_DOF_COUNT; i++)
-    if (block->support[i]
-        && (motion->displacement[i] != 0.0 || motion->velocity[i] != 0.0))
+  gboolean moves = FALSE;
+  gsize i = 0;
+  for (int k = 0; k < QN_DOF_COUNT; k++) {
+    gboolean goes = motion->displacement[k] != 0.0 || motion->velocity[k] != 0.0;
+    if (goes && block->support[k])
       return qn_edit_refuse (
         error, _ ("Block %s is fixed: it cannot start from elsewhere"), block->name);
-  return put_initial (model, motion, error)
-         && (rests (motion) || qn_edit_choose_dynamic (model, error));
-}
-
-gboolean
-qn_edit_set_initial (QnModel *model, QnBlockSet set,
-                     const double displacement[QN_DOF_COUNT],
-                     const double velocity[QN_DOF_COUNT], GError **error)
-{
-  for (guint i = 0; i < set.count; i++) {
-    QnInitialMotion motion = qn_initial_motion_of (model, set.ids[i]);
-    memcpy (motion.displacement, displacement, sizeof motion.displacement);
-    memcpy (motion.velocity, velocity, sizeof motion.velocity);
-    if (!put_moving (model, &motion, error))
-      return FALSE;
+    moves = moves || goes;
   }
-  return TRUE;
+  while (i < model->initial_count && model->initial[i].block != motion->block)
+    i++;
+  const gboolean known = i < model->initial_count;
+  if (!moves) {
+    if (known)
+      qn_edit_drop (model->initial, &model->initial_count, sizeof *model->initial, i);
+    return TRUE;
+  }
+  QnInitialMotion *to = known ? &model->initial[i] : qn_model_add_initial_motion (model);
+  if (to == NULL)
+    return qn_edit_no_memory (error);
+  *to = *motion;
+  return qn_edit_choose_dynamic (model, error);
 }
 
 /* ---- records ---- */

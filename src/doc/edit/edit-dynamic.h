@@ -10,14 +10,13 @@ gboolean qn_edit_choose_dynamic (QnModel *model, GError **error);
 /* A further half-sine pulse along x: 2 m/s2 for half a second. */
 gboolean qn_edit_add_pulse (QnModel *model, GError **error);
 
-/* Where each block of the set starts, counted from the equilibrium under dead load, and how fast: m, m, rad
- * and m/s, m/s, rad/s. Makes the analysis one in time. Refuses fixed blocks. */
-gboolean qn_edit_set_initial (QnModel *model, QnBlockSet set,
-                              const double displacement[QN_DOF_COUNT],
-                              const double velocity[QN_DOF_COUNT], GError **error);
-
 /* The model's initial motion of the block; default: at rest. */
 QnInitialMotion qn_initial_motion_of (const QnModel *model, QnId block);
+
+/* Sets it with other numbers, counted from the equilibrium under dead load: m, m, rad and m/s, m/s, rad/s. Makes
+ * the analysis one in time. Refuses fixed blocks. */
+gboolean qn_edit_set_initial (QnModel *model, const QnInitialMotion *motion,
+                              GError **error);
 
 /* Where a block starts, drawn from where it stands in the model. */
 QnTransform qn_initial_transform (const QnModel *model, const QnInitialMotion *motion);
