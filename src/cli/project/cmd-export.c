@@ -50,15 +50,11 @@ static gboolean
 write_polygons (const ExportOptions *options, QnInput *input, GError **error)
 {
   QnModel *model = &input->project.model;
-  gboolean bound = FALSE;
   g_autofree QnId *all = g_new (QnId, model->block_count + 1);
-  for (gsize i = 0; i < model->block_count; i++) {
-    const QnBlock *block = &model->blocks[i];
-    bound = bound || block->wall != QN_NONE || block->masonry != QN_NONE;
+  for (gsize i = 0; i < model->block_count; i++)
     all[i] = (QnId) i;
-  }
   QnBlockSet set = { all, (guint) model->block_count };
-  return (!bound || qn_edit_detach (model, set, error))
+  return (!qn_edit_take_apart (model, set) || qn_edit_rebuild (model, NULL, error))
          && qn_project_save (&input->project, options->output, error);
 }
 

@@ -97,8 +97,8 @@ detach_masonry (QnModel *model, QnBlockSet set)
   }
 }
 
-static void
-remove_courses (QnWall *wall)
+void
+qn_wall_remove_courses (QnWall *wall)
 {
   free (wall->lengths);
   free (wall->course_ends);
@@ -119,12 +119,12 @@ detach_walls (QnModel *model, const gboolean *walls)
   }
   for (gsize i = 0; i < model->wall_count; i++) {
     if (walls[i])
-      remove_courses (&model->walls[i]);
+      qn_wall_remove_courses (&model->walls[i]);
   }
 }
 
 gboolean
-qn_edit_detach (QnModel *model, QnBlockSet set, GError **error)
+qn_edit_take_apart (QnModel *model, QnBlockSet set)
 {
   g_autofree gboolean *walls = walls_of (model, set);
   gboolean any = FALSE;
@@ -132,11 +132,16 @@ qn_edit_detach (QnModel *model, QnBlockSet set, GError **error)
     any = any || walls[i];
   for (guint i = 0; i < set.count; i++)
     any = any || model->blocks[set.ids[i]].masonry != QN_NONE;
-  if (!any)
-    return qn_edit_refuse (error, _ ("None of the selected blocks belongs to a wall"));
   detach_masonry (model, set);
   detach_walls (model, walls);
-  return qn_edit_rebuild (model, NULL, error);
+  return any;
+}
+
+gboolean
+qn_edit_detach (QnModel *model, QnBlockSet set, GError **error)
+{
+  return qn_edit_take_apart (model, set)
+         || qn_edit_refuse (error, _ ("None of the selected blocks belongs to a wall"));
 }
 
 gboolean
@@ -164,7 +169,7 @@ qn_edit_delete_blocks (QnModel *model, QnBlockSet set, GError **error)
       block++;
     }
     if (!any_left)
-      remove_courses (wall);
+      qn_wall_remove_courses (wall);
   }
   return qn_edit_rebuild (model, gone, error);
 }

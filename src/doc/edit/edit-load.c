@@ -188,6 +188,9 @@ qn_edit_carry_edge_loads (QnModel *model, QnId gone, QnId first, GError **error)
     for (gsize i = 0; i < count; i++)
       if (loads[i].kind == QN_LOAD_EDGE && loads[i].block == gone)
         carry (carried, model, &loads[i], first);
+    for (gsize i = count; i-- > 0;)
+      if (loads[i].kind == QN_LOAD_EDGE && loads[i].block == gone)
+        qn_edit_remove_item (model, QN_ITEM_LOAD (live), (QnId) i, NULL);
     for (guint i = 0; i < carried->len; i++) {
       QnLoad *added = qn_edit_new_load (model, live, error);
       if (added == NULL)

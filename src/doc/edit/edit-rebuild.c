@@ -76,7 +76,7 @@ copy_blocks (Rebuild *r, gboolean laid, const gboolean *drop)
   for (gsize i = 0; i < r->from->block_count; i++) {
     const QnBlock *old = &r->from->blocks[i];
     if (old->wall != QN_NONE || laid != (old->masonry != QN_NONE)
-        || (drop != NULL && drop[i]))
+        || old->vertex_count == 0 || (drop != NULL && drop[i]))
       continue;
     QnBlock *block =
       qn_model_add_block (r->to, old->name, qn_model_block_vertices (r->from, (QnId) i),

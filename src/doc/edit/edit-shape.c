@@ -20,25 +20,6 @@ qn_block_to_ring (const QnModel *model, QnId block, QnRing *ring)
   return ring->points != NULL;
 }
 
-gboolean
-qn_edit_take_apart (QnModel *model, QnId *ids, guint count, GError **error)
-{
-  gboolean any = FALSE;
-  g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
-  for (guint i = 0; i < count; i++) {
-    const QnBlock *block = &model->blocks[ids[i]];
-    any = any || block->wall != QN_NONE || block->masonry != QN_NONE;
-    g_ptr_array_add (names, g_strdup (block->name));
-  }
-  if (!any)
-    return TRUE;
-  if (!qn_edit_detach (model, (QnBlockSet){ ids, count }, error))
-    return FALSE;
-  for (guint i = 0; i < count; i++)
-    ids[i] = qn_model_find_block (model, g_ptr_array_index (names, i));
-  return TRUE;
-}
-
 static gsize
 largest_ring (const QnRings *rings)
 {
@@ -51,56 +32,62 @@ largest_ring (const QnRings *rings)
   return best;
 }
 
-/* The new block that a point of application belongs to: the one it is deepest in. */
+/* New polygons, as blocks from `first` on, of which `keeper` takes the place of the block `main`. */
+typedef struct Parts {
+  QnId first, keeper, main;
+} Parts;
+
+/* The part that a point of application belongs to: the one it is deepest in. */
 static QnId
-block_at (const QnModel *model, QnId first, QnVec2 at)
+part_at (const QnModel *model, const Parts *parts, QnVec2 at)
 {
   double depth;
-  return qn_model_deepest_block (model, first, false, at, &depth);
+  QnId part = qn_model_deepest_block (model, parts->first, false, at, &depth);
+  return part == parts->keeper ? parts->main : part;
 }
 
-/* Everything that pointed at a block that goes points at one of the new ones. */
+/* Everything that pointed at a block points at one of the parts. */
 static void
-redirect (QnModel *model, QnId gone, QnId first, QnId main)
+redirect (QnModel *model, QnId gone, const Parts *parts)
 {
   for (gsize i = 0; i < qn_model_load_count (model); i++) {
     QnLoad *load = qn_model_load (model, i);
     if (load->kind == QN_LOAD_WEIGHT || load->kind == QN_LOAD_EDGE || load->block != gone)
       continue;
     if (load->kind == QN_LOAD_SETTLEMENT) {
-      load->block = main;
+      load->block = parts->main;
       continue;
     }
     if (!load->has_at) {
       load->has_at = true;
       load->at = model->blocks[gone].centroid;
     }
-    load->block = block_at (model, first, load->at);
+    load->block = part_at (model, parts, load->at);
   }
   gsize kept = 0;
   for (gsize i = 0; i < model->override_count; i++) {
     QnFaceOverride override = model->overrides[i];
     if (override.block_a == gone)
-      override.block_a = main;
+      override.block_a = parts->main;
     if (override.block_b == gone)
-      override.block_b = main;
+      override.block_b = parts->main;
     if (override.block_a != override.block_b)
       model->overrides[kept++] = override;
   }
   model->override_count = kept;
   if (model->analysis.control.block == gone)
-    model->analysis.control.block = main;
+    model->analysis.control.block = parts->main;
   for (gsize i = 0; i < 2 * model->tie_count; i++) {
     QnTieEnd *end = &model->ties[i / 2].ends[i % 2];
     if (end->block == gone)
-      end->block = block_at (model, first, end->at);
+      end->block = part_at (model, parts, end->at);
   }
   for (gsize i = 0; i < model->node_count; i++) {
     QnNode *node = &model->nodes[i];
     if (node->block != gone)
       continue;
     node->seat = QN_SEAT_POINT;
-    node->block = block_at (model, first, node->at);
+    node->block = part_at (model, parts, node->at);
   }
 }
 
@@ -108,29 +95,32 @@ gboolean
 qn_edit_replace_blocks (QnModel *model, const QnId *gone, guint count,
                         const QnRings *rings, GError **error)
 {
-  QnId first = (QnId) model->block_count;
-  gsize keeper = largest_ring (rings);
-  g_autofree char *kept_name = g_strdup (model->blocks[gone[0]].name);
+  const QnId first = (QnId) model->block_count;
+  const Parts parts = { first, first + (QnId) largest_ring (rings), gone[0] };
   for (gsize i = 0; i < rings->count; i++) {
-    const QnBlock old = model->blocks[gone[0]];
-    g_autofree char *name = i == keeper
-                              ? g_strdup (kept_name)
-                              : qn_edit_dup_new_name (model, offsetof (QnModel, blocks),
-                                                      "b", "", model->block_count + 1);
+    g_autofree char *name = qn_edit_dup_new_name (model, offsetof (QnModel, blocks), "b",
+                                                  "", model->block_count + 1);
     QnBlock *block =
       qn_model_add_block (model, name, rings->items[i].points, rings->items[i].count);
     if (block == NULL)
       return qn_edit_no_memory (error);
-    qn_block_inherit (block, &old);
-    block->note = i == keeper ? old.note : 0;
+    qn_block_inherit (block, &model->blocks[gone[0]]);
+    block->note = 0;
   }
   for (guint i = 0; i < count; i++) {
-    redirect (model, gone[i], first, first + (QnId) keeper);
+    redirect (model, gone[i], &parts);
     if (!qn_edit_carry_edge_loads (model, gone[i], first, error))
       return FALSE;
+    model->blocks[gone[i]].vertex_count = 0;
   }
-  g_autofree gboolean *drop = qn_block_set_to_flags ((QnBlockSet){ gone, count }, model);
-  return qn_edit_rebuild (model, drop, error);
+  for (gsize i = 0; i < qn_model_load_count (model); i++)
+    if (qn_model_load (model, i)->block == parts.keeper)
+      qn_model_load (model, i)->block = parts.main;
+  QnBlock *keeper = &model->blocks[parts.keeper], *main = &model->blocks[parts.main];
+  main->first_vertex = keeper->first_vertex;
+  main->vertex_count = keeper->vertex_count;
+  keeper->vertex_count = 0;
+  return TRUE;
 }
 
 /* ---- cutting ---- */
@@ -208,23 +198,16 @@ gboolean
 qn_edit_cut_blocks (QnModel *model, QnBlockSet set, QnVec2 a, QnVec2 b, GError **error)
 {
   g_autoptr (GArray) crossed = crossed_blocks (model, set, a, b);
-  QnId *ids = (QnId *) crossed->data;
+  const QnBlockSet cut = { (const QnId *) crossed->data, crossed->len };
   gboolean any = FALSE;
-  if (crossed->len > 0 && !qn_edit_take_apart (model, ids, crossed->len, error))
-    return FALSE;
-  g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
-  for (guint i = 0; i < crossed->len; i++)
-    g_ptr_array_add (names, g_strdup (model->blocks[ids[i]].name));
-  for (guint i = 0; i < names->len; i++) {
-    QnId id = qn_model_find_block (model, g_ptr_array_index (names, i));
-    if (!cut_block (model, id, a, b, &any, error))
+  qn_edit_take_apart (model, cut);
+  for (guint i = 0; i < cut.count; i++)
+    if (!cut_block (model, cut.ids[i], a, b, &any, error))
       return FALSE;
-  }
-  if (any)
-    return TRUE;
-  return qn_edit_refuse (error, set.count > 0
-                                  ? _ ("The line crosses none of the selected blocks")
-                                  : _ ("The line crosses no block"));
+  return any
+         || qn_edit_refuse (error, set.count > 0
+                                     ? _ ("The line crosses none of the selected blocks")
+                                     : _ ("The line crosses no block"));
 }
 
 /* ---- joining ---- */
@@ -234,15 +217,13 @@ qn_edit_join_blocks (QnModel *model, QnBlockSet set, GError **error)
 {
   if (set.count < 2)
     return qn_edit_refuse (error, _ ("Select the blocks that are to become one"));
-  g_autofree QnId *ids = g_memdup2 (set.ids, set.count * sizeof *set.ids);
-  if (!qn_edit_take_apart (model, ids, set.count, error))
-    return FALSE;
+  qn_edit_take_apart (model, set);
   QnRings rings = { 0 }, joined = { 0 };
   QnRing whole = { 0 };
   QnDiag diag = { 0 };
   for (guint i = 0; i < set.count; i++)
-    qn_rings_add (&rings, qn_model_block_vertices (model, ids[i]),
-                  (gsize) model->blocks[ids[i]].vertex_count);
+    qn_rings_add (&rings, qn_model_block_vertices (model, set.ids[i]),
+                  (gsize) model->blocks[set.ids[i]].vertex_count);
   gboolean fine = qn_polygons_union (&rings, &whole, &diag) == QN_OK
                   || qn_edit_refuse_diag (error, model, &diag);
   if (fine)
@@ -250,7 +231,7 @@ qn_edit_join_blocks (QnModel *model, QnBlockSet set, GError **error)
   if (joined.failed)
     fine = qn_edit_no_memory (error);
   qn_rings_clear (&rings);
-  fine = fine && qn_edit_replace_blocks (model, ids, set.count, &joined, error);
+  fine = fine && qn_edit_replace_blocks (model, set.ids, set.count, &joined, error);
   qn_rings_clear (&joined);
   return fine;
 }
@@ -258,22 +239,15 @@ qn_edit_join_blocks (QnModel *model, QnBlockSet set, GError **error)
 gboolean
 qn_edit_join_bodies (QnModel *model, const QnMechanism *mechanism, GError **error)
 {
-  /* Numbers of blocks change as some are joined, the names of those that are left stay. */
-  const QnId *body = mechanism->body_of_block;
-  g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
-  for (gsize b = 0; b < mechanism->block_count; b++)
-    g_ptr_array_add (names, g_strdup (model->blocks[b].name));
-  for (guint first = 0; first < names->len; first++) {
+  const QnId *body = mechanism->body_of_block, count = (QnId) mechanism->block_count;
+  for (QnId first = 0; first < count; first++) {
     g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
-    const QnId lead = qn_model_find_block (model, names->pdata[first]);
-    for (guint b = first; lead != QN_NONE && body[first] != QN_NONE && b < names->len;
-         b++) {
-      const QnId id =
-        body[b] == body[first] ? qn_model_find_block (model, names->pdata[b]) : QN_NONE;
-      if (id != QN_NONE && model->blocks[id].thickness == model->blocks[lead].thickness
-          && model->blocks[id].unit_weight == model->blocks[lead].unit_weight)
-        g_array_append_val (ids, id);
-    }
+    const QnBlock *lead = &model->blocks[first];
+    for (QnId b = first; body[first] != QN_NONE && b < count; b++)
+      if (body[b] == body[first] && model->blocks[b].vertex_count > 0
+          && model->blocks[b].thickness == lead->thickness
+          && model->blocks[b].unit_weight == lead->unit_weight)
+        g_array_append_val (ids, b);
     const QnBlockSet set = { (QnId *) ids->data, ids->len };
     if (ids->len > 1 && !qn_edit_join_blocks (model, set, error))
       return FALSE;
@@ -301,8 +275,7 @@ qn_edit_move_corner (QnModel *model, QnBlockSet set, QnVec2 from, QnVec2 to,
   QnId *ids = (QnId *) touched->data;
   if (touched->len == 0)
     return qn_edit_refuse (error, _ ("There is no corner of a block here"));
-  if (!qn_edit_take_apart (model, ids, touched->len, error))
-    return FALSE;
+  qn_edit_take_apart (model, (QnBlockSet){ ids, touched->len });
   for (guint i = 0; i < touched->len; i++) {
     QnVec2 *v = model->vertices + model->blocks[ids[i]].first_vertex;
     for (QnId k = 0; k < model->blocks[ids[i]].vertex_count; k++) {

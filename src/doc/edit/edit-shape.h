@@ -32,12 +32,9 @@ gboolean qn_edit_move_corner (QnModel *model, QnBlockSet set, QnVec2 from, QnVec
 
 /* ---- for edits ---- */
 
-/* Frees these blocks from their walls and masonry; `ids` follow. */
-gboolean qn_edit_take_apart (QnModel *model, QnId *ids, guint count, GError **error);
-
-/* Puts other polygons in the place of the first block, which is free; the largest keeps its
- * name, loads go to the one they act on. Other blocks in `gone` disappear, their loads go to
- * the new ones. */
+/* Puts other polygons in the place of the first block, which is free: it becomes the largest, loads go to the
+ * one they act on. Other blocks in `gone` lose their corners, their loads go to the new ones. Numbers of
+ * blocks stay until the model is built again. */
 gboolean qn_edit_replace_blocks (QnModel *model, const QnId *gone, guint count,
                                  const QnRings *rings, GError **error);
 

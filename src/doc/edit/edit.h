@@ -60,7 +60,12 @@ gboolean qn_edit_transform_blocks (QnModel *model, QnBlockSet set, QnTransform t
 gboolean qn_edit_copy_blocks (QnModel *model, QnBlockSet set, QnTransform transform,
                               int copies, GError **error);
 
-/* Turns the walls of these blocks into free blocks of the same names. */
+/* A wall without courses goes when the model is built again. */
+void qn_wall_remove_courses (QnWall *wall);
+
+/* Turns the walls and masonry of these blocks into free blocks of the same names and numbers. FALSE, or
+ * refused, where none of them belongs to any. */
+gboolean qn_edit_take_apart (QnModel *model, QnBlockSet set);
 gboolean qn_edit_detach (QnModel *model, QnBlockSet set, GError **error);
 
 /* Fixes or frees `count` degrees of freedom from `first` on; the others stay as each block has them. */
@@ -105,7 +110,7 @@ void qn_load_set_chain (QnLoad *load, QnEdgeChain chain);
 void qn_edit_move_edge_loads (QnModel *model, const gboolean *blocks,
                               QnTransform transform);
 
-/* Adds loads like those on the edges of a block that goes to the edges that take their place: what lies
+/* Moves the loads on the edges of a block that goes to the edges that take their place: what lies
  * on the loaded ones of the blocks from `first` on. */
 gboolean qn_edit_carry_edge_loads (QnModel *model, QnId gone, QnId first, GError **error);
 
@@ -145,8 +150,8 @@ QnId qn_edit_duplicate_item (QnModel *model, QnItemKind kind, QnId item, GError 
 
 /* ---- for edits (edit-rebuild.c) ---- */
 
-/* Builds the model again: free blocks of `drop` (nullable, one flag per block) and walls
- * without courses are left out, walls are expanded from their courses as they are now, and
+/* Builds the model again: free blocks of `drop` (nullable, one flag per block), blocks without corners and
+ * walls without courses are left out, walls are expanded from their courses as they are now, and
  * loads and overrides follow their blocks or go with them. */
 gboolean qn_edit_rebuild (QnModel *model, const gboolean *drop, GError **error);
 

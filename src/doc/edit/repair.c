@@ -270,10 +270,7 @@ reshape (QnModel *model, const QnFinding *finding, ReshapeFunc func, GError **er
 {
   QnId mover, keeper;
   choose (model, finding, &mover, &keeper);
-  g_autofree char *keeper_name = g_strdup (model->blocks[keeper].name);
-  if (!qn_edit_take_apart (model, &mover, 1, error))
-    return FALSE;
-  keeper = qn_model_find_block (model, keeper_name);
+  qn_edit_take_apart (model, (QnBlockSet){ &mover, 1 });
   QnRings left = { 0 };
   QnDiag diag = { 0 };
   gboolean done = FALSE;
@@ -308,14 +305,9 @@ merge (QnModel *model, const QnFinding *finding, GError **error)
 {
   QnId ids[2];
   choose (model, finding, &ids[1], &ids[0]);
-  g_autofree char *keeper = g_strdup (model->blocks[ids[0]].name);
-  g_autofree char *mover = g_strdup (model->blocks[ids[1]].name);
-  if (finding->problem == QN_PROBLEM_NEAR_MISS_GAP
-      && !reshape (model, finding, snapped, error))
-    return FALSE;
-  ids[0] = qn_model_find_block (model, keeper);
-  ids[1] = qn_model_find_block (model, mover);
-  return qn_edit_join_blocks (model, (QnBlockSet){ ids, 2 }, error);
+  return (finding->problem != QN_PROBLEM_NEAR_MISS_GAP
+          || reshape (model, finding, snapped, error))
+         && qn_edit_join_blocks (model, (QnBlockSet){ ids, 2 }, error);
 }
 
 /* Slivers side by side as one: each becomes a part of its neighbour, or goes. */
@@ -326,25 +318,25 @@ repair_slivers (QnModel *model, QnId first, gboolean merges, GError **error)
   QnDiag diag = { 0 };
   QnId *row, *beside;
   g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
-  g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
+  g_autoptr (GArray) pairs = g_array_new (FALSE, FALSE, 2 * sizeof (QnId));
   if (qn_contacts_detect (model, &contacts, &diag) != QN_OK)
     return qn_edit_refuse_diag (error, model, &diag);
   gboolean any = qn_contacts_find_slivers (model, &contacts, &row, &beside);
   for (QnId i = 0; any && i < (QnId) model->block_count; i++)
     if (row[i] == first) {
       g_array_append_val (ids, i);
-      for (int k = 0; k < 2 && beside[i] != QN_NONE; k++)
-        g_ptr_array_add (names, g_strdup (model->blocks[k == 0 ? beside[i] : i].name));
+      const QnId pair[] = { beside[i], i };
+      if (beside[i] != QN_NONE)
+        g_array_append_val (pairs, pair);
     }
   qn_contacts_clear (&contacts);
   if (!merges)
     return qn_edit_delete_blocks (model, (QnBlockSet){ (QnId *) ids->data, ids->len },
                                   error);
-  /* Numbers of blocks change with each; what has become a part of another already is gone. */
-  for (guint i = 0; i < names->len; i += 2) {
-    const QnId pair[] = { qn_model_find_block (model, names->pdata[i]),
-                          qn_model_find_block (model, names->pdata[i + 1]) };
-    if (pair[0] != QN_NONE && pair[1] != QN_NONE
+  /* What has become a part of another already is gone. */
+  for (guint i = 0; i < pairs->len; i++) {
+    const QnId *pair = (const QnId *) pairs->data + 2 * i;
+    if (model->blocks[pair[0]].vertex_count > 0 && model->blocks[pair[1]].vertex_count > 0
         && !qn_edit_join_blocks (model, (QnBlockSet){ pair, 2 }, error))
       return FALSE;
   }
@@ -439,7 +431,8 @@ repair_one (QnModel *model)
     QnModel trial;
     if (qn_model_copy (model, &trial, &diag) != QN_OK)
       break;
-    done = qn_edit_repair (&trial, finding, choices[0], NULL);
+    done = qn_edit_repair (&trial, finding, choices[0], NULL)
+           && qn_edit_rebuild (&trial, NULL, NULL);
     if (done) {
       QnModel old = *model;
       *model = trial;
@@ -524,34 +517,6 @@ same_ring (const QnModel *model, QnId block, const QnRing *ring)
               == 0;
 }
 
-/* Gives blocks, all of them free, new shapes. Those with other numbers of corners go last: they
- * change the numbers of blocks. */
-static gboolean
-set_shapes (QnModel *model, const QnId *ids, guint count, const QnRing *shapes,
-            GError **error)
-{
-  g_autoptr (GPtrArray) names = g_ptr_array_new_with_free_func (g_free);
-  g_autoptr (GArray) others = g_array_new (FALSE, FALSE, sizeof (guint));
-  for (guint i = 0; i < count; i++) {
-    QnBlock *block = &model->blocks[ids[i]];
-    if ((gsize) block->vertex_count == shapes[i].count) {
-      memcpy (model->vertices + block->first_vertex, shapes[i].points,
-              shapes[i].count * sizeof *shapes[i].points);
-    } else {
-      g_ptr_array_add (names, g_strdup (block->name));
-      g_array_append_val (others, i);
-    }
-  }
-  for (guint i = 0; i < others->len; i++) {
-    QnId id = qn_model_find_block (model, names->pdata[i]);
-    QnRing ring = shapes[g_array_index (others, guint, i)];
-    QnRings one = { .items = &ring, .count = 1 };
-    if (!qn_edit_replace_blocks (model, &id, 1, &one, error))
-      return FALSE;
-  }
-  return TRUE;
-}
-
 gboolean
 qn_edit_close_gaps (QnModel *model, double width, GError **error)
 {
@@ -562,19 +527,24 @@ qn_edit_close_gaps (QnModel *model, double width, GError **error)
     return qn_edit_no_memory (error);
   }
   g_autoptr (GArray) changed = g_array_new (FALSE, FALSE, sizeof (QnId));
-  g_autoptr (GArray) shapes = g_array_new (FALSE, FALSE, sizeof (QnRing));
   for (QnId i = 0; i < (QnId) model->block_count; i++)
-    if (!same_ring (model, i, &rings.items[i])) {
+    if (!same_ring (model, i, &rings.items[i]))
       g_array_append_val (changed, i);
-      g_array_append_val (shapes, rings.items[i]);
-    }
-  QnId *ids = (QnId *) changed->data;
-  gboolean done = changed->len > 0;
+  const QnBlockSet set = { (const QnId *) changed->data, changed->len };
+  gboolean done = set.count > 0;
   if (!done)
     qn_edit_refuse (error, _ ("There are no gaps up to %.3g mm between blocks"),
                     1e3 * width);
-  done = done && qn_edit_take_apart (model, ids, changed->len, error)
-         && set_shapes (model, ids, changed->len, (const QnRing *) shapes->data, error);
+  qn_edit_take_apart (model, set);
+  for (guint i = 0; i < set.count && done; i++) {
+    const QnBlock *block = &model->blocks[set.ids[i]];
+    const QnRings one = { .items = &rings.items[set.ids[i]], .count = 1 };
+    if ((gsize) block->vertex_count == one.items->count)
+      memcpy (model->vertices + block->first_vertex, one.items->points,
+              one.items->count * sizeof *one.items->points);
+    else
+      done = qn_edit_replace_blocks (model, &set.ids[i], 1, &one, error);
+  }
   qn_rings_clear (&rings);
   return done;
 }

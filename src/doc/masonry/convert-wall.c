@@ -3,7 +3,6 @@
 #include "doc/masonry/masonry-shape.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Lengths in units that differ by less are equal. */
 #define SAME_LENGTH 1e-9
@@ -276,11 +275,7 @@ qn_edit_convert_wall (QnProject *draft, QnId id, GError **error)
     qn_masonry_clear (&masonry);
     return qn_edit_no_memory (error);
   }
-  free (wall->lengths);
-  free (wall->course_ends);
-  wall->lengths = NULL;
-  wall->course_ends = NULL;
-  wall->course_count = 0;
+  qn_wall_remove_courses (wall);
   return qn_edit_add_masonry (draft, &masonry, error);
 }
 

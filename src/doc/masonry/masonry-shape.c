@@ -1,8 +1,8 @@
 #include "doc/masonry/masonry-shape.h"
 #include "core/base/integer.h"
+#include "doc/edit/edit.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Least size that dragging leaves, m. */
@@ -415,9 +415,7 @@ qn_masonry_set_bond (QnMasonry *masonry, QnBond bond, double lap)
   if (leaf->bond == QN_BOND_CUSTOM && bond != QN_BOND_CUSTOM) {
     leaf->length = size.x;
     wall->height = size.y;
-    free (wall->courses.lengths);
-    free (wall->courses.course_ends);
-    wall->courses = (QnWall){ 0 };
+    qn_wall_remove_courses (&wall->courses);
   }
   for (gsize i = 0; i < wall->leaf_count; i++) {
     wall->leaves[i].bond = bond;

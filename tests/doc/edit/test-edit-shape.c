@@ -1,5 +1,6 @@
 #include "doc/edit/edit-shape.h"
 
+#include "doc/edit/edit-dynamic.h"
 #include "doc/fixture.h"
 #include "support/edit-model.h"
 #include "support/room.h"
@@ -67,6 +68,34 @@ test_cut (void)
   g_assert_cmpfloat (load->at.x, ==, 1.75);
   g_assert_cmpfloat_with_epsilon (model->blocks[load->block].centroid.x, 1.75, 1e-12);
   g_assert_true (model->blocks[load->block].support[0]);
+}
+
+static gboolean
+track (QnModel *model, gpointer data, GError **error)
+{
+  const QnId block = *(const QnId *) data;
+  QnTrack *tracked = qn_model_add_track (model);
+  QnInitialMotion *motion = qn_model_add_initial_motion (model);
+  g_assert_true (tracked != NULL && motion != NULL);
+  tracked->block = block;
+  motion->block = block;
+  motion->velocity[QN_DOF_UX] = 1.0;
+  return qn_edit_choose_dynamic (model, error);
+}
+
+/* Whatever else speaks of a block that is cut speaks of the part with its name. */
+static void
+test_cut_keeps (void)
+{
+  g_autoptr (QnDocument) document = open_text (project);
+  const QnId b = 1;
+  edit (document, track, &b);
+  edit (document, cut, &(Shape){ { &b, 1 }, { 2.4, -1.0 }, { 2.4, 2.0 } });
+  const QnModel *model = qn_document_get_model (document);
+  g_assert_cmpuint (model->initial_count, ==, 1);
+  g_assert_cmpuint (model->track_count, ==, 1);
+  g_assert_cmpstr (model->blocks[model->initial[0].block].name, ==, "b");
+  g_assert_cmpfloat_with_epsilon (area_of (document, "b"), 0.6, 1e-12);
 }
 
 /* A segment that ends inside a block still parts it; one that only touches does not. */
@@ -150,6 +179,7 @@ test_bodies (void)
 QN_TESTS
 {
   g_test_add_func ("/doc/edit-shape/cut", test_cut);
+  g_test_add_func ("/doc/edit-shape/cut-keeps", test_cut_keeps);
   g_test_add_func ("/doc/edit-shape/bodies", test_bodies);
   g_test_add_func ("/doc/edit-shape/crossing", test_crossing);
   g_test_add_func ("/doc/edit-shape/join", test_join);
