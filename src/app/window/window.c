@@ -13,6 +13,7 @@
 #include "doc/text/explain.h"
 #include "io/exchange/drawing-import.h"
 #include <glib/gi18n.h>
+#include <glib/gstdio.h>
 #include <string.h>
 
 /* How long good news stay. */
@@ -345,7 +346,7 @@ qn_window_open_recovered (QnWindow *self, const char *recovery_path)
   }
   gtk_window_present (GTK_WINDOW (self));
   if (qn_recovery_flush (self->recovery))
-    qn_recovery_remove (recovery_path);
+    g_unlink (recovery_path);
   qn_window_show_work (self);
   qn_canvas_fit (self->canvas);
   g_autofree char *message =

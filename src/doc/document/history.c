@@ -286,13 +286,7 @@ qn_history_is_clean (const QnEditHistory *history)
   return history->clean == (gint64) history->position;
 }
 
-/* ---- writing ----
- A history beside the text that it belongs to:
- *
- *   { "position": 1, "steps": [ { "name": "Draw Wall", "hunks": [ [120, "before", "after"] ] } ] }
- *
- * A hunk is the place in the text after the step, what the step took away there and what it put
- * in its place. */
+/* ---- in a file: `history` in data/project-format.md ---- */
 
 static void
 append_hunks (GString *json, const QnEditStep *step)

@@ -160,9 +160,3 @@ qn_recovery_read (const char *recovery_path, char **text, char **original, GErro
   *text = g_strdup (newline != NULL ? newline + 1 : "");
   return TRUE;
 }
-
-void
-qn_recovery_remove (const char *recovery_path)
-{
-  g_unlink (recovery_path);
-}

@@ -27,4 +27,3 @@ GPtrArray *qn_recovery_list (void);
 /* Reads one: its text and the file that it belongs to (NULL: none, never saved). */
 gboolean qn_recovery_read (const char *recovery_path, char **text, char **original,
                            GError **error);
-void qn_recovery_remove (const char *recovery_path);

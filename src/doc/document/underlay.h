@@ -1,17 +1,5 @@
-/* The photo or survey behind a structure, as the project keeps it:
- *
- *   "underlay": { "image": "facade.jpg", "origin": [0, 0], "width": 6.4 }
- *
- * `image` is a path relative to the project's folder, `origin` the model point of its lower
- * left corner, `width` its width in m. Optional: `angle` (rad, counter-clockwise about the
- * origin, default 0) and `opacity` (0 to 1, default 0.6).
- *
- *   "rectangle": { "corners": [[0.1, 0.2], [0.8, 0.1], [0.9, 0.9], [0.1, 0.8]], "height": 3 }
- *
- * is for photos taken at an angle: what on the photo is a rectangle in truth, by parts of the photo's
- * width from the left and of its height from below, from the lower left corner counter-clockwise. Then
- * `origin` and `width` are those of the rectangle, `height` is its height in m, and the photo is shown
- * as seen from the front (render/drawing/rectify.h). */
+/* The photo or survey behind a structure, as the project keeps it: `underlay` in data/project-format.md.
+ * Where it was taken at an angle it is shown as seen from the front (render/drawing/rectify.h). */
 #pragma once
 
 #include "doc/document/document.h"

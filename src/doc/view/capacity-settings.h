@@ -1,13 +1,4 @@
-/* What a capacity curve is held against, as the project's member `capacity` keeps it:
- *
- *   "capacity": { "control": "w.6.5", "spectrum": "type1", "ag": 2.4525, "soil": "B",
- *                 "damping": 0.05, "confidence": 1.2,
- *                 "mechanism": true, "tie_strain": 0.05, "part_period": 0.1,
- *                 "height": 6, "building_height": 9, "storeys": 3, "building_period": 0.26,
- *                 "building_damping": 0.05 }
- *
- * `spectrum` may be a file beside the project instead, with the `unit` of its accelerations where the
- * file does not say it. */
+/* What a capacity curve is held against, as the project keeps it: `capacity` in data/project-format.md. */
 #pragma once
 
 #include "doc/view/capacity-answer.h"

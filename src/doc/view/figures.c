@@ -2,6 +2,7 @@
 
 #include "doc/document/underlay.h"
 #include "doc/edit/edit.h"
+#include "doc/view/sheet.h"
 #include "io/project/project.h"
 #include "io/result/result-file.h"
 
@@ -193,11 +194,8 @@ qn_view_state_export_as (QnViewState *state, const QnRecipe *recipe, const char 
 void
 qn_document_get_metadata (QnDocument *document, QnMetadata *metadata)
 {
-  const QnProject *project = qn_document_get_project (document);
   const char *path = qn_document_get_path (document);
   const char *slash = path != NULL ? strrchr (path, G_DIR_SEPARATOR) : NULL;
-  qn_metadata_init (metadata);
+  qn_project_get_metadata (qn_document_get_project (document), metadata);
   metadata->model = slash != NULL ? slash + 1 : path;
-  metadata->model_sha256 = project->sha256;
-  metadata->generator = "quoin " QN_VERSION;
 }

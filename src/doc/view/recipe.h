@@ -1,10 +1,5 @@
-/* Figure recipes: what a picture shows and where it goes, stored in the project under
- * `figures` and made again at any time, by the window and by the command line alike.
- *
- *   "figures": [ { "name": "mechanism", "view": "mechanism", "size": "160mmx120mm" } ]
- *
- * The keys are described in data/project-format.md.
- */
+/* Figure recipes: what a picture shows and where it goes, made again at any time, by the window and by the
+ * command line alike: `figures` in data/project-format.md. */
 #pragma once
 
 #include "io/project/project.h"

@@ -84,7 +84,7 @@ test_after_a_crash (void)
   g_assert_no_error (error);
   g_assert_cmpuint (qn_document_get_model (document)->block_count, ==, 1);
   g_assert_true (qn_document_is_modified (document));
-  qn_recovery_remove (path);
+  g_unlink (path);
   g_autoptr (GPtrArray) after = qn_recovery_list ();
   g_assert_cmpuint (after->len, ==, 0);
 }
