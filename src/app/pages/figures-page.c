@@ -68,7 +68,7 @@ make_all (Figures *figures)
     qn_recipes_check_files (recipes, NULL, &error);
   for (guint i = 0; error == NULL && i < recipes->len; i++) {
     const QnRecipe *recipe = g_ptr_array_index (recipes, i);
-    if (qn_document_export_figure (document, recipe, NULL, &error))
+    if (qn_document_export_figure (document, recipe, &error))
       g_ptr_array_add (made, recipe->file);
     if (g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE))
       ask_to_allow (figures, recipe, error->message);

@@ -136,16 +136,12 @@ draw_with_file (QnDocument *document, const QnRecipe *recipe, const char *path,
 }
 
 gboolean
-qn_document_export_figure (QnDocument *document, const QnRecipe *recipe, const char *path,
-                           GError **error)
+qn_document_export_figure (QnDocument *document, const QnRecipe *recipe, GError **error)
 {
-
-  if ((path == NULL && qn_document_get_path (document) == NULL)
-      || (recipe->result != NULL && qn_document_get_folder (document) == NULL))
+  if (qn_document_get_path (document) == NULL)
     return qn_edit_refuse (
       error, _ ("Save the project first: its figures are written beside it"));
-  g_autofree char *place =
-    path != NULL ? g_strdup (path) : qn_document_dup_file (document, recipe->file, error);
+  g_autofree char *place = qn_document_dup_file (document, recipe->file, error);
   gboolean done = FALSE;
   if (place != NULL && recipe->result != NULL)
     done = draw_with_file (document, recipe, place, error);

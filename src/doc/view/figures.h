@@ -28,10 +28,10 @@ gboolean qn_document_figure_waits (QnDocument *document, const QnRecipe *recipe)
 /* The user allows the files of this figure, wherever they are, until the document is closed. */
 void qn_document_allow_figure (QnDocument *document, const QnRecipe *recipe);
 
-/* Writes the picture of a recipe; `path` NULL: where the recipe says, beside the project. Files
- * outside the project's folder that the user has not allowed are refused (QN_IO_ERROR_OUTSIDE). */
+/* Writes the picture of a recipe where it says, beside the project. Files outside the project's folder
+ * that the user has not allowed are refused (QN_IO_ERROR_OUTSIDE). */
 gboolean qn_document_export_figure (QnDocument *document, const QnRecipe *recipe,
-                                    const char *path, GError **error);
+                                    GError **error);
 
 /* The figure that a recipe asks for, of what the window shows: its current run, outdated or
  * not. Borrows from the state. False where the view needs a result and there is none. */
