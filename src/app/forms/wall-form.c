@@ -51,9 +51,7 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   const Form *form = data;
-  if (field == CONVERT)
-    return qn_edit_convert_wall (draft, form->wall, error);
-  return qn_edit_rebuild (&draft->model, NULL, error);
+  return field != CONVERT || qn_edit_convert_wall (draft, form->wall, error);
 }
 
 const QnFormKind qn_wall_form = QN_FORM_KIND (

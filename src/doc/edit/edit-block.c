@@ -149,8 +149,9 @@ qn_edit_delete_blocks (QnModel *model, QnBlockSet set, GError **error)
 {
   if (set.count == 0)
     return refuse_nothing (error);
-  g_autofree gboolean *gone = qn_block_set_to_flags (set, model);
   detach_masonry (model, set);
+  for (guint i = 0; i < set.count; i++)
+    model->blocks[set.ids[i]].vertex_count = 0;
   /* Turns the entries of deleted wall blocks into openings. Blocks of a wall follow each
    * other in the model in the order of the positive entries. */
   for (gsize w = 0, block = 0; w < model->wall_count; w++) {
@@ -162,7 +163,7 @@ qn_edit_delete_blocks (QnModel *model, QnBlockSet set, GError **error)
     for (int32_t entry = 0; entry < end; entry++) {
       if (wall->lengths[entry] < 0.0)
         continue;
-      if (gone[block])
+      if (model->blocks[block].vertex_count == 0)
         wall->lengths[entry] = -wall->lengths[entry];
       else
         any_left = TRUE;
@@ -171,7 +172,7 @@ qn_edit_delete_blocks (QnModel *model, QnBlockSet set, GError **error)
     if (!any_left)
       qn_wall_remove_courses (wall);
   }
-  return qn_edit_rebuild (model, gone, error);
+  return TRUE;
 }
 
 static gboolean
@@ -214,7 +215,7 @@ qn_edit_transform_blocks (QnModel *model, QnBlockSet set, QnTransform transform,
   }
   move_points (model, flags, transform);
   detach_walls (model, broken);
-  return qn_edit_rebuild (model, NULL, error);
+  return TRUE;
 }
 
 gboolean
@@ -258,7 +259,7 @@ qn_edit_set_support (QnModel *model, QnBlockSet set, int first, int count,
       model->blocks[set.ids[i]].support[first + dof] = support[dof];
   }
   detach_walls (model, walls);
-  return qn_edit_rebuild (model, NULL, error);
+  return TRUE;
 }
 
 gboolean

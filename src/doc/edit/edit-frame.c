@@ -116,7 +116,7 @@ qn_edit_delete_all (QnModel *model, QnPartSet set, GError **error)
         let_go (model, ends[end]);
   }
   if (set.blocks.count == 0 && set.beams.count > 0)
-    return qn_edit_rebuild (model, NULL, error);
+    return TRUE;
   return qn_edit_delete_blocks (model, set.blocks, error);
 }
 
@@ -496,7 +496,7 @@ qn_edit_place_node (QnModel *model, QnId id, QnVec2 at, GError **error)
       replace_id (&model->stages[i].control.node, id, other);
     model->nodes[id].seat = QN_SEAT_FREE;
     model->nodes[id].block = QN_NONE;
-    return qn_edit_rebuild (model, NULL, error);
+    return TRUE;
   }
   node->at = at;
   QnId block = qn_model_block_under (model, at);

@@ -46,7 +46,7 @@ close_list (QnProject *draft, QnMasonries *list, GError **error)
   }
   g_string_append_c (json, ']');
   gboolean done = qn_project_set_extra (draft, QN_MASONRY_MEMBER, json->str, error)
-                  && qn_edit_rebuild_masonry (&draft->model, NULL, list, error);
+                  && qn_edit_rebuild (&draft->model, list, error);
   g_string_free (json, TRUE);
   qn_masonries_clear (list);
   return done;

@@ -71,12 +71,12 @@ new_ids (gsize count)
 
 /* Blocks that the file lists, or those that parametric masonry was laid of. */
 static gboolean
-copy_blocks (Rebuild *r, gboolean laid, const gboolean *drop)
+copy_blocks (Rebuild *r, gboolean laid)
 {
   for (gsize i = 0; i < r->from->block_count; i++) {
     const QnBlock *old = &r->from->blocks[i];
     if (old->wall != QN_NONE || laid != (old->masonry != QN_NONE)
-        || old->vertex_count == 0 || (drop != NULL && drop[i]))
+        || old->vertex_count == 0)
       continue;
     QnBlock *block =
       qn_model_add_block (r->to, old->name, qn_model_block_vertices (r->from, (QnId) i),
@@ -419,14 +419,7 @@ lay_masonry (const Rebuild *r, GError **error)
 }
 
 gboolean
-qn_edit_rebuild (QnModel *model, const gboolean *drop, GError **error)
-{
-  return qn_edit_rebuild_masonry (model, drop, NULL, error);
-}
-
-gboolean
-qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries *masonry,
-                         GError **error)
+qn_edit_rebuild (QnModel *model, const QnMasonries *masonry, GError **error)
 {
   QnModel fresh;
   if (!copy_rest (model, &fresh))
@@ -438,15 +431,14 @@ qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop, const QnMasonries
   g_autofree QnId *beams = new_ids (model->beam_count);
   Rebuild r = { model, &fresh, masonry, blocks, walls, nodes, beams };
   QnDiag diag = { 0 };
-  gboolean laid = copy_blocks (&r, FALSE, drop);
+  gboolean laid = copy_blocks (&r, FALSE);
   if (laid && masonry != NULL && !lay_masonry (&r, error)) {
     qn_model_clear (&fresh);
     return FALSE;
   }
-  gboolean done = laid && (masonry != NULL || copy_blocks (&r, TRUE, drop))
-                  && copy_walls (&r) && qn_model_expand_walls (&fresh, &diag) == QN_OK
-                  && copy_nodes (&r) && copy_beams (&r)
-                  && qn_model_expand_beams (&fresh, &diag) == QN_OK;
+  gboolean done = laid && (masonry != NULL || copy_blocks (&r, TRUE)) && copy_walls (&r)
+                  && qn_model_expand_walls (&fresh, &diag) == QN_OK && copy_nodes (&r)
+                  && copy_beams (&r) && qn_model_expand_beams (&fresh, &diag) == QN_OK;
   if (done) {
     follow_inner_nodes (&r);
     keep_loads (&r, fresh.dead_loads, &fresh.dead_load_count);

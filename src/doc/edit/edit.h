@@ -150,14 +150,10 @@ QnId qn_edit_duplicate_item (QnModel *model, QnItemKind kind, QnId item, GError 
 
 /* ---- for edits (edit-rebuild.c) ---- */
 
-/* Builds the model again: free blocks of `drop` (nullable, one flag per block), blocks without corners and
- * walls without courses are left out, walls are expanded from their courses as they are now, and
- * loads and overrides follow their blocks or go with them. */
-gboolean qn_edit_rebuild (QnModel *model, const gboolean *drop, GError **error);
-
-/* The same with the parametric masonry laid again from this list (NULL: left as it is). */
-gboolean qn_edit_rebuild_masonry (QnModel *model, const gboolean *drop,
-                                  const QnMasonries *masonry, GError **error);
+/* Builds the model again, as it is done when an edit ends: blocks without corners and walls without courses
+ * are left out, walls are expanded from their courses as they are now, and all else follows its blocks or
+ * goes with them. The parametric masonry is laid again from this list (NULL: left as it is). */
+gboolean qn_edit_rebuild (QnModel *model, const QnMasonries *masonry, GError **error);
 
 /* A name that is not taken in the list at this place of QnModel: the word, what stands behind it, and a number, from this one on. The caller frees
  * it. */
