@@ -80,17 +80,15 @@ course_at (const Courses *courses, guint index)
 static gboolean
 is_solid (const GArray *pieces, double left, double right)
 {
-  gboolean reaches_left = FALSE, reaches_right = FALSE;
+  double reached = 0.0; /* pieces follow each other from there */
   for (guint i = 0; i < pieces->len; i++) {
     const Piece *piece = &g_array_index (pieces, Piece, i);
-    if (piece->right <= left + SAME_LENGTH || piece->left >= right - SAME_LENGTH)
-      continue;
-    if (piece->gap)
+    if (piece->gap && piece->right > left + SAME_LENGTH
+        && piece->left < right - SAME_LENGTH)
       return FALSE;
-    reaches_left = reaches_left || piece->left <= left + SAME_LENGTH;
-    reaches_right = reaches_right || piece->right >= right - SAME_LENGTH;
+    reached = piece->right;
   }
-  return reaches_left && reaches_right;
+  return reached >= right - SAME_LENGTH;
 }
 
 /* The nearest course laid like `index` (every other one) that is whole over the range. */

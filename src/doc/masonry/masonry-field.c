@@ -246,19 +246,17 @@ qn_masonry_get_arch (const QnMasonry *masonry)
 void
 qn_masonry_set_field (QnMasonry *masonry, int opening, guint field, double value)
 {
-  const bool grid = masonry->kind == QN_MASONRY_WALL && masonry->wall.grid;
   const Field *f = &fields[field];
   gpointer at = address (masonry, opening, f);
   const bool divides = f->kind == LEAF
                        && (f->offset == G_STRUCT_OFFSET (QnLeaf, unit.x)
                            || f->offset == G_STRUCT_OFFSET (QnLeaf, unit.y));
-  const QnVec2 cells = grid ? qn_masonry_count_cells (masonry) : qn_vec2 (0, 0);
-  const QnRubble before = masonry->rubble;
+  QnMasonryCells cells = qn_masonry_get_cells (masonry);
   set_number (at, f->type, value);
   if (opening != QN_NO_OPENING)
     return;
-  if (grid)
-    qn_masonry_divide_grid (masonry, divides ? qn_masonry_count_cells (masonry) : cells);
+  if (divides)
+    cells = qn_masonry_get_cells (masonry);
   for (gsize i = 1; f->kind == LEAF && i < masonry->wall.leaf_count; i++) {
     /* Leaves keep lengths of their own; blocks are alike. */
     if (f->offset != G_STRUCT_OFFSET (QnLeaf, length))
@@ -275,14 +273,7 @@ qn_masonry_set_field (QnMasonry *masonry, int opening, guint field, double value
                         .voussoirs = 21 };
     arch->span = portal->span;
   }
-  if (arch != NULL)
-    qn_arch_fit_shape (arch);
-  if (masonry->rubble.relaxed) {
-    const QnVec2 size = { masonry->rubble.width, masonry->rubble.height };
-    masonry->rubble.width = before.width;
-    masonry->rubble.height = before.height;
-    qn_masonry_resize_voronoi (&masonry->rubble, size);
-  }
+  qn_masonry_keep_cells (masonry, &cells);
   if (at == &column->plinth_height && column->plinth_width <= 0.0)
     column->plinth_width = 1.25 * column->bottom;
   if (at == &column->capital_height && column->capital_width <= 0.0)

@@ -1,6 +1,7 @@
 #include "doc/masonry/masonry-shape.h"
 #include "core/base/integer.h"
 #include "doc/edit/edit.h"
+#include "doc/masonry/masonry-field.h"
 
 #include <math.h>
 #include <string.h>
@@ -230,37 +231,33 @@ drag_opening (const QnMasonry *masonry, QnOpening *opening, QnHandleKind handle,
 
 /* ---- cells ---- */
 
-QnVec2
-qn_masonry_count_cells (const QnMasonry *masonry)
+QnMasonryCells
+qn_masonry_get_cells (const QnMasonry *masonry)
 {
-  const QnVec2 size = qn_masonry_wall_size (masonry);
-  const QnVec2 unit = masonry->wall.leaves[0].unit;
-  return qn_vec2 (fmax (round (size.x / unit.x), 1), fmax (round (size.y / unit.y), 1));
+  QnMasonryCells cells = { .rubble = masonry->rubble };
+  if (masonry->kind == QN_MASONRY_WALL && masonry->wall.grid) {
+    const QnVec2 size = qn_masonry_wall_size (masonry);
+    const QnVec2 unit = masonry->wall.leaves[0].unit;
+    cells.grid =
+      qn_vec2 (fmax (round (size.x / unit.x), 1), fmax (round (size.y / unit.y), 1));
+  }
+  return cells;
 }
 
 void
-qn_masonry_divide_grid (QnMasonry *masonry, QnVec2 cells)
+qn_masonry_keep_cells (QnMasonry *masonry, const QnMasonryCells *cells)
 {
-  qn_masonry_set_grid (&masonry->wall, qn_masonry_wall_size (masonry), cells);
-}
-
-void
-qn_masonry_resize_voronoi (QnRubble *cells, QnVec2 size)
-{
-  cells->stone *= sqrt (size.x * size.y / (cells->width * cells->height));
-  cells->width = cells->top = size.x;
-  cells->height = size.y;
-}
-
-static void
-drag_voronoi (QnRubble *cells, QnHandleKind handle, QnVec2 p)
-{
-  QnVec2 size = { cells->width, cells->height };
-  if (handle == QN_HANDLE_RIGHT)
-    size.x = MAX (p.x, LEAST_SIZE);
-  else if (handle == QN_HANDLE_TOP)
-    size.y = MAX (p.y, LEAST_SIZE);
-  qn_masonry_resize_voronoi (cells, size);
+  QnArch *arch = qn_masonry_get_arch (masonry);
+  QnRubble *rubble = &masonry->rubble;
+  if (arch != NULL)
+    qn_arch_fit_shape (arch);
+  if (masonry->kind == QN_MASONRY_WALL && masonry->wall.grid)
+    qn_masonry_set_grid (&masonry->wall, qn_masonry_wall_size (masonry), cells->grid);
+  if (rubble->relaxed) {
+    rubble->stone *= sqrt (rubble->width * rubble->height
+                           / (cells->rubble.width * cells->rubble.height));
+    rubble->top = rubble->width;
+  }
 }
 
 /* ---- walls, arches, columns ---- */
@@ -313,7 +310,6 @@ drag_arch (QnMasonry *masonry, QnHandleKind handle, QnVec2 to, QnVec2 p)
     masonry->origin = left;
     masonry->rotation = atan2 (chord.y, chord.x);
   }
-  qn_arch_fit_shape (arch);
 }
 
 static void
@@ -332,21 +328,23 @@ void
 qn_masonry_drag (QnMasonry *masonry, int opening, QnHandleKind handle, QnVec2 from,
                  QnVec2 to, gboolean snap)
 {
+  const QnMasonryCells cells = qn_masonry_get_cells (masonry);
   QnVec2 p = qn_masonry_to_local (masonry, to);
-  if (opening != QN_NO_OPENING)
+  if (opening != QN_NO_OPENING) {
     drag_opening (masonry, &masonry->wall.openings[opening], handle, from, to, snap);
-  else if (masonry->kind == QN_MASONRY_WALL && masonry->wall.grid) {
-    const QnVec2 cells = qn_masonry_count_cells (masonry);
-    drag_wall (masonry, handle, p, FALSE);
-    qn_masonry_divide_grid (masonry, cells);
-  } else if (masonry->kind == QN_MASONRY_WALL)
-    drag_wall (masonry, handle, p, snap);
-  else if (masonry->kind == QN_MASONRY_RUBBLE && masonry->rubble.relaxed)
-    drag_voronoi (&masonry->rubble, handle, p);
+    return;
+  }
+  if (masonry->kind == QN_MASONRY_WALL)
+    drag_wall (masonry, handle, p, snap && !masonry->wall.grid);
+  else if (masonry->kind == QN_MASONRY_RUBBLE && handle == QN_HANDLE_RIGHT)
+    masonry->rubble.width = MAX (p.x, LEAST_SIZE);
+  else if (masonry->kind == QN_MASONRY_RUBBLE && handle == QN_HANDLE_TOP)
+    masonry->rubble.height = MAX (p.y, LEAST_SIZE);
   else if (masonry->kind == QN_MASONRY_ARCH)
     drag_arch (masonry, handle, to, p);
   else if (masonry->kind == QN_MASONRY_COLUMN)
     drag_column (&masonry->column, handle, p);
+  qn_masonry_keep_cells (masonry, &cells);
 }
 
 /* ---- handles ---- */

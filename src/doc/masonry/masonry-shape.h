@@ -62,13 +62,14 @@ void qn_opening_set_head (QnOpening *opening, QnHead head, QnSpan span,
 /* Handles of an object or one of its openings; `handles` has room for QN_HANDLE_COUNT. */
 guint qn_masonry_get_handles (const QnMasonry *masonry, int opening, QnHandle *handles);
 
-/* Cells of a grid, in both directions, by its size and that of a cell; and a grid whose size has changed
- * into so many. */
-QnVec2 qn_masonry_count_cells (const QnMasonry *masonry);
-void qn_masonry_divide_grid (QnMasonry *masonry, QnVec2 cells);
-
-/* Cells of Voronoi of another outline: as many, larger or smaller. */
-void qn_masonry_resize_voronoi (QnRubble *cells, QnVec2 size);
+/* Cells of a grid, in both directions, and of Voronoi: as many as before when the outline has changed, which
+ * shapes of arches follow too. */
+typedef struct QnMasonryCells {
+  QnVec2 grid;
+  QnRubble rubble;
+} QnMasonryCells;
+QnMasonryCells qn_masonry_get_cells (const QnMasonry *masonry);
+void qn_masonry_keep_cells (QnMasonry *masonry, const QnMasonryCells *cells);
 
 /* Drags a handle from one point to another. What cannot be is stopped at the least size. Grids and cells of
  * Voronoi keep their number of cells. */
