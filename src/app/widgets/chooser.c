@@ -1,5 +1,7 @@
 #include "app/widgets/chooser.h"
 
+#include "doc/document/import.h"
+
 #include <glib/gi18n.h>
 #include <string.h>
 
@@ -21,24 +23,13 @@ typedef struct Asked {
   gpointer data;
 } Asked;
 
-/* How long the ending of a path is that is one of these; 0: it has none. */
-static gsize
-ending_of (const char *path, const char *const *endings)
-{
-  g_autofree char *lower = g_ascii_strdown (path, -1);
-  for (int i = 0; endings[i] != NULL; i++)
-    if (g_str_has_suffix (lower, endings[i]))
-      return strlen (endings[i]);
-  return 0;
-}
-
 char *
 qn_chooser_complete_path (const char *path, const char *const *endings, GError **error)
 {
-  const gsize ending = ending_of (path, endings);
+  const gsize ending = qn_ending_of (path, endings);
   /* Choosers keep the ending of the name that they propose behind another one that is typed. */
   g_autofree char *typed = g_strndup (path, strlen (path) - ending);
-  if (ending > 0 && ending_of (typed, endings) == 0)
+  if (ending > 0 && qn_ending_of (typed, endings) == 0)
     return g_strdup (path);
   g_autofree char *whole = g_strconcat (typed, ending > 0 ? "" : endings[0], NULL);
   if (g_file_test (whole, G_FILE_TEST_EXISTS)) {

@@ -5,22 +5,21 @@
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
-static gboolean
-has_ending (const char *path, const char *const *endings)
+gsize
+qn_ending_of (const char *path, const char *const *endings)
 {
   g_autofree char *lower = g_ascii_strdown (path, -1);
-  for (gsize i = 0; endings[i] != NULL; i++) {
+  for (gsize i = 0; endings[i] != NULL; i++)
     if (g_str_has_suffix (lower, endings[i]))
-      return TRUE;
-  }
-  return FALSE;
+      return strlen (endings[i]);
+  return 0;
 }
 
 gboolean
 qn_import_knows_file (const char *path)
 {
   static const char *const endings[] = { ".dxf", ".svg", ".json", ".txt", NULL };
-  return has_ending (path, endings);
+  return qn_ending_of (path, endings) > 0;
 }
 
 gboolean
@@ -28,7 +27,7 @@ qn_import_is_picture (const char *path)
 {
   static const char *const endings[] = { ".png", ".jpg",  ".jpeg", ".tif",
                                          ".bmp", ".tiff", ".webp", NULL };
-  return has_ending (path, endings);
+  return qn_ending_of (path, endings) > 0;
 }
 
 static gboolean

@@ -10,6 +10,9 @@
 gboolean qn_document_import (QnDocument *document, const char *step,
                              const QnProject *imported, GError **error);
 
+/* How long the ending of a path is that is one of these, in small letters; 0: it has none. */
+gsize qn_ending_of (const char *path, const char *const *endings);
+
 /* Whether the program imports a file of that name, rather than opening it. */
 gboolean qn_import_knows_file (const char *path);
 
