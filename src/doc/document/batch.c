@@ -18,12 +18,6 @@ G_DEFINE_TYPE (QnBatch, qn_batch, G_TYPE_OBJECT)
 /* clang-format on */
 
 static void
-emit (QnBatch *self)
-{
-  g_signal_emit_by_name (self, "changed");
-}
-
-static void
 tell (QnBatch *self, const char *path, const char *reason)
 {
   g_autofree char *base = g_path_get_basename (path);
@@ -52,7 +46,7 @@ go_on (QnBatch *self)
     if (qn_document_analyse (document, &error))
       return;
     tell (self, qn_document_get_path (document), error->message);
-    emit (self);
+    g_signal_emit_by_name (self, "changed");
   }
 }
 
@@ -64,7 +58,7 @@ on_job_changed (QnDocument *document, QnBatch *self)
     return;
   if (error != NULL && !g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED))
     tell (self, qn_document_get_path (document), error->message);
-  emit (self);
+  g_signal_emit_by_name (self, "changed");
   go_on (self);
 }
 
@@ -167,7 +161,7 @@ qn_batch_add (QnBatch *self, const char *path)
                                       : open_project (self, file) != NULL;
   }
   self->cancelled = FALSE;
-  emit (self);
+  g_signal_emit_by_name (self, "changed");
   go_on (self);
   return count;
 }

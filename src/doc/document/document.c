@@ -9,6 +9,9 @@
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
+/* Member of a project file that keeps the history. */
+#define HISTORY "history"
+
 G_DEFINE_FINAL_TYPE (QnDocument, qn_document, G_TYPE_OBJECT)
 
 /* ---- state ---- */
@@ -189,8 +192,8 @@ begin (QnDocument *self, QnProject *project, const char *path, GError **error)
 static char *
 take_history (QnProject *project)
 {
-  char *json = qn_project_dup_extra (project, QN_HISTORY_MEMBER);
-  qn_project_put_extra (project, QN_HISTORY_MEMBER, NULL);
+  char *json = qn_project_dup_extra (project, HISTORY);
+  qn_project_put_extra (project, HISTORY, NULL);
   return json;
 }
 
@@ -279,7 +282,7 @@ dup_file_text (QnDocument *self, GError **error)
   g_autofree char *json = qn_history_to_json (self->history, self->text->text);
   QnProject draft = self->project;
   draft.extras = cJSON_Duplicate (self->project.extras, 1);
-  gboolean done = qn_project_set_extra (&draft, QN_HISTORY_MEMBER, json, error);
+  gboolean done = qn_project_set_extra (&draft, HISTORY, json, error);
   char *text = done ? qn_project_to_text (&draft, NULL) : NULL;
   cJSON_Delete (draft.extras);
   return text;

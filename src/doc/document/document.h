@@ -23,9 +23,6 @@
 #include "io/project/project.h"
 #include <gio/gio.h>
 
-/* Member of a project file that keeps the history. */
-#define QN_HISTORY_MEMBER "history"
-
 #define QN_TYPE_DOCUMENT (qn_document_get_type ())
 G_DECLARE_FINAL_TYPE (QnDocument, qn_document, QN, DOCUMENT, GObject)
 

@@ -82,13 +82,6 @@ update_underlay (QnViewState *self)
   self->options.underlay = underlay;
 }
 
-static void
-on_document_changed (QnDocument *document, QnViewState *self)
-{
-  update_underlay (self);
-  emit_changed (self);
-}
-
 /* An outline of other blocks would be nonsense. */
 static gboolean
 same_structure (const QnRun *a, const QnRun *b)
@@ -131,10 +124,12 @@ qn_view_state_new (QnDocument *document)
   self->document = g_object_ref (document);
   g_signal_connect_object (document, "runs-changed", G_CALLBACK (on_runs_changed), self,
                            0);
-  g_signal_connect_object (document, "changed", G_CALLBACK (on_document_changed), self,
-                           0);
-  g_signal_connect_object (document, "file-changed", G_CALLBACK (on_document_changed),
-                           self, 0);
+  g_signal_connect_object (document, "changed",
+                           G_CALLBACK (qn_view_state_refresh_underlay), self,
+                           G_CONNECT_SWAPPED);
+  g_signal_connect_object (document, "file-changed",
+                           G_CALLBACK (qn_view_state_refresh_underlay), self,
+                           G_CONNECT_SWAPPED);
   update_underlay (self);
   return self;
 }
