@@ -7,26 +7,10 @@
 #include <EGL/eglext.h>
 #include <string.h>
 
-typedef struct State {
-  EGLDisplay display;
-  EGLContext context;
-} State;
-
 static QnGlAddress
 get_address (const char *name)
 {
   return (QnGlAddress) eglGetProcAddress (name);
-}
-
-static void
-release (QnOffscreen *self)
-{
-  State *state = self->state;
-  eglMakeCurrent (state->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  if (state->context != EGL_NO_CONTEXT)
-    eglDestroyContext (state->display, state->context);
-  /* The display is not terminated: the window of this process may be using it. */
-  g_free (state);
 }
 
 static EGLDisplay
@@ -40,6 +24,15 @@ open_display (void)
   if (display != EGL_NO_DISPLAY && !eglInitialize (display, NULL, NULL))
     return EGL_NO_DISPLAY;
   return display;
+}
+
+/* The display is not terminated: the window of this process may be using it. */
+static void
+release (void *context)
+{
+  EGLDisplay display = open_display ();
+  eglMakeCurrent (display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext (display, context);
 }
 
 static EGLContext
@@ -64,14 +57,13 @@ QnOffscreen *
 qn_offscreen_new_egl (void)
 {
   EGLDisplay display = open_display ();
-  if (display == EGL_NO_DISPLAY)
+  EGLContext context =
+    display != EGL_NO_DISPLAY ? create_context (display) : EGL_NO_CONTEXT;
+  if (context == EGL_NO_CONTEXT)
     return NULL;
-  State *state = g_new0 (State, 1);
-  *state = (State){ .display = display, .context = create_context (display) };
   QnOffscreen *self = g_new0 (QnOffscreen, 1);
-  *self = (QnOffscreen){ .name = "EGL", .state = state, .release = release };
-  if (state->context == EGL_NO_CONTEXT
-      || !eglMakeCurrent (display, EGL_NO_SURFACE, EGL_NO_SURFACE, state->context)
+  *self = (QnOffscreen){ .name = "EGL", .context = context, .release = release };
+  if (!eglMakeCurrent (display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)
       || !qn_gl_load (&self->gl, get_address))
     g_clear_pointer (&self, qn_offscreen_free);
   return self;

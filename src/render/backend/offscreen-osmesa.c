@@ -38,11 +38,6 @@ load_library (void)
   return result == 1;
 }
 
-typedef struct OsmesaState {
-  OSMesaContext context;
-  guint8 pixels[4]; /* a context needs a buffer; pictures are drawn into framebuffers */
-} OsmesaState;
-
 static QnGlAddress
 get_osmesa_address (const char *name)
 {
@@ -50,11 +45,9 @@ get_osmesa_address (const char *name)
 }
 
 static void
-release_osmesa (QnOffscreen *self)
+release_osmesa (void *context)
 {
-  OsmesaState *state = self->state;
-  osmesa.destroy_context (state->context);
-  g_free (state);
+  osmesa.destroy_context (context);
 }
 
 QnOffscreen *
@@ -69,16 +62,17 @@ qn_offscreen_new_osmesa (void)
                                     OSMESA_CONTEXT_MINOR_VERSION,
                                     3,
                                     0 };
+  /* A context needs a buffer; pictures are drawn into framebuffers. */
+  static guint8 pixels[4];
   if (!load_library ())
     return NULL;
   OSMesaContext context = osmesa.create_context (attributes, NULL);
   if (context == NULL)
     return NULL;
-  OsmesaState *state = g_new0 (OsmesaState, 1);
-  state->context = context;
   QnOffscreen *self = g_new0 (QnOffscreen, 1);
-  *self = (QnOffscreen){ .name = "OSMesa", .state = state, .release = release_osmesa };
-  if (!osmesa.make_current (context, state->pixels, GL_UNSIGNED_BYTE, 1, 1)
+  *self =
+    (QnOffscreen){ .name = "OSMesa", .context = context, .release = release_osmesa };
+  if (!osmesa.make_current (context, pixels, GL_UNSIGNED_BYTE, 1, 1)
       || !qn_gl_load (&self->gl, get_osmesa_address))
     g_clear_pointer (&self, qn_offscreen_free);
   return self;

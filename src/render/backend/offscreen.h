@@ -2,21 +2,30 @@
  * own; a context is used by the thread that made it, while it is the current one. */
 #pragma once
 
-#include "render/backend/gl-api.h"
-
-#include <glib.h>
+#include "render/backend/draw-gl.h"
+#include "render/backend/output.h"
 
 typedef struct QnOffscreen {
   QnGl gl;
-  const char *name; /* "EGL", "OSMesa" */
-  void *state;      /* the maker's own */
-  void (*release) (struct QnOffscreen *self);
+  const char *name;       /* "EGL", "OSMesa" */
+  QnGlRenderer *renderer; /* of qn_offscreen_new() */
+  void *context;          /* of the maker's own kind */
+  void (*release) (void *context);
 } QnOffscreen;
 
-/* Makes a context of OpenGL 3.3 core and makes it current: EGL surfaceless, else OSMesa.
- * NULL with an error (UNAVAILABLE). */
+/* Makes a context of OpenGL 3.3 core with a renderer, once for all pictures of a page or an animation, and makes
+ * it current: EGL surfaceless, else OSMesa. NULL with an error (UNAVAILABLE). */
 QnOffscreen *qn_offscreen_new (GError **error);
 void qn_offscreen_free (QnOffscreen *self);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC (QnOffscreen, qn_offscreen_free)
+
+/* How many of them this process has made: contexts are expensive. */
+unsigned qn_offscreen_count (void);
+
+/* Draws a scene onto a page, which may have one of these: the picture is then drawn off screen, read back and
+ * laid onto the page; labels are always Cairo's. */
+bool qn_scene_draw (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
+                    const QnPage *page, GError **error);
 
 /* The makers; NULL where the build does without or the machine cannot. */
 QnOffscreen *qn_offscreen_new_egl (void);

@@ -2,7 +2,7 @@
 
 #include "core/base/integer.h"
 #include "disk/whole-file.h"
-#include "render/backend/gl-painter.h"
+#include "render/backend/offscreen.h"
 #include "render/backend/png-encode.h"
 #include "render/drawing/svg-text.h"
 
@@ -288,10 +288,11 @@ qn_page_encode (QnFormat format, const QnOutput *output, const QnMetadata *metad
   if (!qn_output_page (output, &page, error))
     return NULL;
   if (format == QN_FORMAT_PNG) {
-    g_autoptr (QnGlPainter) painter = NULL;
-    if (output->backend == QN_BACKEND_GL && (painter = qn_gl_painter_new (error)) == NULL)
+    g_autoptr (QnOffscreen) offscreen = NULL;
+    if (output->backend == QN_BACKEND_GL
+        && (offscreen = qn_offscreen_new (error)) == NULL)
       return NULL;
-    page.painter = painter;
+    page.offscreen = offscreen;
     cairo_surface_t *surface = qn_page_create_image (&page);
     cairo_t *cr = cairo_create (surface);
     GBytes *bytes = NULL;

@@ -40,7 +40,7 @@ typedef struct QnPage {
   double width, height; /* px */
   double unit;          /* px per typographic point, as styles use it */
   bool transparent;
-  struct QnGlPainter *painter; /* borrowed; NULL: Cairo draws */
+  struct QnOffscreen *offscreen; /* borrowed; NULL: Cairo draws */
 } QnPage;
 
 /* 1600 x 1200 px on white, Cairo. */

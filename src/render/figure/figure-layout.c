@@ -1,6 +1,6 @@
 #include "render/figure/figure-layout.h"
 
-#include "render/backend/gl-painter.h"
+#include "render/backend/offscreen.h"
 #include "render/drawing/scene-fit.h"
 #include "render/drawing/text.h"
 

@@ -30,13 +30,10 @@
 #define QN_TICK_SPACING_Y 36.0
 
 typedef struct QnAxis {
+  const QnPlotAxis *as;
   double low, high;   /* in displayed units, of a logarithmic axis their decades */
   double step, first; /* of the ticks */
-  bool log;
-  double start, end; /* px */
-  /* Instead of ticks: names at 0, 1, …, borrowed; NULL: numbers. */
-  const char *const *names;
-  int name_count;
+  double start, end;  /* px */
 } QnAxis;
 
 typedef struct Drawing {
@@ -109,7 +106,7 @@ qn_plot_points (QnPlot *plot, const char *label, int series, const double *x,
 static double
 axis_place (const QnAxis *axis, double value)
 {
-  if (axis->log)
+  if (axis->as->log)
     value = log10 (value);
   return axis->start
          + (value - axis->low) / (axis->high - axis->low) * (axis->end - axis->start);
@@ -139,21 +136,12 @@ axis_set (QnAxis *axis, double low, double high, double length, double spacing)
   axis->first = ceil (axis->low / axis->step - 1e-9) * axis->step;
 }
 
-/* Lets a linear axis end at these values instead, with its ticks as they are. */
-static void
-axis_cut (QnAxis *axis, double low, double high)
-{
-  axis->low = low;
-  axis->high = high;
-  axis->first = ceil (low / axis->step - 1e-9) * axis->step;
-}
-
 /* The tick after v; decades that leave room are divided at 2 and 5. */
 static double
 next_tick (const QnAxis *axis, double v)
 {
   double part = v - floor (v + 1e-9);
-  if (!axis->log || axis->step > 1 || axis->high - axis->low > MOST_DIVIDED)
+  if (!axis->as->log || axis->step > 1 || axis->high - axis->low > MOST_DIVIDED)
     return v + axis->step;
   return floor (v + 1e-9) + (part < 0.2 ? log10 (2) : part < 0.5 ? log10 (5) : 1);
 }
@@ -162,7 +150,6 @@ next_tick (const QnAxis *axis, double v)
 static void
 axis_set_log (QnAxis *axis, double low, double high, double length, double spacing)
 {
-  axis->log = true;
   axis->low = log10 (low) - 0.08;
   axis->high = fmax (log10 (high) + 0.08, axis->low + 0.3);
   axis->step = fmax (1, ceil ((axis->high - axis->low) * spacing / fabs (length)));
@@ -174,26 +161,15 @@ axis_set_log (QnAxis *axis, double low, double high, double length, double spaci
     axis->first = next_tick (axis, axis->first);
 }
 
-/* One tick per name, the first at the end of the axis that is drawn on top or right. */
-static void
-axis_set_names (QnAxis *axis, const char *const *names, int count)
-{
-  axis->names = names;
-  axis->name_count = count;
-  axis->low = count - 0.5;
-  axis->high = -0.5;
-  axis->first = 0;
-  axis->step = 1;
-}
-
 /* The digits that distinguish neighbouring ticks; of decades, the power of ten. */
 static char *
 tick_text (const QnAxis *axis, double value)
 {
   double step = axis->step;
-  if (axis->names != NULL)
-    return g_strdup (axis->names[qn_to_integer (value + 0.5, 0, axis->name_count - 1)]);
-  if (axis->log)
+  if (axis->as->names != NULL)
+    return g_strdup (axis->as->names[qn_to_integer (value + 0.5, 0,
+                                                    (int64_t) axis->as->name_count - 1)]);
+  if (axis->as->log)
     return qn_label_number ("%.6g", pow (10, value));
   int digits = (int) qn_to_integer (-floor (log10 (step) + 1e-9), 0, 9);
   if (fabs (value) < 0.5 * step)
@@ -211,7 +187,7 @@ last_tick (const QnAxis *axis)
 static double
 tick_place (const QnAxis *axis, double tick)
 {
-  return axis_place (axis, axis->log ? pow (10, tick) : tick);
+  return axis_place (axis, axis->as->log ? pow (10, tick) : tick);
 }
 
 static void
@@ -286,14 +262,15 @@ draw_name (cairo_t *cr, const char *name, double unit, double x, double y, doubl
 
 /* Names of the axes: the vertical one at px `left`, the horizontal one above px `bottom`. */
 static void
-axes_draw_names (const QnAxis *x, const QnAxis *y, cairo_t *cr, double unit,
-                 const char *x_name, const char *y_name, double left, double bottom,
-                 bool monochrome)
+axes_draw_names (const QnAxis *x, const QnAxis *y, cairo_t *cr, double unit, double left,
+                 double bottom, bool monochrome)
 {
   QnColor ink = qn_ink (QN_INK_LINE, monochrome);
   double across = fabs (x->end - x->start), upright = fabs (bottom - y->end);
-  draw_name (cr, x_name, unit, 0.5 * (x->start + x->end), bottom, 1, 0, across, ink);
-  draw_name (cr, y_name, unit, left, 0.5 * (y->end + bottom), 0, G_PI / 2, upright, ink);
+  draw_name (cr, x->as->label, unit, 0.5 * (x->start + x->end), bottom, 1, 0, across,
+             ink);
+  draw_name (cr, y->as->label, unit, left, 0.5 * (y->end + bottom), 0, G_PI / 2, upright,
+             ink);
 }
 
 /* ---- layout ---- */
@@ -321,10 +298,12 @@ set_axis (QnAxis *axis, const QnPlotAxis *as, const double found[2], double star
 {
   double factor = factor_of (as), range[2] = { found[0], found[1] };
   bool given = as->low < as->high;
-  axis->start = start;
-  axis->end = end;
-  if (as->names != NULL) {
-    axis_set_names (axis, as->names, (int) as->name_count);
+  *axis = (QnAxis){ .as = as, .start = start, .end = end };
+  if (as->names
+      != NULL) { /* a tick per name, the first at the end that is drawn on top or right */
+    axis->low = (double) as->name_count - 0.5;
+    axis->high = -0.5;
+    axis->step = 1;
     return;
   }
   if (!(range[0] <= range[1]))
@@ -345,8 +324,11 @@ set_axis (QnAxis *axis, const QnPlotAxis *as, const double found[2], double star
   }
   (as->log ? axis_set_log : axis_set) (axis, range[0] * factor, range[1] * factor,
                                        end - start, spacing);
-  if (given)
-    axis_cut (axis, range[0] * factor, range[1] * factor);
+  if (given) { /* a linear axis ends there, with its ticks as they are */
+    axis->low = range[0] * factor;
+    axis->high = range[1] * factor;
+    axis->first = ceil (axis->low / axis->step - 1e-9) * axis->step;
+  }
 }
 
 static void
@@ -374,22 +356,23 @@ lay_out (Drawing *d, const QnFrame *frame, double top, double bottom)
 
 /* Cairo has no room for what lies very far from the part that is shown. */
 static double
-place (const QnAxis *axis, const QnPlotAxis *as, double value)
+place (const QnAxis *axis, double value)
 {
-  double at = axis_place (axis, value * factor_of (as));
-  return as->low < as->high && isfinite (at) ? CLAMP (at, -FAR_OFF, FAR_OFF) : at;
+  double at = axis_place (axis, value * factor_of (axis->as));
+  return axis->as->low < axis->as->high && isfinite (at) ? CLAMP (at, -FAR_OFF, FAR_OFF)
+                                                         : at;
 }
 
 static double
 px (const Drawing *d, double x)
 {
-  return place (&d->x, &d->plot->x, x);
+  return place (&d->x, x);
 }
 
 static double
 py (const Drawing *d, double y)
 {
-  return place (&d->y, &d->plot->y, y);
+  return place (&d->y, y);
 }
 
 /* Whether the i-th of the marks has a place. */
@@ -616,8 +599,7 @@ qn_plot_draw (const QnPlot *plot, cairo_t *cr, double u, const QnFrame *frame,
     axes_draw (&d.x, &d.y, cr, u, plot->monochrome);
     for (guint i = 0; i < plot->marks->len; i++)
       draw_marks (&d, &g_array_index (plot->marks, QnMarks, i));
-    axes_draw_names (&d.x, &d.y, cr, u, plot->x.label, plot->y.label, frame->x, bottom,
-                     plot->monochrome);
+    axes_draw_names (&d.x, &d.y, cr, u, frame->x, bottom, plot->monochrome);
   }
   qn_furniture_draw (&furniture, cr, 1, false);
   qn_furniture_clear (&furniture);

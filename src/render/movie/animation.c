@@ -1,7 +1,7 @@
 #include "render/movie/animation.h"
 
 #include "core/base/integer.h"
-#include "render/backend/gl-painter.h"
+#include "render/backend/offscreen.h"
 #include "render/figure/curve-plot.h"
 #include "render/figure/figure-layout.h"
 #include "render/movie/movie.h"
@@ -318,10 +318,10 @@ qn_animation_export (const QnAnimation *animation, const char *path,
       || !(animation->rate >= 1 && animation->rate <= 60))
     return qn_render_refuse (
       error, _ ("an animation has 2 to %d frames, 1 to 60 in a second"), QN_MAX_FRAMES);
-  g_autoptr (QnGlPainter) painter = NULL;
-  if (output->backend == QN_BACKEND_GL && (painter = qn_gl_painter_new (error)) == NULL)
+  g_autoptr (QnOffscreen) offscreen = NULL;
+  if (output->backend == QN_BACKEND_GL && (offscreen = qn_offscreen_new (error)) == NULL)
     return false;
-  page.painter = painter;
+  page.offscreen = offscreen;
   QnMetadata full = qn_figure_metadata (&animation->figure, metadata);
 
   cairo_surface_t *surface = qn_page_create_image (&page);

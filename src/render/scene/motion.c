@@ -150,7 +150,7 @@ qn_motion_result_scale (const QnModel *model, const QnResult *result)
   return linear && result->history.width == 0 ? scale : fmax (scale, 1);
 }
 
-QnJoint
+QnJointMotion
 qn_motion_joint (const QnMotion *motion, const QnContactFace *face)
 {
   QnVec2 normal = face->normal, tangent = face->tangent;
@@ -165,18 +165,28 @@ qn_motion_joint (const QnMotion *motion, const QnContactFace *face)
   for (int i = 0; i < 2; i++)
     jump[i] = qn_vec2_sub (qn_motion_place (&own, face->b, ends[i], 1),
                            qn_motion_place (&own, face->a, ends[i], 1));
-  return (QnJoint){
+  return (QnJointMotion){
     .opening_start = qn_vec2_dot (jump[0], normal),
     .opening_end = qn_vec2_dot (jump[1], normal),
     .slip = 0.5 * (qn_vec2_dot (jump[0], tangent) + qn_vec2_dot (jump[1], tangent)),
   };
 }
 
-/* States by what the analysis found at the pairs of the face, where the motion is more than
+static void
+set_joint (QnJointMotion *joint, bool open_start, bool open_end, bool slides)
+{
+  joint->kind = open_start && open_end ? QN_JOINT_OPENING
+                : open_start           ? QN_JOINT_HINGE_END
+                : open_end             ? QN_JOINT_HINGE_START
+                                       : QN_JOINT_CLOSED;
+  joint->slides = slides;
+}
+
+/* By what the analysis found at the pairs of the face, where the motion is more than
  * `least`: near collapse most joints slip or open a little, which no picture shows. */
 static void
-joint_states_from_pairs (QnJoint *joint, const QnContactFace *face,
-                         const QnPairResult *pairs, double least)
+set_joint_from_pairs (QnJointMotion *joint, const QnContactFace *face,
+                      const QnPairResult *pairs, double least)
 {
   if (face->pair_count < 1)
     return;
@@ -185,19 +195,19 @@ joint_states_from_pairs (QnJoint *joint, const QnContactFace *face,
   bool slips = false;
   for (int32_t i = 0; i < face->pair_count; i++)
     slips |= first[i].state == QN_PAIR_SLIP;
-  joint->open_start = first->state == QN_PAIR_OPEN && joint->opening_start > least;
-  joint->open_end = last->state == QN_PAIR_OPEN && joint->opening_end > least;
-  joint->sliding = slips && fabs (joint->slip) > least;
+  set_joint (joint, first->state == QN_PAIR_OPEN && joint->opening_start > least,
+             last->state == QN_PAIR_OPEN && joint->opening_end > least,
+             slips && fabs (joint->slip) > least);
 }
 
-QnJoint *
+QnJointMotion *
 qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
                   const QnPairResult *pairs)
 {
-  QnJoint *joints = g_new0 (QnJoint, MAX (contacts->face_count, 1));
+  QnJointMotion *joints = g_new0 (QnJointMotion, MAX (contacts->face_count, 1));
   double largest = 0;
   for (size_t f = 0; f < contacts->face_count; f++) {
-    QnJoint *joint = &joints[f];
+    QnJointMotion *joint = &joints[f];
     *joint = qn_motion_joint (motion, &contacts->faces[f]);
     largest = fmax (largest, fmax (joint->opening_start, joint->opening_end));
     largest = fmax (largest, fabs (joint->slip));
@@ -205,40 +215,13 @@ qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
   double least = JOINT_SHARE * largest;
   double seen = fmax (least, SEEN_SHARE * qn_motion_largest (motion));
   for (size_t f = 0; f < contacts->face_count; f++) {
-    QnJoint *joint = &joints[f];
-    if (pairs != NULL) {
-      joint_states_from_pairs (joint, &contacts->faces[f], pairs, seen);
-      continue;
-    }
-    joint->open_start = largest > 0 && joint->opening_start > least;
-    joint->open_end = largest > 0 && joint->opening_end > least;
-    joint->sliding = largest > 0 && fabs (joint->slip) > least
-                     && !(joint->open_start && joint->open_end);
+    QnJointMotion *joint = &joints[f];
+    if (pairs != NULL)
+      set_joint_from_pairs (joint, &contacts->faces[f], pairs, seen);
+    else
+      set_joint (joint, joint->opening_start > least, joint->opening_end > least,
+                 fabs (joint->slip) > least);
   }
-  return joints;
-}
-
-QnJoint *
-qn_motion_mechanism_joints (const QnModel *model, const QnContacts *contacts,
-                            const QnResult *result, QnMechanismKind *kind)
-{
-  QnMechanism mechanism;
-  *kind = QN_MECHANISM_KIND_NONE;
-  if (qn_mechanism_of_result (&mechanism, model, contacts, result, NULL) != QN_OK)
-    return NULL;
-  QnJoint *joints = g_new0 (QnJoint, MAX (mechanism.joint_count, 1));
-  for (size_t f = 0; f < mechanism.joint_count; f++) {
-    const QnJointMotion *joint = &mechanism.joints[f];
-    bool opens = joint->kind == QN_JOINT_OPENING;
-    joints[f] = (QnJoint){ .opening_start = joint->opening_start,
-                           .opening_end = joint->opening_end,
-                           .slip = joint->slip,
-                           .open_start = opens || joint->kind == QN_JOINT_HINGE_END,
-                           .open_end = opens || joint->kind == QN_JOINT_HINGE_START,
-                           .sliding = joint->slides };
-  }
-  *kind = mechanism.kind;
-  qn_mechanism_clear (&mechanism);
   return joints;
 }
 

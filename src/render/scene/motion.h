@@ -44,27 +44,15 @@ double qn_motion_result_scale (const QnModel *model, const QnResult *result);
 double qn_motion_of_block (const QnMotion *motion, QnId block);
 double qn_motion_largest (const QnMotion *motion);
 
-/* Motion of a joint. */
-typedef struct QnJoint {
-  double opening_start, opening_end; /* m, of the two ends of the face; < 0: closing */
-  double slip;                       /* m, of block b along the tangent, mean */
-  bool open_start, open_end, sliding;
-} QnJoint;
+/* Relative motion of the two sides of a face under the unscaled field, m. What the joint does is not set. */
+QnJointMotion qn_motion_joint (const QnMotion *motion, const QnContactFace *face);
 
-/* Relative motion of the two sides of a face under the unscaled field. States are not set. */
-QnJoint qn_motion_joint (const QnMotion *motion, const QnContactFace *face);
-
-/* Joints of all faces (newly allocated, face_count of them, g_free). `pairs`, nullable, are
+/* Joints of all faces (newly allocated, face_count of them, g_free), closed, hinges or opening. `pairs`, nullable, are
  * pair results that decide the states of joints that move by more than 3 % of the largest
  * displacement; without them a joint opens or slides where it moves by more than 2 % of the
  * largest joint motion. */
-QnJoint *qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
-                           const QnPairResult *pairs);
-
-/* The same for the mechanism of a result, where hinges, sliding and opening joints are those that the core
- * counts; *kind is what it calls the whole (core/result/mechanism.h). NULL when memory runs out. */
-QnJoint *qn_motion_mechanism_joints (const QnModel *model, const QnContacts *contacts,
-                                     const QnResult *result, QnMechanismKind *kind);
+QnJointMotion *qn_motion_joints (const QnMotion *motion, const QnContacts *contacts,
+                                 const QnPairResult *pairs);
 
 /* "overturning", "rocking", "sliding", …; translated. */
 const char *qn_mechanism_kind_text (QnMechanismKind kind);

@@ -67,7 +67,7 @@ qn_joint_reading (const QnContacts *contacts, QnId index, const QnPairResult *pa
   if (pairs != NULL)
     read_forces (&reading, contacts, face, pairs);
   if (motion != NULL && motion->displacements != NULL) {
-    QnJoint joint = qn_motion_joint (motion, face);
+    QnJointMotion joint = qn_motion_joint (motion, face);
     reading.has_motion = true;
     reading.opening_start = joint.opening_start;
     reading.opening_end = joint.opening_end;
@@ -123,7 +123,7 @@ qn_joint_crack (const QnContacts *contacts, QnId id, const QnPairResult *pairs,
 {
   const QnModel *model = motion->model;
   const QnContactFace *face = &contacts->faces[id];
-  const QnJoint joint = qn_motion_joint (motion, face);
+  const QnJointMotion joint = qn_motion_joint (motion, face);
   const double start = joint.opening_start, end = joint.opening_end;
   QnCrack crack = { 0 };
   double from[2] = { 0, 0 };

@@ -165,12 +165,17 @@ find_joints (QnSceneBuilder *b, GError **error)
     b->joints = qn_motion_joints (&b->motion, b->contacts, b->pairs);
     return true;
   }
-  b->joints =
-    qn_motion_mechanism_joints (b->model, b->contacts, b->result, &b->scene->mechanism);
-  if (b->joints == NULL)
+  QnMechanism mechanism;
+  if (qn_mechanism_of_result (&mechanism, b->model, b->contacts, b->result, NULL)
+      != QN_OK) {
     g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_FAILED,
                          _ ("not enough memory"));
-  return b->joints != NULL;
+    return false;
+  }
+  b->joints = g_steal_pointer (&mechanism.joints);
+  b->scene->mechanism = mechanism.kind;
+  qn_mechanism_clear (&mechanism);
+  return true;
 }
 
 /* A picture without its caption says in the legend by how much displacements are enlarged. */

@@ -23,8 +23,9 @@ typedef struct QnSceneBuilder {
   QnBox box;         /* of the undeformed blocks and nodes */
   double block_size; /* m, characteristic length of the blocks */
   QnPairResult
-    *pairs;         /* at the step, where contact forces are known and wanted; or NULL */
-  QnJoint *joints;  /* of all faces in DEFORMED and MECHANISM with contacts, or NULL */
+    *pairs; /* at the step, where contact forces are known and wanted; or NULL */
+  QnJointMotion
+    *joints;        /* of all faces in DEFORMED and MECHANISM with contacts, or NULL */
   QnTouch *touches; /* contacts found on the way that carry something at the step */
   size_t touch_count;
   QnVec2

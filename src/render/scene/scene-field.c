@@ -118,7 +118,7 @@ joint_values (const QnSceneBuilder *b, double *values)
   QnMotion motion = b->motion;
   motion.displacements = field_displacements (b);
   for (size_t f = 0; f < b->contacts->face_count; f++) {
-    QnJoint joint = qn_motion_joint (&motion, &b->contacts->faces[f]);
+    QnJointMotion joint = qn_motion_joint (&motion, &b->contacts->faces[f]);
     values[f] = b->options->field == QN_FIELD_CRACK
                   ? qn_joint_crack (b->contacts, (QnId) f, b->pairs, &step).width
                 : b->options->field == QN_FIELD_OPENING

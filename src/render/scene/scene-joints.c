@@ -51,7 +51,7 @@ add_hinge (QnSceneBuilder *b, QnId index, const QnContactFace *face, bool at_sta
 
 static void
 add_sliding (QnSceneBuilder *b, QnId index, const QnContactFace *face,
-             const QnJoint *joint, QnColor color)
+             const QnJointMotion *joint, QnColor color)
 {
   QnVec2 line[2] = { qn_builder_place_joint (b, face, face->start),
                      qn_builder_place_joint (b, face, face->end) };
@@ -99,19 +99,21 @@ qn_build_joints (QnSceneBuilder *b)
   int broken = 0;
   for (size_t f = 0; f < b->contacts->face_count; f++) {
     const QnContactFace *face = &b->contacts->faces[f];
-    const QnJoint *joint = &b->joints[f];
+    const QnJointMotion *joint = &b->joints[f];
     if (b->left != NULL && b->left[f])
       continue;
     broken += add_broken (b, (QnId) f, face, qn_builder_ink (b, QN_INK_LINE));
-    if (joint->open_start || joint->open_end) {
+    bool hinges =
+      joint->kind == QN_JOINT_HINGE_START || joint->kind == QN_JOINT_HINGE_END;
+    if (hinges || joint->kind == QN_JOINT_OPENING) {
       add_gap (b, (QnId) f, face, open);
       tally.open++;
     }
-    if (joint->open_start != joint->open_end) {
-      add_hinge (b, (QnId) f, face, joint->open_end, hinge);
+    if (hinges) {
+      add_hinge (b, (QnId) f, face, joint->kind == QN_JOINT_HINGE_START, hinge);
       tally.hinge++;
     }
-    if (joint->sliding && !(joint->open_start && joint->open_end)) {
+    if (joint->slides && joint->kind != QN_JOINT_OPENING) {
       add_sliding (b, (QnId) f, face, joint, slide);
       tally.sliding++;
     }

@@ -1,4 +1,4 @@
-#include "render/backend/gl-painter.h"
+#include "render/backend/offscreen.h"
 #include "render/fixture.h"
 #include "render/movie/animation.h"
 #include "support/room.h"
@@ -188,7 +188,7 @@ test_one_context (void)
 {
   g_auto (Rig) rig;
   GError *error = NULL;
-  unsigned before = qn_gl_painter_count ();
+  unsigned before = qn_offscreen_count ();
   rig_init (&rig, QN_VIEW_MECHANISM);
   rig.output.backend = QN_BACKEND_GL;
   g_autofree char *path = g_build_filename (rig.folder, "a.gif", NULL);
@@ -199,7 +199,7 @@ test_one_context (void)
   } else {
     g_assert_no_error (error);
     g_assert_true (done);
-    g_assert_cmpuint (qn_gl_painter_count (), ==, before + 1);
+    g_assert_cmpuint (qn_offscreen_count (), ==, before + 1);
     g_unlink (path);
   }
   g_clear_error (&error);
