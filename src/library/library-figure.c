@@ -136,43 +136,6 @@ add_reference (QuoinFigure *figure, const char *value)
   return true;
 }
 
-/* What is on or off beside the switches of a view; NULL: no such switch. */
-static bool *
-find_switch (QuoinFigure *figure, const char *name)
-{
-  const struct {
-    const char *name;
-    bool *flag;
-  } switches[] = { { "transparent", &figure->output.transparent },
-                   { "once", &figure->animation.once },
-                   { "curve", &figure->animation.curve },
-                   { "whole", &figure->sheet.whole } };
-  for (gsize i = 0; i < G_N_ELEMENTS (switches); i++)
-    if (strcmp (switches[i].name, name) == 0)
-      return switches[i].flag;
-  return NULL;
-}
-
-/* A number, and the least that it may be; NULL: no such number. */
-static double *
-find_number (QuoinFigure *figure, const char *name, double *least)
-{
-  const struct {
-    const char *name;
-    double least, *number;
-  } numbers[] = { { "dpi", 1, &figure->output.dpi },
-                  { "rate", 1, &figure->animation.rate },
-                  { "speed", DBL_MIN, &figure->speed },
-                  { "until", DBL_MIN, &figure->sheet.until },
-                  { "columns", 1, &figure->columns } };
-  for (gsize i = 0; i < G_N_ELEMENTS (numbers); i++)
-    if (strcmp (numbers[i].name, name) == 0) {
-      *least = numbers[i].least;
-      return numbers[i].number;
-    }
-  return NULL;
-}
-
 /* An option of the picture; a step must be one of the result. What is refused changes nothing. */
 static bool
 set_view (QuoinFigure *figure, const char *name, const char *value)
@@ -191,14 +154,28 @@ set_view (QuoinFigure *figure, const char *name, const char *value)
 static bool
 set_option (QuoinFigure *figure, const char *name, const char *value, GError **cause)
 {
-  double least = 0, *number = find_number (figure, name, &least);
-  bool on = strcmp (value, "on") == 0, *flag = find_switch (figure, name);
-  if (flag != NULL) {
-    *flag = on;
-    return on || strcmp (value, "off") == 0;
+  /* What is on or off beside the switches of a view, and numbers with the least that they may be. */
+  const struct {
+    const char *name;
+    bool *flag;
+    double *number, least;
+  } known[] = { { "transparent", &figure->output.transparent, NULL, 0 },
+                { "once", &figure->animation.once, NULL, 0 },
+                { "curve", &figure->animation.curve, NULL, 0 },
+                { "whole", &figure->sheet.whole, NULL, 0 },
+                { "dpi", NULL, &figure->output.dpi, 1 },
+                { "rate", NULL, &figure->animation.rate, 1 },
+                { "speed", NULL, &figure->speed, DBL_MIN },
+                { "until", NULL, &figure->sheet.until, DBL_MIN },
+                { "columns", NULL, &figure->columns, 1 } };
+  for (gsize i = 0; i < G_N_ELEMENTS (known); i++) {
+    if (strcmp (known[i].name, name) != 0)
+      continue;
+    if (known[i].flag == NULL)
+      return parse_number (value, known[i].least, known[i].number);
+    *known[i].flag = strcmp (value, "on") == 0;
+    return *known[i].flag || strcmp (value, "off") == 0;
   }
-  if (number != NULL)
-    return parse_number (value, least, number);
   if (strcmp (name, "size") == 0)
     return qn_output_parse_size (&figure->output, value, cause);
   if (strcmp (name, "frames") == 0) {

@@ -87,7 +87,6 @@ show (gpointer data, guint field, QnValue *value)
   const Row *row = data;
   QnStudyPage *page = row->page;
   const QnDraftParameter parameter = qn_draft_parameter (page->draft, row->index);
-  g_autofree char *path = parameter.path;
   const gboolean limits =
     parameter.kind == QN_DRAFT_UNIFORM || parameter.kind == QN_DRAFT_RANGE;
   int count;
@@ -97,7 +96,8 @@ show (gpointer data, guint field, QnValue *value)
     value->text = g_strdup (parameter.name);
     return TRUE;
   case PLACE:
-    value->text = qn_path_dup_text (qn_document_get_model (page->document), path);
+    value->text =
+      qn_path_dup_text (qn_document_get_model (page->document), parameter.path);
     gtk_widget_set_tooltip_text (row->base.widgets[PLACE], value->text);
     return TRUE;
   case VALUES:

@@ -80,8 +80,8 @@ find (const CapacityOptions *options, Answer *answer)
   case QN_CAPACITY_NO_ANSWER:
     break;
   }
-  qn_cli_error ("%s: %s", input->project.name, answer->answer.reason);
-  qn_cli_stop (end == QN_CAPACITY_STAGES ? QN_EXIT_INVALID : QN_EXIT_NO_ANSWER);
+  qn_cli_fail (end == QN_CAPACITY_STAGES ? QN_EXIT_INVALID : QN_EXIT_NO_ANSWER, "%s: %s",
+               input->project.name, answer->answer.reason);
 }
 
 /* --- Output ---------------------------------------------------------------------- */

@@ -58,13 +58,11 @@ find_envelope (const QnInput *input, const EnvelopeOptions *options, QnEnvelope 
   if (status != QN_OK)
     qn_input_fail (input, QN_INPUT_PATH, &diag);
   if (e->unstable)
-    qn_cli_error (_ ("%s: no stable equilibrium under the dead load"),
-                  input->project.name);
-  else if (!qn_envelope_find_least (e, least))
-    qn_cli_error (_ ("%s: no position gives a collapse"), input->project.name);
-  else
-    return;
-  qn_cli_stop (QN_EXIT_NO_ANSWER);
+    qn_cli_fail (QN_EXIT_NO_ANSWER, _ ("%s: no stable equilibrium under the dead load"),
+                 input->project.name);
+  if (!qn_envelope_find_least (e, least))
+    qn_cli_fail (QN_EXIT_NO_ANSWER, _ ("%s: no position gives a collapse"),
+                 input->project.name);
 }
 
 static void

@@ -42,17 +42,13 @@ write_result (const ModalOptions *options, const QnInput *input, const QnModes *
               QnResult *result)
 {
   QnDiag diag = { 0 };
-  if ((size_t) options->mode > modes->count) {
-    qn_cli_error (_ ("there is no mode %d: only %zu were found"), options->mode,
-                  modes->count);
-    qn_cli_stop (QN_EXIT_INVALID);
-  }
+  if ((size_t) options->mode > modes->count)
+    qn_cli_fail (QN_EXIT_INVALID, _ ("there is no mode %d: only %zu were found"),
+                 options->mode, modes->count);
   if (qn_modes_show (modes, (size_t) options->mode - 1, &input->project.model, result,
                      &diag)
-      != QN_OK) {
-    qn_cli_error (_ ("not enough memory"));
-    qn_cli_stop (QN_EXIT_INTERNAL);
-  }
+      != QN_OK)
+    qn_cli_fail (QN_EXIT_INTERNAL, _ ("not enough memory"));
   qn_cli_must (qn_result_file_write (options->output, &input->project, &input->contacts,
                                      result, QN_DETAIL_FORCES, QN_TROUBLE));
 }
@@ -111,14 +107,12 @@ solve_modal (const ModalOptions *options, const QnInput *input)
   if (result.stop == QN_STOP_FACTORIZATIONS || result.stop == QN_STOP_TIME
       || result.stop == QN_STOP_CHECK) {
     g_autofree char *reason = qn_outcome_dup_reason (&input->project.model, &result);
-    qn_cli_error ("%s: %s", input->project.name, reason);
-    qn_cli_stop (QN_EXIT_NO_ANSWER);
+    qn_cli_fail (QN_EXIT_NO_ANSWER, "%s: %s", input->project.name, reason);
   }
-  if (modes.count == 0) {
-    qn_cli_error (_ ("%s: no equilibrium was found, so there are no vibrations about it"),
-                  input->project.name);
-    qn_cli_stop (QN_EXIT_NO_ANSWER);
-  }
+  if (modes.count == 0)
+    qn_cli_fail (QN_EXIT_NO_ANSWER,
+                 _ ("%s: no equilibrium was found, so there are no vibrations about it"),
+                 input->project.name);
   if (!options->quiet && g_strcmp0 (options->output, "-") != 0
       && g_strcmp0 (options->csv, "-") != 0)
     print_modes (options, input, &modes);

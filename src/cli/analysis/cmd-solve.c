@@ -37,9 +37,8 @@ tell_unstable (const QnInput *input, const QnResult *result)
                             model->blocks[result->unstable_blocks[i]].name);
   if (result->unstable_count > SHOWN)
     g_string_append_printf (names, _ (" and %zu more"), result->unstable_count - SHOWN);
-  qn_cli_error (_ ("%s: no stable equilibrium under the dead load: %s"),
-                input->project.name, names->str);
-  qn_cli_stop (QN_EXIT_NO_ANSWER);
+  qn_cli_fail (QN_EXIT_NO_ANSWER, _ ("%s: no stable equilibrium under the dead load: %s"),
+               input->project.name, names->str);
 }
 
 /* How far an analysis in time went, and what its numbers are worth. */
@@ -158,8 +157,8 @@ report (const SolveOptions *options, const QnInput *input, const QnResult *resul
     tell_unstable (input, result);
   if (result->outcome == QN_OUTCOME_NOT_CONVERGED) {
     g_autofree char *reason = qn_outcome_dup_reason (&project->model, result);
-    qn_cli_error (_ ("%s: the analysis did not converge: %s"), project->name, reason);
-    qn_cli_stop (QN_EXIT_NO_ANSWER);
+    qn_cli_fail (QN_EXIT_NO_ANSWER, _ ("%s: the analysis did not converge: %s"),
+                 project->name, reason);
   }
 }
 

@@ -49,19 +49,16 @@ solve_stability (const StabilityOptions *options, const QnInput *input)
     qn_statistics_clear_timings (&result.statistics);
   if (!options->quiet && g_strcmp0 (options->output, "-") != 0)
     print_stability (project, &result);
-  gboolean none = result.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE
-                  || result.outcome == QN_OUTCOME_NOT_CONVERGED;
-  if (none) {
-    g_autofree char *reason = qn_outcome_dup_reason (&project->model, &result);
-    qn_cli_error ("%s: %s", project->name, reason);
-  }
   qn_cli_must (options->output == NULL
                || qn_result_file_write (options->output, project, &input->contacts,
                                         &result, QN_DETAIL_FORCES, QN_TROUBLE));
   if (result.outcome == QN_OUTCOME_CANCELLED)
     qn_cli_cancelled (project->name);
-  if (none)
-    qn_cli_stop (QN_EXIT_NO_ANSWER);
+  if (result.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE
+      || result.outcome == QN_OUTCOME_NOT_CONVERGED) {
+    g_autofree char *reason = qn_outcome_dup_reason (&project->model, &result);
+    qn_cli_fail (QN_EXIT_NO_ANSWER, "%s: %s", project->name, reason);
+  }
   qn_result_clear (&result);
 }
 

@@ -105,10 +105,10 @@ require_live_load (const QnProject *project)
   if (project->model.stage_count > 0 || analysis->procedure == QN_PROCEDURE_LIMIT
       || analysis->max_multiplier == 0 || !lacks)
     return;
-  qn_cli_error (_ ("%s: loads: %s: add one to loads.live, or set "
-                   "analysis.max_multiplier=0 for the dead load alone"),
-                project->name, _ (qn_problem_text (QN_PROBLEM_NO_LIVE_LOAD)));
-  qn_cli_stop (QN_EXIT_INVALID);
+  qn_cli_fail (QN_EXIT_INVALID,
+               _ ("%s: loads: %s: add one to loads.live, or set "
+                  "analysis.max_multiplier=0 for the dead load alone"),
+               project->name, _ (qn_problem_text (QN_PROBLEM_NO_LIVE_LOAD)));
 }
 
 void
@@ -141,8 +141,7 @@ qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *diag)
     diag->status != QN_ERROR_NO_MEMORY ? state_problem (state, diag) : NULL;
   if (problem == NULL)
     qn_input_refuse (&input->project, diag);
-  qn_cli_error ("%s: %s", input->project.name, problem);
-  qn_cli_stop (QN_EXIT_NO_ANSWER);
+  qn_cli_fail (QN_EXIT_NO_ANSWER, "%s: %s", input->project.name, problem);
 }
 
 QnInput *

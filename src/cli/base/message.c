@@ -29,6 +29,16 @@ qn_cli_error (const char *format, ...)
 }
 
 void
+qn_cli_fail (QnExit code, const char *format, ...)
+{
+  va_list arguments;
+  va_start (arguments, format);
+  print_line ("", format, arguments);
+  va_end (arguments);
+  qn_cli_stop (code);
+}
+
+void
 qn_cli_warning (const char *format, ...)
 {
   va_list arguments;
@@ -62,11 +72,10 @@ qn_cli_usage_error (const char *format, ...)
   g_autofree char *message = g_strdup_vprintf (format, arguments);
   va_end (arguments);
   if (own_subcommand != NULL)
-    qn_cli_error (_ ("%s: %s (see quoin-cli %s --help)"), own_subcommand, message,
-                  own_subcommand);
+    qn_cli_fail (QN_EXIT_USAGE, _ ("%s: %s (see quoin-cli %s --help)"), own_subcommand,
+                 message, own_subcommand);
   else
-    qn_cli_error (_ ("%s (see quoin-cli --help)"), message);
-  qn_cli_stop (QN_EXIT_USAGE);
+    qn_cli_fail (QN_EXIT_USAGE, _ ("%s (see quoin-cli --help)"), message);
 }
 
 void
@@ -131,13 +140,11 @@ qn_cli_must (gboolean done)
   }
   if (outside_offered && g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE))
     g_string_append (message, _ ("; --allow-outside permits it"));
-  qn_cli_error ("%s", message->str);
-  qn_cli_stop (exit_code_of (error));
+  qn_cli_fail (exit_code_of (error), "%s", message->str);
 }
 
 void
 qn_cli_cancelled (const char *project)
 {
-  qn_cli_error (_ ("%s: cancelled"), project);
-  qn_cli_stop (QN_EXIT_CANCELLED);
+  qn_cli_fail (QN_EXIT_CANCELLED, _ ("%s: cancelled"), project);
 }

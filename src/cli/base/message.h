@@ -17,8 +17,9 @@ void qn_cli_warning (const char *format, ...) G_GNUC_PRINTF (1, 2);
 /* The subcommand that runs, for what follows; borrowed for good. */
 void qn_cli_set_subcommand (const char *subcommand);
 
-/* Completes standard output (shown-text.c) and ends the program. */
+/* Completes standard output (shown-text.c) and ends the program; with a message before. */
 void qn_cli_stop (QnExit code);
+void qn_cli_fail (QnExit code, const char *format, ...) G_GNUC_PRINTF (2, 3);
 
 /* Keeps memory, and all that it holds, until the program ends; returns it. */
 void *qn_cli_keep (void *memory);

@@ -71,10 +71,8 @@ check_names (const GPtrArray *recipes, const FiguresOptions *options)
     gboolean found = FALSE;
     for (guint i = 0; i < recipes->len; i++)
       found |= strcmp (((QnRecipe *) g_ptr_array_index (recipes, i))->name, *name) == 0;
-    if (!found) {
-      qn_cli_error (_ ("the project has no figure \"%s\""), *name);
-      qn_cli_stop (QN_EXIT_USAGE);
-    }
+    if (!found)
+      qn_cli_fail (QN_EXIT_USAGE, _ ("the project has no figure \"%s\""), *name);
   }
 }
 

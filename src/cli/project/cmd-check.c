@@ -82,8 +82,7 @@ check_result (const CheckOptions *options, const char *path)
   if (faults.count > 0) {
     g_autofree char *first =
       qn_fault_dup_text (&project->model, contacts, &faults.items[0]);
-    qn_cli_error (_ ("%s: not true: %s"), name, first);
-    qn_cli_stop (QN_EXIT_INVALID);
+    qn_cli_fail (QN_EXIT_INVALID, _ ("%s: not true: %s"), name, first);
   }
 }
 

@@ -87,10 +87,8 @@ take_law_of_project (const char *model, const char *name, QnLawPreset *what)
   QnProject *project = qn_cli_keep (g_new0 (QnProject, 1));
   qn_cli_must (qn_project_load (model, NULL, project, QN_TROUBLE));
   QnId id = qn_model_find_law (&project->model, name);
-  if (id == QN_NONE) {
-    qn_cli_error (_ ("%s: no law is called “%s”"), model, name);
-    qn_cli_stop (QN_EXIT_INVALID);
-  }
+  if (id == QN_NONE)
+    qn_cli_fail (QN_EXIT_INVALID, _ ("%s: no law is called “%s”"), model, name);
   const QnLaw *law = &project->model.laws[id];
   *what = *qn_law_preset (law->kind);
   what->law = *law;
@@ -118,10 +116,9 @@ prepare (const LawOptions *options, const char *name, History *history)
 
   QnLaw named = what->law;
   named.name = (char *) name;
-  if (qn_law_check (&named, 0, &diag) != QN_OK) {
-    qn_cli_error ("%s: %s", diag.field, _ (qn_problem_text (diag.problem)));
-    qn_cli_stop (QN_EXIT_INVALID);
-  }
+  if (qn_law_check (&named, 0, &diag) != QN_OK)
+    qn_cli_fail (QN_EXIT_INVALID, "%s: %s", diag.field,
+                 _ (qn_problem_text (diag.problem)));
   history->length = what->law.basis == QN_BASIS_MATERIAL ? options->length : 1;
 }
 
@@ -154,10 +151,9 @@ show (LawOptions *options, const char *name)
                         qn_cli_keep (g_array_new (FALSE, FALSE, sizeof (QnLawSample))) };
   prepare (options, name, &history);
   qn_picture_if_any (&options->picture);
-  if (!qn_law_trace (&history.what, history.length, history.samples)) {
-    qn_cli_error ("%s", _ (qn_problem_text (QN_PROBLEM_FRACTURE_ENERGY_TOO_SMALL)));
-    qn_cli_stop (QN_EXIT_INVALID);
-  }
+  if (!qn_law_trace (&history.what, history.length, history.samples))
+    qn_cli_fail (QN_EXIT_INVALID, "%s",
+                 _ (qn_problem_text (QN_PROBLEM_FRACTURE_ENERGY_TOO_SMALL)));
   if (options->picture.path != NULL) {
     g_autoptr (QnPlot) plot = qn_law_plot (&history.what, history.samples);
     qn_picture_plot (&options->picture, plot, name, NULL);

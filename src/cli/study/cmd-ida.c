@@ -321,10 +321,8 @@ compute (const Ida *ida, gsize index, Curve *curve)
 static void
 run_all (Ida *ida)
 {
-  if (g_mkdir_with_parents (ida->options->folder, 0777) != 0) {
-    qn_cli_error ("%s: %s", ida->options->folder, _ ("cannot be written"));
-    qn_cli_stop (QN_EXIT_FILE);
-  }
+  if (g_mkdir_with_parents (ida->options->folder, 0777) != 0)
+    qn_cli_fail (QN_EXIT_FILE, "%s: %s", ida->options->folder, _ ("cannot be written"));
   ida->count = g_strv_length (ida->options->records);
   ida->curves = qn_cli_keep (g_new0 (Curve, ida->count));
   for (gsize i = 0; i < ida->count; i++)

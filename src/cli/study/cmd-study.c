@@ -91,8 +91,7 @@ qn_study_compute (const QnStudy *study, const char *folder, QnStudyRunSettings s
 void
 qn_study_cancelled (const char *name)
 {
-  qn_cli_error (_ ("%s: cancelled; the same command continues"), name);
-  qn_cli_stop (QN_EXIT_CANCELLED);
+  qn_cli_fail (QN_EXIT_CANCELLED, _ ("%s: cancelled; the same command continues"), name);
 }
 
 /* "3/10": the third of ten slices. */

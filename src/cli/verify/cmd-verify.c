@@ -114,10 +114,8 @@ keep_result (const VerifyOptions *options, const QnVerifyGroup *group,
   g_autofree char *name = g_strconcat (base, ".json", NULL);
   g_autofree char *path = g_build_filename (folder, name, NULL);
 
-  if (g_mkdir_with_parents (folder, 0777) != 0) {
-    qn_cli_error (_ ("%s: cannot be made: %s"), folder, g_strerror (errno));
-    qn_cli_stop (QN_EXIT_FILE);
-  }
+  if (g_mkdir_with_parents (folder, 0777) != 0)
+    qn_cli_fail (QN_EXIT_FILE, _ ("%s: cannot be made: %s"), folder, g_strerror (errno));
   qn_cli_must (qn_result_file_write (path, &input->project, &input->contacts, result,
                                      QN_DETAIL_FORCES, QN_TROUBLE));
 }
@@ -275,10 +273,8 @@ run_case (const VerifyOptions *options, const QnVerifyGroup *group,
   result.statistics.peak_memory_bytes = (int64_t) progress.peak_memory;
   if (status != QN_OK && status != QN_ERROR_CANCELLED)
     qn_input_refuse (&input.project, &diag);
-  if (qn_interrupt_seen ()) {
-    qn_cli_error (_ ("cancelled"));
-    qn_cli_stop (QN_EXIT_CANCELLED);
-  }
+  if (qn_interrupt_seen ())
+    qn_cli_fail (QN_EXIT_CANCELLED, _ ("cancelled"));
   double bound =
     group->bounded && result.has_associative_bound ? result.associative_bound : NAN;
   gboolean met = print_row (test, &input, &result, found, bound);

@@ -230,6 +230,12 @@ number_at (const cJSON *object, const char *key)
   return cJSON_IsNumber (item) ? item->valuedouble : NAN;
 }
 
+static const char *
+text_at (const cJSON *object, const char *key)
+{
+  return cJSON_GetStringValue (cJSON_GetObjectItemCaseSensitive (object, key));
+}
+
 static int
 count_at (const cJSON *object, const char *key)
 {
@@ -244,18 +250,12 @@ qn_draft_parameter (const QnDraft *draft, guint index)
   const cJSON *path = cJSON_GetObjectItemCaseSensitive (item, "path");
   const cJSON *range = cJSON_GetObjectItemCaseSensitive (item, "range");
   const cJSON *distribution = cJSON_GetObjectItemCaseSensitive (item, "distribution");
-  const char *kind =
-    cJSON_GetStringValue (cJSON_GetObjectItemCaseSensitive (distribution, "kind"));
-  const char *name =
-    cJSON_GetStringValue (cJSON_GetObjectItemCaseSensitive (item, "name"));
-  if (cJSON_IsArray (path))
-    path = path->child;
+  const char *kind = text_at (distribution, "kind"), *name = text_at (item, "name");
+  const char *first = cJSON_GetStringValue (cJSON_IsArray (path) ? path->child : path);
   QnDraftParameter result = { .name = name != NULL ? name : "",
-                              .path = g_strdup (cJSON_GetStringValue (path)),
+                              .path = first != NULL ? first : "",
                               .kind = QN_DRAFT_OTHER,
                               .levels = count_at (item, "levels") };
-  if (result.path == NULL)
-    result.path = g_strdup ("");
   if (cJSON_GetArraySize (range) == 3) {
     result.kind = QN_DRAFT_RANGE;
     result.first = cJSON_GetNumberValue (range->child);
@@ -320,34 +320,18 @@ name_of (const QnDraft *draft, const char *path)
   const char *dot = strrchr (path, '.');
   const char *last = dot != NULL ? dot + 1 : path;
   for (guint i = 0; i < qn_draft_count (draft); i++)
-    if (g_strcmp0 (cJSON_GetStringValue (
-                     cJSON_GetObjectItemCaseSensitive (parameter (draft, i), "name")),
-                   last)
-        == 0)
+    if (g_strcmp0 (text_at (parameter (draft, i), "name"), last) == 0)
       return path;
   return last;
-}
-
-static gboolean
-find_path (const QnDraft *draft, const char *path, guint *index)
-{
-  for (*index = 0; *index < qn_draft_count (draft); (*index)++) {
-    QnDraftParameter other = qn_draft_parameter (draft, *index);
-    gboolean same = strcmp (other.path, path) == 0;
-    g_free (other.path);
-    if (same)
-      return TRUE;
-  }
-  return FALSE;
 }
 
 gboolean
 qn_draft_vary (QnDraft *draft, const char *path, double base, gboolean whole)
 {
-  guint index;
   double low = base - 0.1 * fabs (base), high = base + 0.1 * fabs (base);
-  if (find_path (draft, path, &index))
-    return FALSE;
+  for (guint i = 0; i < qn_draft_count (draft); i++)
+    if (strcmp (qn_draft_parameter (draft, i).path, path) == 0)
+      return FALSE;
   cJSON *item = cJSON_CreateObject ();
   set (item, "name", cJSON_CreateString (name_of (draft, path)));
   set (item, "path", cJSON_CreateString (path));
@@ -403,7 +387,6 @@ qn_draft_set_kind (QnDraft *draft, guint index, QnDraftKind kind)
     first = 0.5 * (low + high);
     second = 0.5 * (high - low) / FRACTILE_95;
   }
-  g_free (old.path);
   qn_draft_set_values (draft, index, kind, first, second, old.levels);
 }
 
@@ -444,8 +427,7 @@ QnPlanKind
 qn_draft_get_plan (const QnDraft *draft, int *count)
 {
   const cJSON *plan = member (draft, "plan");
-  const char *name =
-    cJSON_GetStringValue (cJSON_GetObjectItemCaseSensitive (plan, "kind"));
+  const char *name = text_at (plan, "kind");
   *count = count_at (plan, "count");
   QnPlanKind kind = QN_PLAN_MONTE_CARLO;
   qn_find_word (name, qn_plan_kind_names, QN_PLAN_COUNT, &kind);

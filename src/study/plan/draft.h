@@ -19,8 +19,7 @@ typedef enum {
 } QnDraftKind;
 
 typedef struct QnDraftParameter {
-  const char *name; /* borrowed until the next edit */
-  char *path;       /* the first one; owned: free with g_free() */
+  const char *name, *path; /* the first path; both borrowed until the next edit */
   QnDraftKind kind;
   double first, second;
   int levels; /* 0: not given */

@@ -1,7 +1,7 @@
 #include "study/report/envelope-figure.h"
 
 #include "io/text/io-error.h"
-#include "render/backend/gl-painter.h"
+#include "render/backend/offscreen.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

@@ -34,7 +34,6 @@ test_new (void)
   g_assert_cmpstr (kn.path, ==, "laws[0].kn");
   g_assert_cmpint (kn.kind, ==, QN_DRAFT_LOGNORMAL);
   g_assert_true (kn.first == 1e7 && kn.second == 2e6);
-  g_free (kn.path);
   qn_draft_undo (draft);
   g_assert_cmpint (qn_draft_get_plan (draft, &count), ==, QN_PLAN_LATIN_HYPERCUBE);
   g_assert_cmpint (count, ==, 200);
@@ -65,7 +64,6 @@ test_kinds (void)
     g_assert_cmpfloat_with_epsilon (now.first, 0.5, 2e-3);
     g_assert_cmpfloat_with_epsilon (now.second, 0.0304, 2e-4);
     qn_draft_get_fractiles (&now, &low, &high);
-    g_free (now.path);
     /* Against the quantiles that a study computes with. */
     QnDistribution distribution = { .kind = QN_DISTRIBUTION_NORMAL,
                                     .first = now.first,
@@ -82,14 +80,12 @@ test_kinds (void)
     g_assert_cmpfloat_with_epsilon (high, 0.55, 1e-12);
     qn_draft_set_kind (draft, 0, QN_DRAFT_RANGE);
     now = qn_draft_parameter (draft, 0);
-    g_free (now.path);
     g_assert_cmpfloat_with_epsilon (now.first, 0.45, 1e-12);
     g_assert_cmpfloat_with_epsilon (now.second, 0.55, 1e-12);
   }
   qn_draft_set_values (draft, 0, QN_DRAFT_NORMAL, 0.5, 0.05, 0);
   qn_draft_set_kind (draft, 0, QN_DRAFT_LOGNORMAL);
   QnDraftParameter now = qn_draft_parameter (draft, 0);
-  g_free (now.path);
   g_assert_true (now.first == 0.5 && now.second == 0.05);
   qn_draft_free (draft);
 }
@@ -111,7 +107,6 @@ test_load (void)
   QnDraftParameter weight = qn_draft_parameter (draft, 1);
   g_assert_cmpint (weight.kind, ==, QN_DRAFT_RANGE);
   g_assert_cmpint (weight.levels, ==, 3);
-  g_free (weight.path);
   qn_draft_set_output (draft, QN_STUDY_MECHANISM_SHAPE, TRUE);
   qn_draft_set_output (draft, QN_STUDY_MECHANISM_KIND, FALSE);
   g_assert_true (qn_draft_save (draft, &error));
@@ -146,7 +141,6 @@ test_whole (void)
   g_assert_cmpstr (counted.path, ==, "analysis.increments");
   g_assert_cmpfloat (counted.first, ==, 9);
   g_assert_cmpfloat (counted.second, ==, 11);
-  g_free (counted.path);
   g_assert_true (qn_draft_save (draft, &error));
   g_assert_no_error (error);
   g_assert_true (qn_study_read (path, NULL, &study, &error));
