@@ -373,17 +373,26 @@ qn_member_array (const QnJsonValue *object, const char *key, QnNeed need,
 }
 
 gboolean
-qn_member_points (const QnJsonValue *object, const char *key, QnNeed need, int32_t most,
-                  QnVec2 *points, int32_t *count)
+qn_member_rows (const QnJsonValue *object, const char *key, QnNeed need, int width,
+                int most, double *rows, int32_t *count)
 {
-  QnJsonValue list, point = { 0 };
+  QnJsonValue list, row = { 0 };
   if (!qn_member_array (object, key, need, &list))
     return FALSE;
-  for (*count = 0; qn_json_value_next (&list, &point); ++*count)
+  for (*count = 0; qn_json_value_next (&list, &row); ++*count) {
+    QnJsonValue number = { 0 };
     if (*count == most)
-      return qn_json_value_failf (&list, _ ("expected up to %d points"), most);
-    else if (!qn_json_value_vec2 (&point, &points[*count]))
+      return qn_json_value_failf (&list, _ ("expected up to %d rows of %d numbers"), most,
+                                  width);
+    if (!qn_json_value_array (&row))
       return FALSE;
+    if (cJSON_GetArraySize (row.json) != width)
+      return width == 2 ? qn_json_value_fail (&row, _ ("expected two numbers"))
+                        : qn_json_value_failf (&row, _ ("expected %d numbers"), width);
+    while (qn_json_value_next (&row, &number))
+      if (!qn_json_value_number (&number, QN_RANGE_FINITE, rows++))
+        return FALSE;
+  }
   return TRUE;
 }
 

@@ -104,9 +104,9 @@ gboolean qn_member_string (const QnJsonValue *object, const char *key, QnNeed ne
                            const char **string);
 gboolean qn_member_array (const QnJsonValue *object, const char *key, QnNeed need,
                           QnJsonValue *array);
-/* An array of at most so many points. */
-gboolean qn_member_points (const QnJsonValue *object, const char *key, QnNeed need,
-                           int32_t most, QnVec2 *points, int32_t *count);
+/* An array of at most so many rows of `width` numbers, such as points. */
+gboolean qn_member_rows (const QnJsonValue *object, const char *key, QnNeed need,
+                         int width, int most, double *rows, int32_t *count);
 /* One of `names`; choice: an enumeration whose values are their places. */
 gboolean qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
                            const char *const *names, int count, void *choice);

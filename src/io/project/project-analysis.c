@@ -1,6 +1,5 @@
 /* analysis, with its stages. */
 #include "core/model/cycles.h"
-#include "io/project/project-inner.h"
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 #include "io/text/json-text.h"

@@ -1,5 +1,4 @@
 /* contact, with its faces, and bars. */
-#include "io/project/project-inner.h"
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 #include "io/text/json-text.h"
@@ -37,7 +36,7 @@ static const QnMember bar_members[] = {
   QN_TWO ("start", REQUIRED, QnBar, start),
   QN_TWO ("end", REQUIRED, QnBar, end),
   QN_TWO ("spacing", OPTIONAL, QnBar, spacing),
-  QN_POINTS ("via", OPTIONAL, QN_MAX_BAR_CORNERS, QnBar, via, via_count),
+  QN_ROWS ("via", OPTIONAL, QN_MAX_BAR_CORNERS, 2, QnBar, via, via_count),
   { 0 },
 };
 

@@ -1,5 +1,4 @@
 /* analysis.dynamic: ground motions, initial motion, tracks and the time integration. */
-#include "io/project/project-inner.h"
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 

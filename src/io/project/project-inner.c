@@ -1,4 +1,4 @@
-#include "io/project/project-inner.h"
+#include "io/project/project-parts.h"
 
 #include "io/text/json-text.h"
 

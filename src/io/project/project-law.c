@@ -64,8 +64,8 @@ read_parameters (const QnJsonValue *place, QnLaw *law)
     return FALSE;
   law->exponential = softening == 1;
   return law->kind != QN_LAW_CURVE
-         || qn_member_points (place, "points", QN_REQUIRED, QN_MAX_CURVE_POINTS,
-                              law->points, &law->point_count);
+         || qn_member_rows (place, "points", QN_REQUIRED, 2, QN_MAX_CURVE_POINTS,
+                            &law->points[0].x, &law->point_count);
 }
 
 /* Either stiffnesses, or the elasticity of a material from which they follow. */

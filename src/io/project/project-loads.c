@@ -1,7 +1,6 @@
 /* The loads: constant, growing, and of sets with names. */
 #include "core/base/integer.h"
 #include "io/project/combinations.h"
-#include "io/project/project-inner.h"
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 #include "io/project/project-vehicle.h"
@@ -90,7 +89,7 @@ static const QnMember backfill_members[] = {
 
 static const QnMember fill_members[] = {
   COMMON,
-  QN_POINTS ("surface", REQUIRED, QN_MAX_SURFACE_POINTS, QnLoad, surface, surface_count),
+  QN_ROWS ("surface", REQUIRED, QN_MAX_SURFACE_POINTS, 2, QnLoad, surface, surface_count),
   QN_NUMBER ("unit_weight", REQUIRED, NOT_NEGATIVE, QnLoad, unit_weight),
   QN_NUMBER ("friction_angle", OPTIONAL, NOT_NEGATIVE, QnLoad, friction_angle),
   QN_NUMBER ("mobilisation", OPTIONAL, NOT_NEGATIVE, QnLoad, mobilisation),

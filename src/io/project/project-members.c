@@ -180,9 +180,9 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
     return qn_read_name (object, m->key, need, model, (QnNamed) m->detail, at);
   case QN_MEMBER_SEED:
     return read_seed (object, m, need, at);
-  case QN_MEMBER_POINTS:
-    return qn_member_points (object, m->key, need, m->detail, at,
-                             (int32_t *) (void *) (target + m->count));
+  case QN_MEMBER_ROWS:
+    return qn_member_rows (object, m->key, need, (int) m->width, m->detail, at,
+                           (int32_t *) (void *) (target + m->count));
   case QN_MEMBER_OBJECT: {
     QnJsonValue inner = qn_json_value_member (object, m->key);
     return (inner.json == NULL && need == QN_OPTIONAL)
@@ -273,28 +273,27 @@ qn_json_put_numbers (GString *json, const char *key, const double *numbers, gsiz
   qn_json_append_numbers (json, numbers, count);
 }
 
-static void
-append_vec2 (GString *json, QnVec2 vector)
-{
-  qn_json_append_numbers (json, (const double[]){ vector.x, vector.y }, 2);
-}
-
 void
 qn_json_put_vec2 (GString *json, const char *key, QnVec2 vector)
 {
+  qn_json_put_numbers (json, key, &vector.x, 2);
+}
+
+static void
+put_rows (GString *json, const char *key, const double *rows, gsize width, gsize count)
+{
   qn_json_begin_member (json, key);
-  append_vec2 (json, vector);
+  for (gsize i = 0; i < count; i++) {
+    g_string_append (json, i > 0 ? ", " : "[");
+    qn_json_append_numbers (json, rows + i * width, width);
+  }
+  g_string_append (json, count > 0 ? "]" : "[]");
 }
 
 void
 qn_json_put_points (GString *json, const char *key, const QnVec2 *points, gsize count)
 {
-  qn_json_begin_member (json, key);
-  for (gsize i = 0; i < count; i++) {
-    g_string_append (json, i > 0 ? ", " : "[");
-    append_vec2 (json, points[i]);
-  }
-  g_string_append (json, count > 0 ? "]" : "[]");
+  put_rows (json, key, (const double *) points, 2, count);
 }
 
 void
@@ -363,7 +362,7 @@ is_usual (const QnMember *m, const char *from, const char *other)
   case QN_MEMBER_ENTITY:
   case QN_MEMBER_LAW:
     return *(const QnId *) value == QN_NONE;
-  case QN_MEMBER_POINTS:
+  case QN_MEMBER_ROWS:
     return *(const int32_t *) (const void *) (from + m->count) == 0;
   case QN_MEMBER_OBJECT:
     for (const QnMember *inner = m->members; inner->key != NULL; inner++)
@@ -439,9 +438,9 @@ write_member (GString *json, const QnMember *m, const QnModel *model, const char
   case QN_MEMBER_SEED:
     qn_json_put_number (json, m->key, *(const uint32_t *) value);
     break;
-  case QN_MEMBER_POINTS:
-    qn_json_put_points (json, m->key, value,
-                        (gsize) * (const int32_t *) (const void *) (from + m->count));
+  case QN_MEMBER_ROWS:
+    put_rows (json, m->key, number, m->width,
+              (gsize) * (const int32_t *) (const void *) (from + m->count));
     break;
   case QN_MEMBER_OBJECT:
     qn_members_put (json, m->key, m->members, model, value,

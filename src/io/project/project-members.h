@@ -19,7 +19,7 @@ typedef enum {
   QN_MEMBER_STRING, /* char *, owned; NULL: none */
   QN_MEMBER_ENTITY, /* QnId, by the name of the entity; QN_NONE: none */
   QN_MEMBER_SEED,   /* uint32_t */
-  QN_MEMBER_POINTS, /* up to so many QnVec2 */
+  QN_MEMBER_ROWS,   /* up to so many rows of numbers, such as QnVec2 */
   QN_MEMBER_OBJECT, /* a struct by a table; left out where all its members are as usual */
 
   /* Lists of a length; none, or none but usual values: left out. */
@@ -67,7 +67,8 @@ typedef struct QnMember {
   int detail;   /* QnRange, largest count, number of names or of values, or QnNamed */
   const char *const *names; /* of a choice or a switch; NULL among them: null */
   gsize given; /* offset of a bool that says whether the member is there; 0: none */
-  gsize count; /* POINTS: offset of their number, int32_t; OBJECTS: size of one */
+  gsize count; /* ROWS: offset of their number, int32_t; OBJECTS: size of one */
+  gsize width; /* ROWS: numbers in each */
   const char *refusal;            /* of a list of another length; translatable */
   const struct QnMember *members; /* of an OBJECT, and of OBJECTS */
 } QnMember;
@@ -101,9 +102,9 @@ typedef struct QnMember {
   QN_MEMBER_WITH (name, what, OPTIONAL, type, member, how,                               \
                   .given = offsetof (type, is_there))
 #define QN_SEED(key, use, type, member) QN_MEMBER (key, SEED, use, type, member, 0, NULL)
-#define QN_POINTS(name, when, most, type, member, length)                                \
-  QN_MEMBER_WITH (name, POINTS, when, type, member, most,                                \
-                  .count = offsetof (type, length))
+#define QN_ROWS(name, when, most, columns, type, member, length)                         \
+  QN_MEMBER_WITH (name, ROWS, when, type, member, most,                                  \
+                  .count = offsetof (type, length), .width = columns)
 #define QN_OBJECT(name, when, table, type, member)                                       \
   QN_MEMBER_WITH (name, OBJECT, when, type, member, 0, .members = table)
 #define QN_LIST_OF(name, what, when, type, member, how, other)                           \

@@ -1,5 +1,4 @@
 #include "io/json/json-value.h"
-#include "io/project/project-inner.h"
 #include "io/project/project-masonry.h"
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"

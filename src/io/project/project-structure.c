@@ -1,4 +1,3 @@
-#include "io/project/project-inner.h"
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 #include "io/text/json-text.h"

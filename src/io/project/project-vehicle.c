@@ -4,7 +4,6 @@
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
 #include "io/text/file-read.h"
-#include "io/text/json-text.h"
 
 #include <gio/gio.h>
 #include <glib/gi18n-lib.h>
@@ -18,51 +17,17 @@ static const QnMember vehicle_members[] = {
   QN_STRING ("source", OPTIONAL, QnVehicle, source),
   QN_TWO ("patch", REQUIRED, QnVehicle, patch),
   QN_NUMBER ("track", REQUIRED, NOT_NEGATIVE, QnVehicle, track),
-  QN_KNOWN ("axles"),
-  QN_KNOWN ("lines"),
+  QN_ROWS ("axles", OPTIONAL, QN_MAX_AXLES, 2, QnVehicle, axles, axle_count),
+  QN_ROWS ("lines", OPTIONAL, QN_MAX_LINES, 3, QnVehicle, lines, line_count),
   { 0 },
 };
 
-/* A list of rows of so many numbers. */
 static gboolean
-read_rows (const QnJsonValue *place, const char *key, int width, int most, double *rows,
-           int32_t *count)
+check_name (const QnJsonValue *place, QnModel *model, gpointer entity)
 {
-  QnJsonValue list, row = { 0 };
-  *count = 0;
-  if (!qn_member_array (place, key, QN_OPTIONAL, &list))
-    return FALSE;
-  while (qn_json_value_next (&list, &row)) {
-    QnJsonValue number = { 0 };
-    if (!qn_json_value_array (&row))
-      return FALSE;
-    if (cJSON_GetArraySize (row.json) != width || *count == most)
-      return qn_json_value_failf (&row, _ ("expected up to %d rows of %d numbers"), most,
-                                  width);
-    while (qn_json_value_next (&row, &number))
-      if (!qn_json_value_number (&number, QN_RANGE_FINITE,
-                                 &rows[*count * width + (int) number.index]))
-        return FALSE;
-    (*count)++;
-  }
-  return TRUE;
-}
-
-static gboolean
-read_vehicle (const QnJsonValue *place, QnModel *model, gpointer entity)
-{
-  QnVehicle *vehicle = entity;
-  double axles[2 * QN_MAX_AXLES], lines[3 * QN_MAX_LINES];
-  if (&model->vehicles[qn_model_find_vehicle (model, vehicle->name)] != vehicle)
-    return qn_json_value_fail (place, _ (qn_problem_text (QN_PROBLEM_NAME_TAKEN)));
-  if (!read_rows (place, "axles", 2, QN_MAX_AXLES, axles, &vehicle->axle_count)
-      || !read_rows (place, "lines", 3, QN_MAX_LINES, lines, &vehicle->line_count))
-    return FALSE;
-  for (int i = 0; i < vehicle->axle_count; i++)
-    vehicle->axles[i] = (QnAxle){ axles[2 * i], axles[2 * i + 1] };
-  for (int i = 0; i < vehicle->line_count; i++)
-    vehicle->lines[i] = (QnLineLoad){ lines[3 * i], lines[3 * i + 1], lines[3 * i + 2] };
-  return TRUE;
+  const QnVehicle *vehicle = entity;
+  return &model->vehicles[qn_model_find_vehicle (model, vehicle->name)] == vehicle
+         || qn_json_value_fail (place, _ (qn_problem_text (QN_PROBLEM_NAME_TAKEN)));
 }
 
 static gboolean
@@ -138,29 +103,6 @@ qn_read_vehicle_file (const char *path, QnModel *model, GError **error)
   return text != NULL && read_text (path, text, length, model, error);
 }
 
-static void
-put_rows (GString *json, const char *key, const double *rows, gsize width, gsize count)
-{
-  if (count == 0)
-    return;
-  qn_json_begin_member (json, key);
-  for (gsize i = 0; i < count; i++) {
-    g_string_append (json, i == 0 ? "[" : ", ");
-    qn_json_append_numbers (json, rows + i * width, width);
-  }
-  g_string_append_c (json, ']');
-}
-
-static void
-append_vehicle (GString *json, const QnModel *model, size_t index)
-{
-  const QnVehicle *vehicle = &model->vehicles[index];
-  const QnVehicle usual = { .track = -1 };
-  qn_members_write (json, vehicle_members, NULL, vehicle, &usual);
-  put_rows (json, "axles", &vehicle->axles[0].at, 2, (gsize) vehicle->axle_count);
-  put_rows (json, "lines", &vehicle->lines[0].from, 3, (gsize) vehicle->line_count);
-}
-
 static bool
 is_built_in (const QnModel *model, size_t index)
 {
@@ -168,8 +110,5 @@ is_built_in (const QnModel *model, size_t index)
 }
 
 const QnList qn_vehicle_list = { QN_LIST ("vehicles", QnVehicle, vehicles, vehicle_count),
-                                 .naming = QN_NAMING_REQUIRED,
-                                 .members = vehicle_members,
-                                 .read = read_vehicle,
-                                 .append = append_vehicle,
-                                 .is_left_out = is_built_in };
+                                 .naming = QN_NAMING_REQUIRED, .members = vehicle_members,
+                                 .read = check_name, .is_left_out = is_built_in };

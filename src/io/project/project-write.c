@@ -1,4 +1,3 @@
-#include "io/project/project-inner.h"
 #include "io/project/project-masonry.h"
 #include "io/project/project-parts.h"
 #include "io/project/project.h"

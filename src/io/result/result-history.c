@@ -1,8 +1,7 @@
-#include "io/result/result-history.h"
+#include "io/result/result-members.h"
 
 #include "core/base/memory.h"
 #include "io/project/project-members.h"
-#include "io/result/result-members.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

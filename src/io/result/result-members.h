@@ -4,6 +4,7 @@
  * Readers take the token of the value and return FALSE with the error of `json` set. */
 #pragma once
 
+#include "core/model/model.h"
 #include "core/result/result.h"
 #include "io/json/json-tokens.h"
 #include "io/project/project-members.h"
@@ -94,7 +95,21 @@ gboolean qn_result_read_ids (QnJson *json, gsize at, size_t block_count, QnId **
 void *qn_result_room (QnJson *json, gsize at, size_t count, size_t size,
                       const char *refusal);
 
-/* Adds these members to a step that is being written, where the result has them. */
+/* ---- result-history.c: the history of an analysis in time, and contacts that follow the blocks ---- */
+
+/* Adds the member to a document that is being written. */
+void qn_result_history_write (QnFileWriter *writer, const QnModel *model,
+                              const QnResult *result);
+
+/* Adds contacts found and joints released, members `found` and `left` of an object. */
+void qn_result_found_write (QnFileWriter *writer, const QnResult *result);
+
+/* Reads these members, at their tokens (0: none), into a result with steps and blocks; `found` and `left` are
+ * outside the history where the analysis is not one in time. */
+gboolean qn_result_history_read (QnJson *json, gsize history, gsize found, gsize left,
+                                 QnResult *result);
+
+/* Adds forces, states and damage to a step that is being written, where the result has them. */
 void qn_result_forces_write (QnFileWriter *writer, const QnResult *result, size_t step);
 
 /* Reads them of a step, at these tokens (0: none), into a result with steps and pairs: all steps have

@@ -1,5 +1,4 @@
 #include "core/base/memory.h"
-#include "io/result/result-history.h"
 #include "io/result/result-members.h"
 #include "io/text/fault-text.h"
 #include "io/text/file-read.h"

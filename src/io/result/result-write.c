@@ -2,7 +2,6 @@
 #include "core/result/result-contact.h"
 #include "io/project/project-members.h"
 #include "io/result/result-file.h"
-#include "io/result/result-history.h"
 #include "io/result/result-members.h"
 #include "io/text/fault-text.h"
 #include "io/text/file-writer.h"
