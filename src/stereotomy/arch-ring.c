@@ -157,25 +157,13 @@ left_half (const QnArchRing *ring, double u, double offset)
   return qn_vec2_add_scaled (qn_vec2 (half * (1 - c), arch->rise * s), offset, normal);
 }
 
-static QnVec2
-point_at (const QnArchRing *ring, double u, double offset)
+QnVec2
+qn_arch_ring_point (const QnArchRing *ring, double u, double offset)
 {
   if (u <= 0.5)
     return left_half (ring, u, offset);
   QnVec2 mirrored = left_half (ring, 1 - u, offset);
   return qn_vec2 (ring->arch.span - mirrored.x, mirrored.y);
-}
-
-QnVec2
-qn_arch_ring_intrados (const QnArchRing *ring, double u)
-{
-  return point_at (ring, u, 0);
-}
-
-QnVec2
-qn_arch_ring_extrados (const QnArchRing *ring, double u)
-{
-  return point_at (ring, u, ring->arch.ring);
 }
 
 /* The joint between voussoirs index - 1 and index; exactly mirrored. */
@@ -237,7 +225,7 @@ upper_point (const QnArchRing *ring, double u0, double u1, int32_t k, int32_t n,
   return ring->arch.shape == QN_ARCH_POINTED && k > 0 && k < n
            ? pointed_extrados (ring, position_between (outer_position (ring, u0),
                                                        outer_position (ring, u1), k, n))
-           : point_at (ring, position_between (u0, u1, k, n), offset);
+           : qn_arch_ring_point (ring, position_between (u0, u1, k, n), offset);
 }
 
 bool
@@ -254,7 +242,7 @@ qn_arch_ring_voussoir (const QnArchRing *ring, int32_t course, int32_t index,
 
   for (int32_t k = n; k >= 0; k--)
     voussoir->points[voussoir->count++] =
-      point_at (ring, position_between (u0, u1, k, n), course * thickness);
+      qn_arch_ring_point (ring, position_between (u0, u1, k, n), course * thickness);
   for (int32_t k = 0; k <= n; k++)
     voussoir->points[voussoir->count++] =
       upper_point (ring, u0, u1, k, n, (course + 1) * thickness);
@@ -270,14 +258,15 @@ qn_arch_ring_line (const QnArchRing *ring, bool outside, double level, QnRing *l
   line->count = 0;
   if (line->points == NULL)
     return false;
-  line->points[line->count++] = point_at (ring, 0, outside ? ring->arch.ring : 0);
+  line->points[line->count++] =
+    qn_arch_ring_point (ring, 0, outside ? ring->arch.ring : 0);
   for (int32_t i = 0; i < ring->arch.voussoirs; i++) {
     double u0 = joint_at (ring, i), u1 = joint_at (ring, i + 1);
     int32_t n = chords_between (ring, u0, u1);
     for (int32_t k = 1; k <= n; k++) {
       QnVec2 last = line->points[line->count - 1];
       QnVec2 p = outside ? upper_point (ring, u0, u1, k, n, ring->arch.ring)
-                         : point_at (ring, position_between (u0, u1, k, n), 0);
+                         : qn_arch_ring_point (ring, position_between (u0, u1, k, n), 0);
       bool above = p.y >= level;
       if (above && p.y > level)
         p = qn_vec2_lerp (last, p, (level - last.y) / (p.y - last.y));

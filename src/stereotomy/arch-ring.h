@@ -32,11 +32,15 @@ typedef struct QnArchRing {
 /* `arch` has passed qn_arch_check(). */
 void qn_arch_ring_init (QnArchRing *ring, const QnArch *arch);
 
-/* Point of the intrados, relative to the left springing. */
-QnVec2 qn_arch_ring_intrados (const QnArchRing *ring, double u);
+/* Point at a distance outside the intrados, relative to the left springing. */
+QnVec2 qn_arch_ring_point (const QnArchRing *ring, double u, double offset);
 
 /* End on the extrados of the joint at u. */
-QnVec2 qn_arch_ring_extrados (const QnArchRing *ring, double u);
+static inline QnVec2
+qn_arch_ring_extrados (const QnArchRing *ring, double u)
+{
+  return qn_arch_ring_point (ring, u, ring->arch.ring);
+}
 
 /* Voussoir `index` from the left of a ring, counted from 0 inside; counter-clockwise. False when
  * memory runs out. */

@@ -25,51 +25,40 @@ typedef struct Course {
   QnPieces *pieces;
 } Course;
 
+/* A pattern with its closer behind the first header, or before everything; without one it is shifted. */
+static Pattern
+closed (Pattern pattern, QnCloser closer, double header, double queen,
+        double three_quarter, double start)
+{
+  if (closer == QN_CLOSER_QUEEN) {
+    pattern.lead_count = 2;
+    pattern.lead[0] = header;
+    pattern.lead[1] = queen;
+  } else if (closer == QN_CLOSER_THREE_QUARTER) {
+    pattern.lead_count = 1;
+    pattern.lead[0] = three_quarter;
+  } else {
+    pattern.start = start;
+  }
+  return pattern;
+}
+
+/* Three-quarter bricks close the courses of stretchers, all else those of headers. */
 static Pattern
 english (double s, double h, bool odd, QnCloser closer)
 {
-  Pattern stretchers = { .period = { s }, .period_count = 1 };
-  Pattern headers = { .period = { h }, .period_count = 1 };
-  switch (closer) {
-  case QN_CLOSER_QUEEN:
-    headers.lead_count = 2;
-    headers.lead[0] = h;
-    headers.lead[1] = h / 2;
-    break;
-  case QN_CLOSER_THREE_QUARTER:
-    stretchers.lead_count = 1;
-    stretchers.lead[0] = 1.5 * h;
-    break;
-  case QN_CLOSER_NONE:
-  case QN_CLOSER_COUNT:
-    headers.start = -h / 2;
-    break;
-  }
-  return odd ? headers : stretchers;
+  Pattern pattern = { .period = { odd ? h : s }, .period_count = 1 };
+  return odd != (closer == QN_CLOSER_THREE_QUARTER)
+           ? closed (pattern, closer, h, h / 2, 1.5 * h, -h / 2)
+           : pattern;
 }
 
 static Pattern
 flemish (double s, double h, bool odd, QnCloser closer)
 {
   Pattern pattern = { .period = { s, h }, .period_count = 2 };
-  if (!odd)
-    return pattern;
-  switch (closer) {
-  case QN_CLOSER_QUEEN:
-    pattern.lead_count = 2;
-    pattern.lead[0] = h;
-    pattern.lead[1] = (s - h) / 2;
-    break;
-  case QN_CLOSER_THREE_QUARTER:
-    pattern.lead_count = 1;
-    pattern.lead[0] = (s + h) / 2;
-    break;
-  case QN_CLOSER_NONE:
-  case QN_CLOSER_COUNT:
-    pattern.start = -(s + h) / 2;
-    break;
-  }
-  return pattern;
+  return odd ? closed (pattern, closer, h, (s - h) / 2, (s + h) / 2, -(s + h) / 2)
+             : pattern;
 }
 
 static Pattern

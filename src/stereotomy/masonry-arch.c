@@ -72,7 +72,7 @@ qn_masonry_lay_arch (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
   qn_arch_ring_init (&ring, arch);
   for (int i = 0; i < 2; i++) {
     const char *side = i == 0 ? "left" : "right";
-    QnVec2 in = qn_arch_ring_intrados (&ring, i), out = qn_arch_ring_extrados (&ring, i);
+    QnVec2 in = qn_arch_ring_point (&ring, i, 0), out = qn_arch_ring_extrados (&ring, i);
     double y = -arch->springer;
     if (arch->springer > 0) {
       lay_springer (masonry, in, out, y, "springer", side, pieces);

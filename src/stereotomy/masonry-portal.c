@@ -6,7 +6,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* A number of a bay or pier: its own, or the usual one. */
 static double
@@ -188,12 +187,11 @@ static void
 lay_arch (const QnMasonry *masonry, int32_t bay, QnPieces *pieces)
 {
   const QnPortal *portal = &masonry->portal;
-  size_t size = strlen (masonry->name) + 24;
-  char *prefix = qn_alloc (size, 1);
-  pieces->failed |= prefix == NULL;
-  if (prefix == NULL)
+  char *prefix;
+  if (asprintf (&prefix, "%s.arch%d", masonry->name, bay + 1) < 0) {
+    pieces->failed = true;
     return;
-  snprintf (prefix, size, "%s.arch%d", masonry->name, bay + 1);
+  }
   const QnArch arch = arch_of (portal, bay);
   QnVec2 at = { pier_left (portal, bay) + pier_width (portal, bay), portal->pier_height };
   qn_arch_lay_ring (&arch, at, prefix, pieces);

@@ -139,28 +139,15 @@ check_common (const QnMasonry *m, QnDiag *diag)
                    QN_PROBLEM_PERTURBATION, "perturbation", m->perturbation));
 }
 
-static QnStatus
-lay (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
-{
-  switch (masonry->kind) {
-  case QN_MASONRY_WALL:
-    return qn_masonry_lay_wall (masonry, pieces, diag);
-  case QN_MASONRY_ARCH:
-    return qn_masonry_lay_arch (masonry, pieces, diag);
-  case QN_MASONRY_COLUMN:
-    return qn_masonry_lay_column (masonry, pieces, diag);
-  case QN_MASONRY_BUTTRESS:
-    return qn_masonry_lay_buttress (masonry, pieces, diag);
-  case QN_MASONRY_PORTAL:
-    return qn_masonry_lay_portal (masonry, pieces, diag);
-  case QN_MASONRY_RUBBLE:
-    return qn_masonry_lay_rubble (masonry, pieces, diag);
-  case QN_MASONRY_KIND_COUNT:
-    break;
-  }
-  QN_ASSERT (false);
-  return QN_ERROR_INTERNAL;
-}
+static QnStatus (*const lay[QN_MASONRY_KIND_COUNT]) (const QnMasonry *masonry,
+                                                     QnPieces *pieces, QnDiag *diag) = {
+  [QN_MASONRY_WALL] = qn_masonry_lay_wall,
+  [QN_MASONRY_ARCH] = qn_masonry_lay_arch,
+  [QN_MASONRY_COLUMN] = qn_masonry_lay_column,
+  [QN_MASONRY_BUTTRESS] = qn_masonry_lay_buttress,
+  [QN_MASONRY_PORTAL] = qn_masonry_lay_portal,
+  [QN_MASONRY_RUBBLE] = qn_masonry_lay_rubble,
+};
 
 /* Turns and moves the pieces to their place and adds them to the model. */
 static QnStatus
@@ -202,7 +189,7 @@ qn_masonry_expand (const QnMasonry *masonry, QnId index, QnModel *model, QnDiag 
   QnPieces pieces = { 0 };
   QnStatus status = check_common (masonry, diag);
   if (status == QN_OK)
-    status = lay (masonry, &pieces, diag);
+    status = lay[masonry->kind](masonry, &pieces, diag);
   if (status == QN_OK && pieces.failed)
     status = qn_diag_no_memory (diag);
   if (status == QN_OK && masonry->perturbation > 0)

@@ -6,7 +6,6 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Overlap or overhang below this part of an opening's size is rounding. */
 #define OPENING_TOLERANCE 1e-9
@@ -156,14 +155,11 @@ make_cutter (const QnMasonry *masonry, size_t index, Cutter *cutter, QnPieces *p
 {
   const QnOpening *opening = &masonry->wall.openings[index];
   const char *name = opening->name != NULL ? opening->name : "";
-  size_t size = strlen (masonry->name) + strlen (name) + 24;
-  char *prefix = qn_alloc (size, 1);
-  if (prefix == NULL)
+  char *prefix;
+  if ((name[0] != '\0' ? asprintf (&prefix, "%s.%s", masonry->name, name)
+                       : asprintf (&prefix, "%s.o%zu", masonry->name, index + 1))
+      < 0)
     return qn_diag_no_memory (diag);
-  if (name[0] != '\0')
-    snprintf (prefix, size, "%s.%s", masonry->name, name);
-  else
-    snprintf (prefix, size, "%s.o%zu", masonry->name, index + 1);
 
   size_t first = pieces->count;
   add_hole (opening, &cutter->parts);

@@ -27,8 +27,8 @@ test_semicircle (void)
   qn_arch_ring_init (&ring, &arch);
   g_assert_cmpfloat (qn_arch_ring_extrados (&ring, 0).x, ==, -0.2);
   g_assert_cmpfloat (qn_arch_ring_extrados (&ring, 0).y, ==, 0);
-  g_assert_cmpfloat (qn_arch_ring_intrados (&ring, 1).x, ==, 2);
-  g_assert_cmpfloat_with_epsilon (qn_arch_ring_intrados (&ring, 0.5).y, 1, 1e-15);
+  g_assert_cmpfloat (qn_arch_ring_point (&ring, 1, 0).x, ==, 2);
+  g_assert_cmpfloat_with_epsilon (qn_arch_ring_point (&ring, 0.5, 0).y, 1, 1e-15);
   double exact = M_PI / 2 * (1.2 * 1.2 - 1);
   g_assert_cmpfloat_with_epsilon (ring_area (&arch), exact, 0.01 * exact);
   /* Straight sides: sectors of a regular polygon. */
@@ -117,14 +117,14 @@ test_ellipse_even (void)
   double lengths[10], mean = 0;
   for (int i = 0; i < 10; i++) {
     lengths[i] = 0;
-    QnVec2 p = qn_arch_ring_intrados (&ring, i / 10.);
+    QnVec2 p = qn_arch_ring_point (&ring, i / 10., 0);
     for (int k = 1; k <= 200; k++) {
-      QnVec2 q = qn_arch_ring_intrados (&ring, (i + k / 200.) / 10);
+      QnVec2 q = qn_arch_ring_point (&ring, (i + k / 200.) / 10, 0);
       lengths[i] += qn_vec2_length (qn_vec2_sub (q, p));
       p = q;
     }
     mean += lengths[i] / 10;
-    QnVec2 at = qn_arch_ring_intrados (&ring, i / 10.);
+    QnVec2 at = qn_arch_ring_point (&ring, i / 10., 0);
     double ellipse = (at.x - 3) * (at.x - 3) / 9 + at.y * at.y;
     g_assert_cmpfloat_with_epsilon (ellipse, 1, 1e-12);
     QnVec2 out = qn_vec2_sub (qn_arch_ring_extrados (&ring, i / 10.), at);
@@ -148,7 +148,7 @@ test_three_centred (void)
   g_assert_cmpfloat_with_epsilon (ring.crown_radius, 3 + depth, 1e-12);
   g_assert_cmpfloat_with_epsilon (ring.crown_opening, G_PI / 6, 1e-12);
   for (int i = 0; i <= 100; i++) {
-    QnVec2 p = qn_arch_ring_intrados (&ring, i / 100.), q;
+    QnVec2 p = qn_arch_ring_point (&ring, i / 100., 0), q;
     q = qn_vec2_sub (qn_arch_ring_extrados (&ring, i / 100.), p);
     g_assert_cmpfloat_with_epsilon (qn_vec2_length (q), 0.6, 1e-12);
     double crown = hypot (p.x - 5, p.y + depth);
@@ -173,7 +173,7 @@ test_parabola (void)
   double k = 4. * 2 / 6, half = 6. / 4 * (sqrt (1 + k * k) + asinh (k) / k);
   g_assert_cmpfloat_with_epsilon (ring.half_length, half, 1e-9);
   for (int i = 0; i <= 20; i++) {
-    QnVec2 p = qn_arch_ring_intrados (&ring, i / 20.);
+    QnVec2 p = qn_arch_ring_point (&ring, i / 20., 0);
     g_assert_cmpfloat_with_epsilon (p.y, 2. / 9 * p.x * (6 - p.x), 1e-12);
     /* The joint is normal to the curve, whose slope is 2/9 (6 - 2 x). */
     QnVec2 joint = qn_vec2_sub (qn_arch_ring_extrados (&ring, i / 20.), p);

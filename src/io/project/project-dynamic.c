@@ -20,7 +20,7 @@ static const QnMember ground_members[] = {
   QN_NUMBER ("time_step", OPTIONAL, POSITIVE, QnGroundMotion, time_step),
   QN_BOOL ("rest", OPTIONAL, QnGroundMotion, rests),
   QN_KNOWN ("points"),
-  QN_KNOWN ("pulse"),
+  QN_OBJECT ("pulse", READ, pulse_members, QnGroundMotion, pulse),
   QN_NUMBER ("peak", OPTIONAL, POSITIVE, QnGroundMotion, peak),
   { 0 },
 };
@@ -103,8 +103,7 @@ read_ground (const QnJsonValue *place, QnModel *model, gpointer entity)
   if (points.json != NULL)
     return read_points (&points, motion);
   motion->kind = pulse.json != NULL ? QN_SIGNAL_PULSE : QN_SIGNAL_RECORD;
-  return pulse.json == NULL
-         || qn_members_read (&pulse, pulse_members, NULL, &motion->pulse);
+  return TRUE;
 }
 
 gboolean
