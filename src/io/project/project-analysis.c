@@ -66,12 +66,10 @@ read_control (const QnJsonValue *owner, const QnMember *members, const QnModel *
   QnJsonValue control = qn_json_value_member (owner, "control");
   if (control.json == NULL)
     return TRUE;
-  QnJsonValue block = qn_json_value_member (&control, "block");
   gboolean node = cJSON_HasObjectItem (control.json, "node");
-  if (node && block.json != NULL)
-    return qn_json_value_fail (&block, _ ("block and node exclude each other"));
   const char *name;
-  return qn_members_check (&control, members, NULL, NULL)
+  return qn_members_exclude (&control, "block", "node")
+         && qn_members_check (&control, members, NULL, NULL)
          && (node || qn_member_string (&control, "block", QN_REQUIRED, &name))
          && qn_members_take (&control, members, model, target);
 }
@@ -112,12 +110,10 @@ static gboolean
 read_cycles (const QnJsonValue *place, const QnJsonValue *amplitudes, QnModel *model)
 {
   QnJsonValue item = { 0 }, cycles_place = qn_json_value_member (place, "cycles");
-  QnJsonValue target = qn_json_value_member (place, "target");
   g_autoptr (GArray) values = g_array_new (FALSE, FALSE, sizeof (double));
   int32_t cycles = 1;
-  if (target.json != NULL)
-    return qn_json_value_fail (&target, _ ("target and amplitudes exclude each other"));
-  if (!qn_json_value_array (amplitudes)
+  if (!qn_members_exclude (place, "target", "amplitudes")
+      || !qn_json_value_array (amplitudes)
       || !qn_member_count (place, "cycles", QN_OPTIONAL, QN_MAX_STAGES, &cycles))
     return FALSE;
   while (qn_json_value_next (amplitudes, &item)) {

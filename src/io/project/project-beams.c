@@ -5,17 +5,6 @@
 
 #include <glib/gi18n-lib.h>
 
-/* A member that has no meaning next to another one. */
-static gboolean
-exclude (const QnJsonValue *place, const char *key, const char *other)
-{
-  if (!cJSON_HasObjectItem (place->json, key)
-      || !cJSON_HasObjectItem (place->json, other))
-    return TRUE;
-  QnJsonValue member = qn_json_value_member (place, key);
-  return qn_json_value_failf (&member, _ ("%s and %s exclude each other"), key, other);
-}
-
 static const QnMember section_members[] = {
   QN_KNOWN ("name"),
   QN_NUMBER ("young", REQUIRED, POSITIVE, QnSection, young),
@@ -41,10 +30,12 @@ read_section (const QnJsonValue *place, QnModel *model, gpointer entity)
   double number;
   gboolean rectangle = cJSON_HasObjectItem (place->json, "width")
                        || cJSON_HasObjectItem (place->json, "height");
-  return exclude (place, "shear_modulus", "poisson")
-         && exclude (place, "plastic_moment", "yield")
-         && exclude (place, "area", "height") && exclude (place, "area", "width")
-         && exclude (place, "inertia", "height") && exclude (place, "inertia", "width")
+  return qn_members_exclude (place, "shear_modulus", "poisson")
+         && qn_members_exclude (place, "plastic_moment", "yield")
+         && qn_members_exclude (place, "area", "height")
+         && qn_members_exclude (place, "area", "width")
+         && qn_members_exclude (place, "inertia", "height")
+         && qn_members_exclude (place, "inertia", "width")
          && qn_member_number (place, rectangle ? "width" : "area", QN_REQUIRED,
                               QN_RANGE_POSITIVE, &number)
          && qn_member_number (place, rectangle ? "height" : "inertia", QN_REQUIRED,
@@ -74,7 +65,7 @@ read_node (const QnJsonValue *place, QnModel *model, gpointer entity)
   if (rides)
     node->seat = at ? QN_SEAT_POINT : side.json != NULL ? QN_SEAT_SIDE : QN_SEAT_CENTROID;
   return (rides || qn_member_vec2 (place, "at", QN_REQUIRED, &node->at))
-         && exclude (place, "side", "at");
+         && qn_members_exclude (place, "side", "at");
 }
 
 static const QnMember beam_members[] = {

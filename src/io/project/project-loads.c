@@ -189,16 +189,13 @@ static gboolean
 read_earth (const QnJsonValue *place, QnLoad *load)
 {
   const gboolean angle = cJSON_HasObjectItem (place->json, "friction_angle");
-  const QnJsonValue number = qn_json_value_member (place, "coefficient");
   if (!angle)
     return qn_member_number (place, "coefficient", QN_REQUIRED, QN_RANGE_NOT_NEGATIVE,
                              &load->coefficient);
-  if (number.json != NULL)
-    return qn_json_value_fail (&number,
-                               _ ("coefficient and friction_angle exclude each other"));
   load->earth = QN_EARTH_ACTIVE;
-  if (!qn_member_choice (place, "earth", QN_OPTIONAL, qn_earth_names, QN_EARTH_COUNT,
-                         &load->earth))
+  if (!qn_members_exclude (place, "coefficient", "friction_angle")
+      || !qn_member_choice (place, "earth", QN_OPTIONAL, qn_earth_names, QN_EARTH_COUNT,
+                            &load->earth))
     return FALSE;
   if (load->earth == QN_EARTH_GIVEN) {
     QnJsonValue member = qn_json_value_member (place, "earth");
@@ -241,9 +238,8 @@ read_load (const QnJsonValue *place, QnModel *model, QnLoad *load)
       || !read_case (place, model, &load->load_case))
     return FALSE;
   if (load->kind == QN_LOAD_FORCE && cJSON_HasObjectItem (place->json, "node")) {
-    QnJsonValue block = qn_json_value_member (place, "block");
-    if (block.json != NULL)
-      return qn_json_value_fail (&block, _ ("block and node exclude each other"));
+    if (!qn_members_exclude (place, "block", "node"))
+      return FALSE;
     load->kind = QN_LOAD_NODE;
   }
   load->normal =

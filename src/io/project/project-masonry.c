@@ -442,9 +442,8 @@ read_portal (const QnJsonValue *place, QnPortal *portal)
     return FALSE;
   if (arch.json == NULL)
     return require (place, "lintel", TRUE);
-  if (portal->lintel_height > 0)
-    return qn_json_value_fail (&arch, _ ("arch and lintel exclude each other"));
-  return qn_members_read (&arch, inner_arch_members, NULL, &portal->arch)
+  return qn_members_exclude (place, "arch", "lintel")
+         && qn_members_read (&arch, inner_arch_members, NULL, &portal->arch)
          && read_springing (&arch, portal->span, &portal->arch);
 }
 

@@ -120,6 +120,14 @@ read_list_member (const QnJsonValue *object, const QnMember *m, QnNeed need,
   return TRUE;
 }
 
+gboolean
+qn_members_exclude (const QnJsonValue *object, const char *key, const char *other)
+{
+  QnJsonValue member = qn_json_value_member (object, key);
+  return member.json == NULL || !cJSON_HasObjectItem (object->json, other)
+         || qn_json_value_failf (&member, _ ("%s and %s exclude each other"), key, other);
+}
+
 /* Weight of the material as N/m3 or, times gravity, as kg/m3. */
 static gboolean
 read_weight (const QnJsonValue *object, QnNeed need, const QnModel *model,
@@ -129,10 +137,8 @@ read_weight (const QnJsonValue *object, QnNeed need, const QnModel *model,
   QnJsonValue density = qn_json_value_member (object, "density");
   if (density.json == NULL)
     return qn_member_number (object, "unit_weight", need, range, &weight[0]);
-  if (cJSON_HasObjectItem (object->json, "unit_weight"))
-    return qn_json_value_fail (&density,
-                               _ ("density and unit_weight exclude each other"));
-  if (!qn_json_value_number (&density, range, &weight[1]))
+  if (!qn_members_exclude (object, "density", "unit_weight")
+      || !qn_json_value_number (&density, range, &weight[1]))
     return FALSE;
   weight[0] = weight[1] * model->gravity;
   return TRUE;

@@ -136,6 +136,10 @@ gboolean qn_members_check (const QnJsonValue *object, const QnMember *first,
 gboolean qn_members_take (const QnJsonValue *object, const QnMember *members,
                           const QnModel *model, gpointer target);
 
+/* FALSE where an object has both members; the error is that of `key`. */
+gboolean qn_members_exclude (const QnJsonValue *object, const char *key,
+                             const char *other);
+
 /* Appends the members to an object, without optional ones that are as in `usual`; NULL: without those that
  * name nothing. */
 void qn_members_write (GString *json, const QnMember *members, const QnModel *model,

@@ -18,40 +18,20 @@ static const char *const step_event_names[QN_EVENT_COUNT] = {
   [QN_EVENT_COLLAPSE] = "collapse",
 };
 
-const QnMember qn_outcome_members[] = {
+const QnMember qn_answer_members[] = {
   QN_CHOICE ("outcome", REQUIRED, qn_outcome_names, QnResult, outcome),
   QN_GIVEN ("collapse_multiplier", MAYBE, 0, QnResult, collapse_multiplier,
             has_collapse_multiplier),
   QN_GIVEN ("first_limit_multiplier", MAYBE, 0, QnResult, first_limit_multiplier,
             has_first_limit_multiplier),
-  { 0 },
-};
-
-const QnMember qn_limit_members[] = {
   QN_GIVEN ("lower_bound", NUMBER, 0, QnResult, limit.lower_bound, limit.given),
   QN_NUMBER ("upper_bound", WRITTEN, FINITE, QnResult, limit.upper_bound),
   QN_CHOICE ("flow", WRITTEN, qn_flow_names, QnResult, limit.flow),
   QN_NUMBER ("multiplier_uncertainty", OPTIONAL, FINITE, QnResult, limit.uncertainty),
-  { 0 },
-};
-
-const QnMember qn_bound_members[] = {
   QN_GIVEN ("associative_bound", MAYBE, 0, QnResult, associative_bound,
             has_associative_bound),
-  { 0 },
-};
-
-const QnMember qn_broken_members[] = {
   QN_GIVEN ("broken_bond_bound", NUMBER, 0, QnResult, broken_bound, has_broken_bound),
-  { 0 },
-};
-
-const QnMember qn_beyond_members[] = {
   QN_MAYBE ("beyond_linear_multiplier", WRITTEN, QnResult, beyond_linear_multiplier),
-  { 0 },
-};
-
-const QnMember qn_unproved_members[] = {
   QN_GIVEN ("unproved_multiplier", NUMBER, 0, QnResult, unproved_multiplier,
             has_unproved_multiplier),
   { 0 },

@@ -52,13 +52,9 @@ typedef struct QnRefusedMembers {
   QnId places[QN_FAULT_PLACES];
 } QnRefusedMembers;
 
-/* Of a result: the head of the document, limit analysis, single members. */
-extern const QnMember qn_outcome_members[], qn_limit_members[], qn_bound_members[],
-  qn_broken_members[], qn_beyond_members[], qn_unproved_members[];
-
-/* Of QnSolution, QnVibration, QnStatistics, QnTieResult and the structs above. A step's come in three parts: what is
+/* Of QnResult: the answer. Of QnSolution, QnVibration, QnStatistics, QnTieResult and the structs above. A step's come in three parts: what is
  * before the displacements, behind them, and in time. */
-extern const QnMember qn_solution_members[], qn_vibration_members[],
+extern const QnMember qn_answer_members[], qn_solution_members[], qn_vibration_members[],
   qn_statistics_members[], qn_tie_members[], qn_event_members[], qn_refused_members[],
   qn_contact_members[], qn_step_members[], qn_step_rest[], qn_step_time[],
   qn_step_lists[];

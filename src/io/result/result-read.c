@@ -401,10 +401,7 @@ read_parts (QnJson *json, const Document *places, QnResultFile *file)
 static gboolean
 read_document (QnJson *json, QnResultFile *file)
 {
-  static const QnMember *const tables[] = { document_members,    qn_outcome_members,
-                                            qn_limit_members,    qn_bound_members,
-                                            qn_broken_members,   qn_beyond_members,
-                                            qn_unproved_members, NULL };
+  static const QnMember *const tables[] = { document_members, qn_answer_members, NULL };
   Document read = { 0 };
   /* What is not a result is told so before its members are. */
   gsize format = qn_json_member (json, 0, "format");

@@ -20,13 +20,18 @@ write_names (QnFileWriter *writer, const char *key, const void *items, size_t co
   qn_file_writer_puts (writer, "],\n");
 }
 
-/* The members of a document each have a line of their own. */
+/* The members of the answer, from one to another, each on a line of its own. */
 static void
-write_lines (QnFileWriter *writer, const QnMember *members, const QnResult *result)
+write_lines (QnFileWriter *writer, const char *first, const char *last,
+             const QnResult *result)
 {
-  for (const QnMember *m = members; m->key != NULL; m++) {
+  const QnMember *m = qn_answer_members;
+  while (strcmp (m->key, first) != 0)
+    m++;
+  for (bool more = true; more; m++) {
     const QnMember one[] = { *m, { 0 } };
     qn_result_members_write (writer, "  ", one, result, NULL, ",\n");
+    more = strcmp (m->key, last) != 0;
   }
 }
 
@@ -39,9 +44,9 @@ write_answer (QnFileWriter *writer, const QnResult *result)
   const gboolean non_associative =
     result->limit.given && result->limit.flow == QN_FLOW_NON_ASSOCIATIVE;
   if (result->limit.given)
-    write_lines (writer, qn_limit_members, result);
+    write_lines (writer, "lower_bound", "multiplier_uncertainty", result);
   if (non_associative) {
-    write_lines (writer, qn_bound_members, result);
+    write_lines (writer, "associative_bound", "associative_bound", result);
     qn_file_writer_puts (writer, "  \"fixed_points\": [");
     for (int32_t i = 0; i < result->solution_count; i++)
       qn_file_writer_puts_number (writer, i > 0 ? ", " : "",
@@ -60,7 +65,7 @@ write_answer (QnFileWriter *writer, const QnResult *result)
                        isfinite (least) ? qn_procedure_names[found_by] : NULL,
                        isfinite (bound) ? "associative-bound" : NULL);
   if (result->has_broken_bound)
-    write_lines (writer, qn_broken_members, result);
+    write_lines (writer, "broken_bond_bound", "broken_bond_bound", result);
   if (result->linearity == QN_LINEARITY_UNKNOWN)
     return;
   gboolean beyond = result->linearity == QN_LINEARITY_BEYOND;
@@ -68,7 +73,7 @@ write_answer (QnFileWriter *writer, const QnResult *result)
   if (!beyond || result->history.width > 0)
     told.beyond_linear_multiplier = NAN;
   qn_file_writer_json (writer, "  \"beyond_linear\": %i,\n", beyond);
-  write_lines (writer, qn_beyond_members, &told);
+  write_lines (writer, "beyond_linear_multiplier", "beyond_linear_multiplier", &told);
 }
 
 static void
@@ -113,7 +118,7 @@ write_head (QnFileWriter *writer, const QnProject *project, const QnResult *resu
   if (project->overrides != NULL && project->overrides[0] != NULL)
     write_names (writer, "overrides", project->overrides,
                  g_strv_length (project->overrides), 0, sizeof (char *));
-  write_lines (writer, qn_outcome_members, result);
+  write_lines (writer, "outcome", "first_limit_multiplier", result);
   write_events (writer, result);
   write_answer (writer, result);
   qn_file_writer_json (writer, "  \"reason\": %s,\n", reason);
@@ -125,7 +130,7 @@ write_refused (QnFileWriter *writer, const QnModel *model, const QnContacts *con
                const QnResult *result)
 {
   if (result->has_unproved_multiplier)
-    write_lines (writer, qn_unproved_members, result);
+    write_lines (writer, "unproved_multiplier", "unproved_multiplier", result);
   if (result->refused_count == 0)
     return;
   QnRefusedMembers usual = { 0 };
