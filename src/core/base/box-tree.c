@@ -4,6 +4,9 @@
 
 #include <stdlib.h>
 
+/* Nodes right below a node. */
+#define FANOUT 8
+
 typedef struct {
   uint64_t key;
   QnId item;
@@ -49,25 +52,41 @@ compare_entries (const void *a, const void *b)
   return p->key != q->key ? (p->key < q->key ? -1 : 1) : p->item - q->item;
 }
 
+/* The items in their order along the curve. */
 static void
-sort_items (QnBoxTree *tree, const QnBox *boxes, Entry *entries)
+sort_items (const QnBox *boxes, size_t count, Entry *entries)
 {
   QnBox whole = boxes[0];
-  for (size_t i = 1; i < tree->item_count; i++)
+  for (size_t i = 1; i < count; i++)
     whole = qn_box_union (whole, boxes[i]);
   double extent = qn_max (whole.max.x - whole.min.x, whole.max.y - whole.min.y);
 
-  for (size_t i = 0; i < tree->item_count; i++) {
+  for (size_t i = 0; i < count; i++) {
     QnVec2 middle = qn_vec2_lerp (boxes[i].min, boxes[i].max, 0.5);
     entries[i].key = hilbert_place (cell_of (middle.x, whole.min.x, extent),
                                     cell_of (middle.y, whole.min.y, extent));
     entries[i].item = (QnId) i;
   }
-  qsort (entries, tree->item_count, sizeof *entries, compare_entries);
-  for (size_t i = 0; i < tree->item_count; i++) {
-    tree->items[i] = entries[i].item;
-    tree->nodes[i] = boxes[entries[i].item];
-  }
+  qsort (entries, count, sizeof *entries, compare_entries);
+}
+
+/* Adds the node of some items, and all below it. */
+static QnBox
+add_node (QnBoxTree *tree, const QnBox *boxes, const Entry *entries, size_t count)
+{
+  QnBoxNode *node = &tree->nodes[tree->node_count++];
+  size_t part = 1; /* items of each node right below it */
+
+  *node = (QnBoxNode){ boxes[entries->item], QN_NONE, QN_NONE };
+  if (count == 1)
+    node->item = entries->item;
+  while (part * FANOUT < count)
+    part *= FANOUT;
+  for (size_t i = 0; i < count && count > 1; i += part)
+    node->box = qn_box_union (node->box, add_node (tree, boxes, entries + i,
+                                                   part < count - i ? part : count - i));
+  node->next = tree->node_count;
+  return node->box;
 }
 
 void
@@ -76,78 +95,28 @@ qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count, QnPool *poo
   *tree = (QnBoxTree){ 0 };
   if (count == 0 || pool->failed)
     return;
-
-  size_t node_count = 0;
-  size_t size = count;
-  for (;;) {
-    tree->level_starts[tree->level_count] = node_count;
-    tree->level_sizes[tree->level_count++] = size;
-    node_count += size;
-    if (size <= QN_BOX_TREE_FANOUT)
-      break;
-    size = (size + QN_BOX_TREE_FANOUT - 1) / QN_BOX_TREE_FANOUT;
-  }
-
-  tree->item_count = count;
-  tree->nodes = qn_pool_alloc (pool, node_count, sizeof *tree->nodes);
-  tree->items = qn_pool_alloc (pool, count, sizeof *tree->items);
+  /* Of n items the levels above have n / 8, n / 64, …, each rounded up. */
+  tree->nodes =
+    qn_pool_alloc (pool, count + count / (FANOUT - 1) + 12, sizeof *tree->nodes);
   Entry *entries = qn_alloc (count, sizeof *entries);
   pool->failed |= entries == NULL;
-  if (pool->failed)
-    *tree = (QnBoxTree){ 0 };
-  else
-    sort_items (tree, boxes, entries);
+  if (!pool->failed) {
+    sort_items (boxes, count, entries);
+    add_node (tree, boxes, entries, count);
+    tree->item_count = count;
+  }
   free (entries);
-  /* Fills the levels above the items, each node around QN_BOX_TREE_FANOUT of the level
-   * below. */
-  for (int32_t level = 1; level < tree->level_count; level++) {
-    const QnBox *below = tree->nodes + tree->level_starts[level - 1];
-    QnBox *nodes = tree->nodes + tree->level_starts[level];
-    for (size_t i = 0; i < tree->level_sizes[level - 1]; i++) {
-      size_t parent = i / QN_BOX_TREE_FANOUT;
-      nodes[parent] =
-        i % QN_BOX_TREE_FANOUT == 0 ? below[i] : qn_box_union (nodes[parent], below[i]);
-    }
-  }
-}
-
-QnBoxQuery
-qn_box_tree_query (const QnBoxTree *tree, QnBox box)
-{
-  QnBoxQuery query;
-  query.tree = tree;
-  query.box = box;
-  query.level = tree->level_count - 1;
-  if (query.level >= 0) {
-    query.cursor[query.level] = 0;
-    query.end[query.level] = tree->level_sizes[query.level];
-  }
-  return query;
 }
 
 QnId
 qn_box_query_next (QnBoxQuery *query)
 {
-  const QnBoxTree *tree = query->tree;
-  while (query->level >= 0) {
-    int32_t level = query->level;
-    if (query->cursor[level] == query->end[level]) {
-      query->level = level + 1 < tree->level_count ? level + 1 : -1;
-      continue;
-    }
-
-    size_t node = query->cursor[level]++;
-    if (!qn_box_meets (tree->nodes[tree->level_starts[level] + node], query->box))
-      continue;
-    if (level == 0)
-      return tree->items[node];
-
-    size_t below = tree->level_sizes[level - 1];
-    query->level = level - 1;
-    query->cursor[level - 1] = node * QN_BOX_TREE_FANOUT;
-    query->end[level - 1] = node * QN_BOX_TREE_FANOUT + QN_BOX_TREE_FANOUT;
-    if (query->end[level - 1] > below)
-      query->end[level - 1] = below;
+  while (query->node < query->tree->node_count) {
+    const QnBoxNode *node = &query->tree->nodes[query->node];
+    bool meets = qn_box_meets (node->box, query->box);
+    query->node = meets ? query->node + 1 : node->next;
+    if (meets && node->item != QN_NONE)
+      return node->item;
   }
   return QN_NONE;
 }
@@ -163,17 +132,17 @@ compare_pairs (const void *a, const void *b)
 bool
 qn_box_tree_pairs (const QnBoxTree *tree, double margin, size_t most, QnBoxPairs *pairs)
 {
-  for (size_t i = 0; i < tree->item_count; i++) {
-    QnId a = tree->items[i], b;
-    QnBoxQuery query = qn_box_tree_query (tree, qn_box_grow (tree->nodes[i], margin));
-    while (pairs->count < most && (b = qn_box_query_next (&query)) != QN_NONE) {
-      if (b <= a)
-        continue;
+  for (QnId i = 0; i < tree->node_count; i++) {
+    QnId a = tree->nodes[i].item, b;
+    /* With those behind it. */
+    QnBoxQuery query = { tree, qn_box_grow (tree->nodes[i].box, margin), i + 1 };
+    while (a != QN_NONE && pairs->count < most
+           && (b = qn_box_query_next (&query)) != QN_NONE) {
       if (!qn_array_reserve (&pairs->items, &pairs->capacity, pairs->count + 1,
                              sizeof *pairs->items))
         return false;
-      pairs->items[pairs->count][0] = a;
-      pairs->items[pairs->count++][1] = b;
+      pairs->items[pairs->count][0] = a < b ? a : b;
+      pairs->items[pairs->count++][1] = a < b ? b : a;
     }
   }
   if (pairs->count > 1)

@@ -11,24 +11,24 @@
 #include "core/base/box.h"
 #include "core/base/memory.h"
 
-#define QN_BOX_TREE_FANOUT     8
-#define QN_BOX_TREE_MAX_LEVELS 12 /* 8^11 items are more than a QnId can number */
+/* An item, or the smallest box around some that follow one another along the curve. */
+typedef struct QnBoxNode {
+  QnBox box;
+  QnId item; /* or QN_NONE */
+  QnId next; /* the node behind all below this one */
+} QnBoxNode;
 
 typedef struct QnBoxTree {
-  QnBox *nodes; /* the items' boxes in tree order, then level by level to the root */
-  QnId *items;  /* item in each of the first item_count nodes */
+  QnBoxNode *nodes; /* each before those below it; the first one is the root */
+  QnId node_count;  /* 0 for an empty tree */
   size_t item_count;
-  size_t level_starts[QN_BOX_TREE_MAX_LEVELS]; /* of the nodes */
-  size_t level_sizes[QN_BOX_TREE_MAX_LEVELS];
-  int32_t level_count; /* 0 for an empty tree */
 } QnBoxTree;
 
 /* One walk through the tree; several may be under way at once. */
 typedef struct QnBoxQuery {
   const QnBoxTree *tree;
   QnBox box;
-  int32_t level;
-  size_t cursor[QN_BOX_TREE_MAX_LEVELS], end[QN_BOX_TREE_MAX_LEVELS];
+  QnId node;
 } QnBoxQuery;
 
 /* Builds the tree of `count` boxes, which are copied, in memory of the pool; item i is boxes[i]. Empty where
@@ -36,7 +36,11 @@ typedef struct QnBoxQuery {
 void qn_box_tree_init (QnBoxTree *tree, const QnBox *boxes, size_t count, QnPool *pool);
 
 /* Starts a walk over the items whose boxes meet `box`; touching counts. */
-QnBoxQuery qn_box_tree_query (const QnBoxTree *tree, QnBox box);
+static inline QnBoxQuery
+qn_box_tree_query (const QnBoxTree *tree, QnBox box)
+{
+  return (QnBoxQuery){ tree, box, 0 };
+}
 
 /* The next item, or QN_NONE. The order depends on the boxes alone. */
 QnId qn_box_query_next (QnBoxQuery *query);
@@ -47,7 +51,7 @@ typedef struct QnBoxPairs {
   size_t count, capacity;
 } QnBoxPairs;
 
-/* Fills in the pairs of items whose boxes meet once that of the lower one is grown by `margin` (m): lower
+/* Fills in the pairs of items whose boxes meet once one of the two is grown by `margin` (m): lower
  * items first in each pair, and pairs ascending by them. O((n + k) log n) for well-separated boxes. Ends
  * once there are `most`. False when memory runs out. `pairs` must be empty. */
 bool qn_box_tree_pairs (const QnBoxTree *tree, double margin, size_t most,
