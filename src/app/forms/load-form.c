@@ -4,7 +4,6 @@
 #include "app/forms/panel.h"
 #include "app/tools/tools.h"
 #include "app/widgets/settings.h"
-#include "core/model/edge-load.h"
 #include "doc/edit/edit-stage.h"
 #include "doc/view/load-text.h"
 #include "doc/view/pair-text.h"

@@ -1,6 +1,5 @@
 /* The rules that nodes, sections, beams and ties must keep. */
 #include "core/base/memory.h"
-#include "core/model/beam-model.h"
 #include "core/model/model-check.h"
 #include "core/model/support.h"
 

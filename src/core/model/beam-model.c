@@ -1,6 +1,4 @@
 /* Nodes, sections and beams of a model: cutting beams into elements, and what is derived of them. */
-#include "core/model/beam-model.h"
-
 #include "core/base/memory.h"
 #include "core/base/tolerance.h"
 #include "core/model/model-check.h"

@@ -1,5 +1,3 @@
-#include "core/model/edge-load.h"
-
 #include "core/base/integer.h"
 #include "core/base/polygon.h"
 #include "core/base/tolerance.h"

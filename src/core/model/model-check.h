@@ -1,4 +1,4 @@
-/* The rules that a model's numbers and references must keep; part of qn_model_prepare(). */
+/* The rules that a model's numbers and references must keep, and what is derived; parts of qn_model_prepare(). */
 #pragma once
 
 #include "core/base/require.h"
@@ -18,6 +18,23 @@ QnStatus qn_model_check_settings (const QnModel *model, QnDiag *diag);
 bool qn_model_check_loads (const QnModel *model, QnDiag *diag);
 bool qn_model_check_analysis (const QnModel *model, QnDiag *diag);
 bool qn_model_check_dynamic (const QnModel *model, QnDiag *diag);
+
+/* Checks numbers and references of ties and of expanded beams. */
+QnStatus qn_model_check_beams (const QnModel *model, QnDiag *diag);
+
+/* Finds out which nodes have a rotation of their own. Beams must be checked. */
+void qn_model_mark_turning_nodes (QnModel *model);
+
+/* Places nodes and computes sections. Blocks must be derived and beams be checked. Refuses beams without
+ * length, and moments on nodes without a rotation. */
+QnStatus qn_model_derive_beams (QnModel *model, QnDiag *diag);
+
+/* Renumbers loaded edges of clockwise blocks for the reversed polygon. Loads must be checked, polygons not
+ * yet be reversed. */
+void qn_model_renumber_loaded_edges (QnModel *model);
+
+/* Fills QnModel.edge_forces. Blocks must be derived. Refuses TOO_LARGE and TOO_MANY_EDGE_FORCES. */
+QnStatus qn_model_resolve_edge_loads (QnModel *model, QnDiag *diag);
 
 /* A block, or the wall that it came from. */
 static inline QnSubject

@@ -1,8 +1,6 @@
 #include "core/base/memory.h"
 #include "core/base/numbers.h"
 #include "core/base/polygon.h"
-#include "core/model/beam-model.h"
-#include "core/model/edge-load.h"
 #include "core/model/model-check.h"
 
 #include <stdlib.h>

@@ -495,6 +495,9 @@ double qn_load_behind_front (const QnModel *model, const QnLoad *load, int32_t n
 /* The height of a FILL's surface at x; NAN where it has none. */
 double qn_load_surface_at (const QnLoad *load, double x);
 
+/* The chain of edges that an EDGE load is on. */
+void qn_load_chain (const QnModel *model, const QnLoad *load, QnId *first, QnId *count);
+
 /* K of a BACKFILL. */
 double qn_load_earth_coefficient (const QnLoad *load);
 /* K0 = 1 - sin phi (Jaky 1944); Ka = (1 - sin phi)/(1 + sin phi), level soil (Rankine 1857). */

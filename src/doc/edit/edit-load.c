@@ -1,6 +1,5 @@
 #include "core/base/polygon.h"
 #include "core/base/tolerance.h"
-#include "core/model/edge-load.h"
 #include "doc/edit/edit.h"
 
 #include <glib/gi18n-lib.h>
