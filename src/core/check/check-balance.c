@@ -1,7 +1,6 @@
 /* Balance of every free body at a step, and strengths, from the model and the forces that are stated: nothing
  * here is of the solver. */
 #include "core/check/check-parts.h"
-#include "core/result/found-contacts.h"
 #include "core/result/result-contact.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Where the force of a contact pair acts.
+/* Where the force of a contact pair acts, and the forces of contacts found during the motion.
  *
  * In linear geometry equilibrium is that of the undeformed structure: the force acts where the
  * pair was detected, along the normal found there. In nonlinear geometry it is that of the
@@ -18,3 +18,17 @@ const double *qn_result_deformation (const QnModel *model, const QnResult *resul
 void qn_result_contact_place (const QnModel *model, const QnContacts *contacts,
                               size_t pair, const double *deformation, QnVec2 *point,
                               QnVec2 *normal);
+
+/* Forces of the found contacts at a step: *count, contiguous. */
+const QnFoundForce *qn_step_found (const QnResult *result, size_t step, size_t *count);
+
+/* Corner of a found contact, undeformed, m. */
+QnVec2 qn_found_corner (const QnModel *model, const QnFoundContact *contact);
+
+/* The normal of the side, out of its block, undeformed. */
+QnVec2 qn_found_normal (const QnModel *model, const QnFoundContact *contact);
+
+/* The force on the block of the side, N, as that block lies after displacements (a row for every block,
+ * or NULL). */
+QnVec2 qn_found_force (const QnModel *model, const QnFoundContact *contact,
+                       const QnFoundForce *force, const double *displacements);

@@ -7,7 +7,7 @@
  */
 #pragma once
 
-#include "core/result/found-contacts.h"
+#include "core/result/result-contact.h"
 #include "render/scene/motion.h"
 
 /* Where the normal force acts, by its distance from the middle of a joint of length L. */
