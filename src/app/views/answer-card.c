@@ -11,7 +11,6 @@
 #include "doc/view/report-template.h"
 #include "io/text/outcome-text.h"
 #include <glib/gi18n.h>
-#include <math.h>
 
 typedef struct Card {
   QnDocument *document;

@@ -7,7 +7,6 @@
 #include "app/window/action-table.h"
 #include "core/base/word.h"
 #include <glib/gi18n.h>
-#include <string.h>
 
 #define ZOOM_FACTOR 1.25
 

@@ -9,7 +9,6 @@
 #include "doc/edit/edit-stage.h"
 #include "doc/edit/edit-tie.h"
 #include <glib/gi18n.h>
-#include <string.h>
 
 /* px on the screen that an arrow key moves the selection by, when there is no grid. */
 #define NUDGE_PX 5.0

@@ -13,7 +13,6 @@
 #include "io/text/tie-text.h"
 
 #include <glib/gi18n.h>
-#include <string.h>
 
 /* Part of its length that a joint may slide by without a word. */
 #define FAR_SLIP 0.1

@@ -6,7 +6,6 @@
 #include "render/figure/figure.h"
 
 #include <glib/gi18n.h>
-#include <string.h>
 
 #define SWITCHES "ghost,symbols,loads,dimensions,names,values,legend,titles,monochrome"
 

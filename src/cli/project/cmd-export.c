@@ -10,7 +10,6 @@
 #include "io/exchange/vtu.h"
 
 #include <glib/gi18n.h>
-#include <string.h>
 
 typedef struct ExportOptions {
   char *output, *result, *unit, *given_table;

@@ -2,7 +2,6 @@
 
 #include "core/base/memory.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* --- Setting up ------------------------------------------------------------------------- */

@@ -2,7 +2,6 @@
 #include "core/assembly/assembly-parts.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* --- Setting up ------------------------------------------------------------------------- */

@@ -4,7 +4,6 @@
 #include "core/model/support.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Bodies that move otherwise than about their hinges, by more than this part of the
  * fastest, make no chain. */

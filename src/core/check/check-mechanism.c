@@ -4,7 +4,6 @@
 #include "core/check/second-order-work.h"
 
 #include <math.h>
-#include <string.h>
 
 /* A rate is none within this part of the largest velocity: elastic joints give a little while a
  * structure begins to move. */

@@ -6,8 +6,6 @@
 #include "core/check/check-parts.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 void
 qn_check_tell (QnCheck *check, QnClaim claim, QnId step, QnEntity entity, QnId index,

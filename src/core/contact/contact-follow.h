@@ -26,7 +26,6 @@
  */
 #pragma once
 
-#include "core/base/box-tree.h"
 #include "core/base/memory.h"
 #include "core/contact/contact-side.h"
 #include "core/contact/contacts.h"

@@ -4,7 +4,6 @@
 #include "core/base/memory.h"
 #include "core/dynamics/energy.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Tuning. The error of a step grows with the square of its length, or faster. */

@@ -4,7 +4,6 @@
 #include "core/base/memory.h"
 #include "core/base/numbers.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Part of the residual that a factorisation which serves on may leave. */

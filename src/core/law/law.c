@@ -6,7 +6,6 @@
 
 #include "core/law/law-ops.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 const char *const qn_basis_names[QN_BASIS_COUNT] = {

@@ -5,7 +5,6 @@
 #include "core/linalg/sparse.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Entries of a 6 x 6 matrix. */

@@ -6,7 +6,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* REST: from no forces; FORCES: from those of elastic joints; GO_ON: from where the one before was lost. */
 typedef enum { REST, FORCES, GO_ON } Start;

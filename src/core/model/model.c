@@ -2,7 +2,6 @@
 
 #include "core/base/memory.h"
 #include "core/base/polygon.h"
-#include "core/model/soil.h"
 
 #include <stddef.h>
 #include <stdlib.h>

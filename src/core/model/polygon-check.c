@@ -5,8 +5,6 @@
 #include "core/base/tolerance.h"
 #include "core/model/model.h"
 
-#include <stdlib.h>
-
 /* Polygons with more edges than this are checked with a broad phase. */
 #define FEW_EDGES 48
 

@@ -10,9 +10,6 @@
  */
 #include "core/path/path.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 /* --- Without stages --------------------------------------------------------------------- */
 
 /* The live loads in one go. A target that a growing load moves away from is an input

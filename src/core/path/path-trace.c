@@ -15,7 +15,6 @@
 #include "core/check/second-order-work.h"
 #include "core/check/unlimited.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* --- Sizes of steps ---------------------------------------------------------------------- */

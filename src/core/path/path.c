@@ -3,9 +3,6 @@
 #include "core/base/clock.h"
 #include "core/base/memory.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 QnStatus
 qn_path_setup (QnPath *path, const QnModel *model, const QnContacts *contacts,
                QnProgressFunc report, void *report_data, QnResult *result, QnDiag *diag)

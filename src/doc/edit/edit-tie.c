@@ -8,7 +8,6 @@
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* E: EN 1993-1-1:2005, 3.2.6; fy: its table 3.1, up to 40 mm thick. */

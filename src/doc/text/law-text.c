@@ -6,7 +6,6 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 const char *const qn_law_kind_words[QN_LAW_KIND_COUNT] = {
   [QN_LAW_ELASTIC] = N_ ("Elastic"),

@@ -9,7 +9,6 @@
 
 #include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Heads of columns, behind the name of a body. */
 static const char *const motions[] = { " ux [m]", " uy [m]", " rz [rad]" };

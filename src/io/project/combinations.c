@@ -8,7 +8,6 @@
 #include <cjson/cJSON.h>
 #include <gio/gio.h>
 #include <glib/gi18n-lib.h>
-#include <math.h>
 #include <string.h>
 
 /* data/codes, made by the build. */

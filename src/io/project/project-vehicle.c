@@ -7,7 +7,6 @@
 
 #include <gio/gio.h>
 #include <glib/gi18n-lib.h>
-#include <string.h>
 
 /* Made by Meson of data/vehicles.json. */
 GResource *qn_io_get_resource (void);

@@ -7,7 +7,6 @@
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
-#include <stdlib.h>
 
 /* Largest length of a weight or force arrow in block sizes. */
 #define WEIGHT_ARROW 0.45

@@ -6,7 +6,6 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <sqlite3.h>
-#include <string.h>
 
 #define STORE_VERSION 1
 
