@@ -1,7 +1,6 @@
 /* What is fixed: blocks and nodes of beams. The buttons of the file are actions on what is selected. */
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
-#include "core/model/support.h"
 #include <glib/gi18n.h>
 
 /* Lines of the list; of more supports the rest is only counted. */

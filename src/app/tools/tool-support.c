@@ -1,7 +1,6 @@
 /* Support: a click fixes a block, or a node of beams, another one frees it. */
 #include "app/canvas/canvas.h"
 #include "app/tools/tools.h"
-#include "core/model/support.h"
 
 #include <glib/gi18n.h>
 

@@ -1,6 +1,5 @@
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
-#include "core/model/support.h"
 #include "doc/edit/edit-dynamic.h"
 #include "doc/view/pair-text.h"
 #include <glib/gi18n.h>

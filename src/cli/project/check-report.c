@@ -1,7 +1,6 @@
 #include "cli/project/check-report.h"
 #include "cli/base/shown-text.h"
 
-#include "core/model/support.h"
 #include "doc/edit/edit-dynamic.h"
 #include "doc/edit/repair.h"
 #include "doc/view/load-text.h"

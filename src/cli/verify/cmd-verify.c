@@ -5,7 +5,6 @@
 #include "cli/base/subcommand.h"
 #include "cli/verify/verify-cases.h"
 #include "core/modal/modal.h"
-#include "core/model/support.h"
 #include "core/path/analysis.h"
 #include "core/path/stability.h"
 

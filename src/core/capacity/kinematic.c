@@ -1,7 +1,6 @@
 #include "core/capacity/kinematic.h"
 
 #include "core/base/memory.h"
-#include "core/model/support.h"
 
 #include <math.h>
 

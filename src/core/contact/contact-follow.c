@@ -2,7 +2,6 @@
 
 #include "core/base/polygon.h"
 #include "core/contact/contact-search.h"
-#include "core/model/support.h"
 
 #include <stdlib.h>
 #include <string.h>

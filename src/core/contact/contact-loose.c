@@ -3,7 +3,6 @@
 
 #include "core/base/polygon.h"
 #include "core/base/union-find.h"
-#include "core/model/support.h"
 
 /* Which faces each block has: those of block i are faces[first[i]] up to faces[first[i + 1]]. */
 typedef struct {

@@ -3,7 +3,6 @@
 #include "core/contact/contact-bars.h"
 #include "core/contact/contact-follow.h"
 #include "core/contact/pair-abscissae.h"
-#include "core/model/support.h"
 
 /* What pairs may make of the bending stiffness and of the moment of a crushed joint before that is a
  * finding. Two evenly spaced pairs have 3/4 of the stiffness, two Gauss points 1.15 times the moment. */

@@ -1,7 +1,6 @@
 /* The rules that nodes, sections, beams and ties must keep. */
 #include "core/base/memory.h"
 #include "core/model/model-check.h"
-#include "core/model/support.h"
 
 #include <stdlib.h>
 

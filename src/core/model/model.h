@@ -640,6 +640,19 @@ qn_body_velocity_at (const double body[3], QnVec2 arm, double out[3])
 void qn_model_move_riding_nodes (const QnModel *model, bool finite,
                                  double *displacements);
 
+/* Whether a block or node is held: in all degrees of freedom; in one of them at least. */
+static inline bool
+qn_support_is_full (const bool support[QN_DOF_COUNT])
+{
+  return support[QN_DOF_UX] && support[QN_DOF_UY] && support[QN_DOF_RZ];
+}
+
+static inline bool
+qn_support_is_any (const bool support[QN_DOF_COUNT])
+{
+  return support[QN_DOF_UX] || support[QN_DOF_UY] || support[QN_DOF_RZ];
+}
+
 /* Whether a degree of freedom of a body is fixed, or moved by that of another body. */
 bool qn_model_body_is_fixed (const QnModel *model, size_t body, QnDof dof);
 

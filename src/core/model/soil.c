@@ -1,7 +1,6 @@
 #include "core/model/soil.h"
 
 #include "core/base/memory.h"
-#include "core/model/support.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,6 @@
 #include "core/result/result.h"
 
 #include "core/base/memory.h"
-#include "core/model/support.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,6 @@
 #include "doc/edit/edit-stage.h"
 
 #include "core/model/cycles.h"
-#include "core/model/support.h"
 #include "io/project/project-vehicle.h"
 
 #include <glib/gi18n-lib.h>

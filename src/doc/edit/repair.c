@@ -2,7 +2,6 @@
 
 #include "core/base/polygon.h"
 #include "core/contact/plausible.h"
-#include "core/model/support.h"
 #include "doc/edit/edit-face.h"
 #include "doc/edit/edit-shape.h"
 #include "doc/text/explain.h"

@@ -1,5 +1,4 @@
 #include "io/exchange/dxf-export.h"
-#include "core/model/support.h"
 #include "io/exchange/dxf-scan.h"
 #include "io/text/file-writer.h"
 

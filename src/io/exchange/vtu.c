@@ -1,7 +1,6 @@
 #include "io/exchange/vtu.h"
 
 #include "core/base/box.h"
-#include "core/model/support.h"
 #include "disk/file-group.h"
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"

@@ -1,6 +1,5 @@
 #include "io/text/outcome-text.h"
 #include "core/contact/pair-abscissae.h"
-#include "core/model/support.h"
 #include "core/path/path.h"
 #include "io/text/fault-text.h"
 #include "io/text/text-format.h"

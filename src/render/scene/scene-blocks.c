@@ -1,5 +1,4 @@
 /* Blocks: fills, outlines, ghost, onion skin, names, and the photo behind them. */
-#include "core/model/support.h"
 #include "render/drawing/text.h"
 #include "render/scene/scene-builder.h"
 

@@ -1,6 +1,5 @@
 /* Fields by colour: displacements and mean stresses of blocks, opening, sliding and cracks of joints; and
  * crosses of principal stresses. */
-#include "core/model/support.h"
 #include "core/result/mechanism.h"
 #include "render/drawing/text.h"
 #include "render/scene/reading.h"

@@ -1,7 +1,6 @@
 /* Loads as arrows and overall dimensions. */
 #include "core/base/integer.h"
 #include "core/model/outline.h"
-#include "core/model/support.h"
 #include "render/drawing/text.h"
 #include "render/scene/scene-beams.h"
 

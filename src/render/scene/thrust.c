@@ -2,7 +2,6 @@
 
 #include "core/base/box-tree.h"
 #include "core/base/union-find.h"
-#include "core/model/support.h"
 
 #include <glib.h>
 
