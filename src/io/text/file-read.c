@@ -113,39 +113,29 @@ qn_text_decode (const char *bytes, gsize size, const char *charset, gsize *lengt
   return text;
 }
 
-/* Where a path leads when all symbolic links are followed; of a file that does not exist yet, what
- * its folder's path leads to with the name behind. NULL where that cannot be decided: a link
- * without a target, a folder that does not exist. */
+/* Where a path leads when all symbolic links are followed; NULL where that cannot be decided. */
 static char *
 resolve (const char *path)
 {
-  char *real = realpath (path, NULL);
-  if (real != NULL || g_file_test (path, G_FILE_TEST_IS_SYMLINK))
-    return real;
-  g_autofree char *name = g_path_get_basename (path);
-  g_autofree char *parent = g_path_get_dirname (path);
-  char *folder = realpath (parent, NULL);
-  if (folder == NULL || strcmp (name, "..") == 0 || strcmp (name, ".") == 0) {
-    free (folder);
-    return NULL;
-  }
-  char *whole = g_build_filename (folder, name, NULL);
-  free (folder);
-  return whole;
+  char *real = realpath (path, NULL), *own = g_strdup (real);
+  free (real);
+  return own;
 }
 
+/* A file that does not exist yet is where its folder is. A link without a target may lead anywhere, and so
+ * may a folder that does not exist. */
 static gboolean
 is_inside (const char *folder, const char *path)
 {
-  char *base = realpath (folder, NULL), *real = resolve (path);
-  gsize length = base != NULL ? strlen (base) : 0;
-  while (length > 0 && base[length - 1] == G_DIR_SEPARATOR) /* of the root */
-    length--;
-  gboolean inside = base != NULL && real != NULL && strncmp (base, real, length) == 0
-                    && real[length] == G_DIR_SEPARATOR;
-  free (base);
-  free (real);
-  return inside;
+  g_autofree char *base = resolve (folder), *real = resolve (path);
+  g_autofree char *parent = g_path_get_dirname (path), *name = g_path_get_basename (path);
+  if (real == NULL && !g_file_test (path, G_FILE_TEST_IS_SYMLINK)
+      && strcmp (name, "..") != 0 && strcmp (name, ".") != 0) {
+    g_autofree char *above = resolve (parent);
+    real = above != NULL ? g_build_filename (above, name, NULL) : NULL;
+  }
+  g_autofree char *inside = base != NULL ? g_build_filename (base, "/", NULL) : NULL;
+  return inside != NULL && real != NULL && g_str_has_prefix (real, inside);
 }
 
 /* A pipe or a device: to open one may take for ever. */

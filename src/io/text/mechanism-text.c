@@ -103,18 +103,13 @@ dup_body (const QnModel *model, const QnMechanism *mechanism, QnId id)
 {
   const QnMechanismBody *body = &mechanism->bodies[id];
   g_autofree char *blocks = dup_blocks (model, mechanism, id);
-  if (!body->turns) {
-    switch (direction_of (body->velocity)) {
-    case TO_THE_RIGHT:
-      return qn_text_printf (_ ("%s: to the right"), blocks);
-    case TO_THE_LEFT:
-      return qn_text_printf (_ ("%s: to the left"), blocks);
-    case UPWARDS:
-      return qn_text_printf (_ ("%s: upwards"), blocks);
-    case DOWNWARDS:
-      return qn_text_printf (_ ("%s: downwards"), blocks);
-    }
-  }
+  const Direction way = direction_of (body->velocity);
+  if (!body->turns)
+    return qn_text_printf (way == TO_THE_RIGHT  ? _ ("%s: to the right")
+                           : way == TO_THE_LEFT ? _ ("%s: to the left")
+                           : way == UPWARDS     ? _ ("%s: upwards")
+                                                : _ ("%s: downwards"),
+                           blocks);
   return qn_text_printf (
     body->rotation < 0 ? _ ("%s: turns clockwise about (%.3g, %.3g) m")
                        : _ ("%s: turns counter-clockwise about (%.3g, %.3g) m"),

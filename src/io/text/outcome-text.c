@@ -365,21 +365,16 @@ static char *
 explain_controlled (const QnModel *model, const QnStage *task, double reached)
 {
   static const char *const components[] = { "ux", "uy", "rz" };
-  const char *component = components[task->control.dof];
-  gboolean turning = task->control.dof == QN_DOF_RZ;
-  if (task->control.node != QN_NONE)
-    return qn_text_printf (
-      turning ? _ ("%s of node “%s” has reached its target of %.4g rad, at a load "
-                   "multiplier of %.4g.")
-              : _ ("%s of node “%s” has reached its target of %.4g m, at a load "
-                   "multiplier of %.4g."),
-      component, model->nodes[task->control.node].name, task->control.target, reached);
+  const QnControl *control = &task->control;
+  const gboolean node = control->node != QN_NONE;
   return qn_text_printf (
-    turning ? _ ("%s of block “%s” has reached its target of %.4g rad, at a load "
-                 "multiplier of %.4g.")
-            : _ ("%s of block “%s” has reached its target of %.4g m, at a load "
-                 "multiplier of %.4g."),
-    component, model->blocks[task->control.block].name, task->control.target, reached);
+    node ? _ ("%s of node “%s” has reached its target of %.4g %s, at a load multiplier "
+              "of %.4g.")
+         : _ ("%s of block “%s” has reached its target of %.4g %s, at a load multiplier "
+              "of %.4g."),
+    components[control->dof],
+    node ? model->nodes[control->node].name : model->blocks[control->block].name,
+    control->target, control->dof == QN_DOF_RZ ? "rad" : "m", reached);
 }
 
 /* --- Ends ----------------------------------------------------------------------------- */
