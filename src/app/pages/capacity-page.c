@@ -203,7 +203,7 @@ find (GSimpleAction *action, GVariant *parameter, gpointer data)
   }
   clear_curve (form);
   g_free (form->digest);
-  form->digest = qn_model_digest (qn_document_get_project (form->document));
+  form->digest = qn_model_digest (qn_document_get_project (form->document), NULL);
   form->title = g_strdup (model->title);
   form->cancellable = g_cancellable_new ();
   GWeakRef *root = g_new0 (GWeakRef, 1);
@@ -293,7 +293,8 @@ dup_facts (const Form *form)
         : _ ("The live load is weight times a horizontal direction. The path in "
              "large displacements is followed until it carries nothing any "
              "more."));
-  g_autofree char *digest = qn_model_digest (qn_document_get_project (form->document));
+  g_autofree char *digest =
+    qn_model_digest (qn_document_get_project (form->document), NULL);
   g_autofree char *facts =
     qn_capacity_answer_dup_facts (&form->answer, qn_settings_get_units ());
   GString *text = g_string_new (NULL);

@@ -95,7 +95,8 @@ update_actions (Page *self)
 static void
 compare_digests (Page *self)
 {
-  g_autofree char *digest = qn_model_digest (qn_document_get_project (self->document));
+  g_autofree char *digest =
+    qn_model_digest (qn_document_get_project (self->document), NULL);
   self->outdated =
     g_strcmp0 (digest, self->digest) != 0 && g_strcmp0 (digest, self->digest_put) != 0;
 }
@@ -423,7 +424,7 @@ run (GSimpleAction *action, GVariant *parameter, gpointer data)
   }
   g_free (self->digest);
   g_clear_pointer (&self->digest_put, g_free);
-  self->digest = qn_model_digest (qn_document_get_project (self->document));
+  self->digest = qn_model_digest (qn_document_get_project (self->document), NULL);
   self->outdated = FALSE;
   self->cancelled = self->over = FALSE;
   self->thread = g_thread_new ("envelope", find_in_thread, self);
@@ -477,7 +478,7 @@ put (GSimpleAction *action, GVariant *parameter, gpointer data)
   }
   if (!outdated) {
     g_free (self->digest_put);
-    self->digest_put = qn_model_digest (qn_document_get_project (self->document));
+    self->digest_put = qn_model_digest (qn_document_get_project (self->document), NULL);
     self->outdated = FALSE;
   }
   tell_position (self);

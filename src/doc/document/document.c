@@ -68,8 +68,8 @@ const char *
 qn_document_get_fingerprint (QnDocument *self)
 {
   if (self->fingerprint == NULL) {
-    g_autofree char *whole = qn_model_digest_like (&self->project, self->text);
-    g_autofree char *structure = qn_structure_digest_like (&self->project, self->text);
+    g_autofree char *whole = qn_model_digest (&self->project, self->text);
+    g_autofree char *structure = qn_structure_digest (&self->project, self->text);
     self->fingerprint = g_strconcat (whole, " ", structure, NULL);
   }
   return self->fingerprint;

@@ -34,7 +34,7 @@ qn_document_store_figure (QnDocument *document, const QnRecipe *recipe, GError *
   if (figures == NULL)
     return FALSE;
   qn_document_allow_file (document, recipe->file);
-  g_autofree char *digest = qn_model_digest (qn_document_get_project (document));
+  g_autofree char *digest = qn_model_digest (qn_document_get_project (document), NULL);
   QnRecipe stored = *recipe;
   stored.digest = digest;
   /* The list only lends its members to the writer. */

@@ -288,6 +288,6 @@ qn_recipe_is_stale (const QnRecipe *recipe, const QnProject *project)
 {
   if (recipe->digest == NULL)
     return false;
-  g_autofree char *digest = qn_model_digest (project);
+  g_autofree char *digest = qn_model_digest (project, NULL);
   return strcmp (digest, recipe->digest) != 0;
 }

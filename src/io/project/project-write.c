@@ -233,7 +233,7 @@ qn_project_save (const QnProject *project, const char *path, GError **error)
 }
 
 char *
-qn_model_digest_like (const QnProject *project, const QnProjectText *text)
+qn_model_digest (const QnProject *project, const QnProjectText *text)
 {
   QnProject bare = *project;
   const cJSON *masonry =
@@ -257,18 +257,12 @@ qn_model_digest_like (const QnProject *project, const QnProjectText *text)
 }
 
 char *
-qn_structure_digest_like (const QnProject *project, const QnProjectText *text)
+qn_structure_digest (const QnProject *project, const QnProjectText *text)
 {
   QnModel fresh;
   QnProject bare = *project;
   qn_model_init (&fresh);
   bare.model.analysis = fresh.analysis;
   qn_model_clear (&fresh);
-  return qn_model_digest_like (&bare, text);
-}
-
-char *
-qn_model_digest (const QnProject *project)
-{
-  return qn_model_digest_like (project, NULL);
+  return qn_model_digest (&bare, text);
 }

@@ -130,11 +130,9 @@ gboolean qn_project_set_extra (QnProject *project, const char *member, const cha
 char *qn_project_dup_extra (const QnProject *project, const char *member);
 
 /* Digest of the model and its settings alone, hexadecimal: neither the title nor views and
- * figures make a result or a figure stale. Free with g_free(). */
-char *qn_model_digest (const QnProject *project);
-
-/* The same, quicker where the project's text is at hand. */
-char *qn_model_digest_like (const QnProject *project, const QnProjectText *text);
+ * figures make a result or a figure stale. Free with g_free(). It is quicker where the project's
+ * text is at hand. */
+char *qn_model_digest (const QnProject *project, const QnProjectText *text);
 
 /* The same without the settings of the analysis. */
-char *qn_structure_digest_like (const QnProject *project, const QnProjectText *text);
+char *qn_structure_digest (const QnProject *project, const QnProjectText *text);

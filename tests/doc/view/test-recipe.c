@@ -156,7 +156,7 @@ test_stale (void)
   load (&after, "2", NULL);
   g_autoptr (QnRecipe) recipe = qn_recipe_new ("a", QN_VIEW_MODEL);
   g_assert_false (qn_recipe_is_stale (recipe, &after));
-  recipe->digest = qn_model_digest (&before);
+  recipe->digest = qn_model_digest (&before, NULL);
   g_assert_false (qn_recipe_is_stale (recipe, &before));
   g_assert_true (qn_recipe_is_stale (recipe, &after));
   qn_project_clear (&before);
