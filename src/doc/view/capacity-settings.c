@@ -115,21 +115,7 @@ qn_capacity_settings_set (QnCapacitySettings *s, const char *option, const char 
   return refuse (problem, error);
 }
 
-gboolean
-qn_capacity_read_spectrum (const char *path, const char *unit, QnRecord *points,
-                           GError **error)
-{
-  if (!qn_record_read (path, unit, 0, TRUE, points, error))
-    return FALSE;
-  for (gsize i = 0; i < points->count; i++)
-    if (!(points->points[i].y > 0)) {
-      qn_record_clear (points);
-      return qn_io_fail (error, QN_IO_ERROR_INVALID,
-                         _ ("%s: accelerations of a spectrum must be positive"), path);
-    }
-  return TRUE;
-}
-
+/* A table of periods and accelerations, all of them positive. */
 static gboolean
 read_spectrum (const QnCapacitySettings *s, const QnProject *project,
                gboolean allow_outside, QnRecord *points, GError **error)
@@ -139,7 +125,15 @@ read_spectrum (const QnCapacitySettings *s, const QnProject *project,
   g_autofree char *path = s->direct
                             ? g_strdup (s->spectrum)
                             : qn_file_inside (folder, s->spectrum, allow_outside, error);
-  return path != NULL && qn_capacity_read_spectrum (path, s->unit, points, error);
+  if (path == NULL || !qn_record_read (path, s->unit, 0, TRUE, points, error))
+    return FALSE;
+  for (gsize i = 0; i < points->count; i++)
+    if (!(points->points[i].y > 0)) {
+      qn_record_clear (points);
+      return qn_io_fail (error, QN_IO_ERROR_INVALID,
+                         _ ("%s: accelerations of a spectrum must be positive"), path);
+    }
+  return TRUE;
 }
 
 /* The floor that the part stands on, where its height is said. */

@@ -32,11 +32,6 @@ gboolean qn_capacity_settings_read (const QnProject *project,
 gboolean qn_capacity_settings_set (QnCapacitySettings *settings, const char *option,
                                    const char *value, GError **error);
 
-/* A table of periods and accelerations, all of them positive; `unit` NULL: as the file says. FALSE with
- * an error of the file; *points is empty then. */
-gboolean qn_capacity_read_spectrum (const char *path, const char *unit, QnRecord *points,
-                                    GError **error);
-
 /* What an answer is to be held against: damping 0.05 and confidence 1 where they are not said. `points`, to be
  * cleared, are those of a file, which is read where there are none yet. FALSE with QN_IO_ERROR_OVERRIDE where settings are missing or contradict, and
  * errors of the file, or where no block has the name of `control`. */
