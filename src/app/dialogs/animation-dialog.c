@@ -101,7 +101,7 @@ on_written (GObject *source, GAsyncResult *result, gpointer data)
   Dialog *dialog = data;
   GtkWindow *parent = dialog->parent;
   g_autoptr (GError) error = NULL;
-  gboolean done = qn_animation_write_finish (QN_VIEW_STATE (source), result, &error);
+  gboolean done = g_task_propagate_boolean (G_TASK (result), &error);
   gboolean cancelled = g_cancellable_is_cancelled (dialog->cancellable);
   g_clear_object (&dialog->cancellable);
   if (done) {

@@ -6,7 +6,7 @@
 #include "app/widgets/settings.h"
 #include "doc/document/run-file.h"
 #include "doc/view/figures.h"
-#include "doc/view/report-item.h"
+#include "doc/view/report.h"
 #include "doc/view/sheet.h"
 #include "io/exchange/dxf-export.h"
 #include "io/exchange/table-csv.h"
@@ -39,7 +39,7 @@ on_report_written (GObject *source, GAsyncResult *result, gpointer data)
 {
   g_autoptr (QnWindow) self = data;
   g_autoptr (GError) error = NULL;
-  gboolean done = qn_report_write_finish (result, &error);
+  gboolean done = g_task_propagate_boolean (G_TASK (result), &error);
   g_autofree char *path = g_strdup (g_object_get_data (G_OBJECT (self->reporting), PATH));
   g_clear_object (&self->reporting);
   if (gtk_widget_in_destruction (GTK_WIDGET (self)) || self->document == NULL)

@@ -151,10 +151,3 @@ qn_animation_write_async (QnViewState *state, const QnAnimationSettings *setting
     work->timeout = g_timeout_add (TICK_MS, on_timeout, work);
   g_task_run_in_thread (task, write_in_thread);
 }
-
-gboolean
-qn_animation_write_finish (QnViewState *state, GAsyncResult *result, GError **error)
-{
-  g_return_val_if_fail (g_task_is_valid (result, state), FALSE);
-  return g_task_propagate_boolean (G_TASK (result), error);
-}

@@ -23,10 +23,8 @@ void qn_animation_settings_init (QnAnimationSettings *settings, QnViewState *sta
 typedef void (*QnAnimationTick) (int done, int total, gpointer user_data);
 
 /* Starts to write the current run, which must be there, to OUT.gif, OUT.webm or FOLDER/. `tick` may
- * be NULL. Cancelling leaves nothing of the export. */
+ * be NULL. Cancelling leaves nothing of the export. A GTask of a gboolean. */
 void qn_animation_write_async (QnViewState *state, const QnAnimationSettings *settings,
                                const char *path, GCancellable *cancellable,
                                QnAnimationTick tick, gpointer tick_data,
                                GAsyncReadyCallback callback, gpointer user_data);
-gboolean qn_animation_write_finish (QnViewState *state, GAsyncResult *result,
-                                    GError **error);

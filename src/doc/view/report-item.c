@@ -1,4 +1,4 @@
-#include "doc/view/report-item.h"
+#include "doc/view/report.h"
 
 #include "doc/document/job.h"
 #include "doc/document/run-file.h"
@@ -31,8 +31,9 @@ qn_report_run_check (QnReportRun *run, const char *path)
                                       _ ("the result holds no equilibrium to check"));
 }
 
-gboolean
-qn_report_run_parse (QnReportRun *run, const char *text, gsize length, GError **error)
+/* What a file with this text would hold. */
+static gboolean
+parse_run (QnReportRun *run, const char *text, gsize length, GError **error)
 {
   if (!qn_result_file_parse (text, length, run->name, &run->file, error))
     return FALSE;
@@ -46,7 +47,7 @@ qn_report_run_take (QnReportRun *run, const QnResult *result, GError **error)
   gsize length;
   g_autofree char *text =
     qn_result_dup_text (run->project, run->contacts, result, QN_DETAIL_FORCES, &length);
-  return qn_report_run_parse (run, text, length, error);
+  return parse_run (run, text, length, error);
 }
 
 /* ---- on a document, in a thread ---- */
@@ -90,7 +91,7 @@ encode (const ReportWork *work, QnReportRun *runs, QnProject *projects,
     runs[i] = (QnReportRun){ .project = &projects[i],
                              .contacts = &run->contacts,
                              .name = g_strdup (run->name) };
-    done = qn_report_run_parse (&runs[i], text, length, error);
+    done = parse_run (&runs[i], text, length, error);
   }
   if (done && qn_contacts_detect (&work->project.model, &contacts, NULL) != QN_OK) {
     g_set_error_literal (error, G_IO_ERROR, G_IO_ERROR_FAILED, _ ("not enough memory"));
@@ -167,10 +168,4 @@ qn_report_write_async (QnDocument *document, QnUnits units, const char *path,
     g_task_run_in_thread (task, write_in_thread);
   else
     g_task_return_error (task, error);
-}
-
-gboolean
-qn_report_write_finish (GAsyncResult *result, GError **error)
-{
-  return g_task_propagate_boolean (G_TASK (result), error);
 }

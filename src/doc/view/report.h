@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "doc/document/document.h"
 #include "doc/text/units.h"
 #include "doc/view/report-template.h"
 #include "io/project/project.h"
@@ -25,10 +26,8 @@ typedef struct QnReportRun {
 /* Checks `file`, which was read from `path`, against its project. */
 void qn_report_run_check (QnReportRun *run, const char *path);
 
-/* What a file with this text would hold, or one of this result, read and checked: neither the check nor the
- * report sees more of an analysis than its file. Name, project and contacts are there already. */
-gboolean qn_report_run_parse (QnReportRun *run, const char *text, gsize length,
-                              GError **error);
+/* What a file of this result would hold, read and checked: neither the check nor the report sees more of an
+ * analysis than its file. Name, project and contacts are there already. */
 gboolean qn_report_run_take (QnReportRun *run, const QnResult *result, GError **error);
 void qn_report_run_clear (QnReportRun *run);
 
@@ -48,3 +47,10 @@ typedef struct QnReport {
 
 /* The PDF, or NULL with an error, G_IO_ERROR_CANCELLED where the progress function says so. */
 GBytes *qn_report_encode (const QnReport *report, GError **error);
+
+/* Writes the report on the document as its template says, with all of its runs that belong to the
+ * model as it is now, in a thread of its own: combinations are analysed there. A GTask of a gboolean, FALSE
+ * with G_IO_ERROR_CANCELLED where it was cancelled; nothing is written then. */
+void qn_report_write_async (QnDocument *document, QnUnits units, const char *path,
+                            GCancellable *cancellable, GAsyncReadyCallback callback,
+                            gpointer user_data);
