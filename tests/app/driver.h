@@ -37,10 +37,17 @@ card_of (QnCanvas *canvas)
   return canvas->card;
 }
 
+static inline void
+move_camera (QnCanvas *canvas, const QnCamera *camera)
+{
+  canvas->camera = *camera;
+  qn_canvas_zoom (canvas, 1.0);
+}
+
 static inline QnGlLayer *
 gl_layer_of (QnCanvas *canvas)
 {
-  return canvas->gl_layer;
+  return &canvas->gl_layer;
 }
 
 static inline const QnModel *

@@ -59,11 +59,11 @@ test_same_picture (void)
   for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
     QnWindow *window = driver_open_example (names[i]);
     set_engine (window, QN_ENGINE_CAIRO);
-    g_assert_cmpuint (qn_gl_layer_get_frames (layer_of (window)), ==, 0);
+    g_assert_cmpuint (layer_of (window)->frames, ==, 0);
     cairo_surface_t *cairo = driver_picture (GTK_WIDGET (window));
     set_engine (window, QN_ENGINE_OPENGL);
     cairo_surface_t *gl = driver_picture (GTK_WIDGET (window));
-    g_assert_cmpint (qn_gl_layer_get_frames (layer_of (window)) > 0, ==, expects_gl ());
+    g_assert_cmpint (layer_of (window)->frames > 0, ==, expects_gl ());
     driver_screenshot (GTK_WIDGET (window), i == 0 ? "engine-gl" : "engine-gl-arch");
     g_assert_cmpfloat (difference (cairo, gl, 64), <, 0.002);
     g_assert_cmpfloat (difference (cairo, gl, 160), <, 0.0002);
@@ -99,7 +99,7 @@ move_paper (QnWindow *window, const char *engine)
     QnCamera camera = *qn_canvas_get_camera (canvas);
     qn_camera_pan (&camera, qn_vec2 (5.0, 2.0));
     qn_camera_zoom_at (&camera, qn_vec2 (400, 300), 1.03);
-    qn_canvas_set_camera (canvas, &camera);
+    move_camera (canvas, &camera);
     driver_settle ();
   }
   g_test_message ("%s: %.1f ms a frame, processors %.1f ms", engine,
@@ -113,27 +113,26 @@ static void
 test_automatic (void)
 {
   QnWindow *window = driver_open_example ("06-arch.quoin");
-  g_assert_cmpuint (qn_gl_layer_get_frames (layer_of (window)), ==, 0);
+  g_assert_cmpuint (layer_of (window)->frames, ==, 0);
   driver_discard (window);
 
   window = open_large_wall ();
   if (expects_gl ()) {
-    g_assert_cmpint (qn_gl_layer_get_frames (layer_of (window)) > 0, ==,
-                     !qn_gl_layer_is_software (layer_of (window)));
+    g_assert_cmpint (layer_of (window)->frames > 0, ==, !layer_of (window)->software);
     set_engine (window, QN_ENGINE_OPENGL);
-    unsigned uploads = qn_gl_layer_get_uploads (layer_of (window));
-    unsigned frames = qn_gl_layer_get_frames (layer_of (window));
+    unsigned uploads = qn_gl_renderer_uploads (layer_of (window)->renderer);
+    unsigned frames = layer_of (window)->frames;
     g_assert_cmpuint (frames, >, 0);
     move_paper (window, "OpenGL");
     driver_settle ();
-    g_assert_cmpuint (qn_gl_layer_get_frames (layer_of (window)), >, frames + 5);
-    g_assert_cmpuint (qn_gl_layer_get_uploads (layer_of (window)), ==, uploads);
+    g_assert_cmpuint (layer_of (window)->frames, >, frames + 5);
+    g_assert_cmpuint (qn_gl_renderer_uploads (layer_of (window)->renderer), ==, uploads);
     driver_screenshot (GTK_WIDGET (window), "engine-large");
     set_engine (window, QN_ENGINE_CAIRO);
   }
-  unsigned frames = qn_gl_layer_get_frames (layer_of (window));
+  unsigned frames = layer_of (window)->frames;
   move_paper (window, "Cairo");
-  g_assert_cmpuint (qn_gl_layer_get_frames (layer_of (window)), ==, frames);
+  g_assert_cmpuint (layer_of (window)->frames, ==, frames);
   g_settings_reset (qn_settings_get (), "engine");
   driver_discard (window);
 }

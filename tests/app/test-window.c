@@ -619,7 +619,7 @@ test_large_model (void)
     for (int i = 0; i < FRAMES; i++) {
       QnCamera camera = *qn_canvas_get_camera (canvas);
       qn_camera_pan (&camera, qn_vec2 (3.0, 1.0));
-      qn_canvas_set_camera (canvas, &camera);
+      move_camera (canvas, &camera);
       cairo_t *cr = cairo_create (surface);
       qn_canvas_draw (canvas, cr);
       cairo_destroy (cr);

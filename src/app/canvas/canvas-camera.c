@@ -178,14 +178,6 @@ qn_canvas_get_camera (QnCanvas *self)
   return &self->camera;
 }
 
-void
-qn_canvas_set_camera (QnCanvas *self, const QnCamera *camera)
-{
-  self->camera.center = camera->center;
-  self->camera.scale = camera->scale;
-  camera_moved (self);
-}
-
 static gboolean
 on_place_timeout (gpointer data)
 {

@@ -16,8 +16,8 @@ struct _QnCanvas {
   QnScene *scene; /* NULL: to be built */
   GError *scene_error;
   QnSceneCache cache;
-  QnGlLayer *gl_layer; /* large scenes by OpenGL */
-  guint rest_timeout;  /* runs while the camera moves */
+  QnGlLayer gl_layer; /* large scenes by OpenGL */
+  guint rest_timeout; /* runs while the camera moves */
   QnCamera camera;
   gboolean wants_fit; /* at the next drawing */
   gboolean keeps_fit; /* until the user zooms or pans */

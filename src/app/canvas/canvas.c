@@ -102,11 +102,11 @@ qn_canvas_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
   gboolean dark = qn_view_state_get_underlay (self->state)->image == NULL
                   && qn_paper_area_push_dark (widget, snapshot);
   cairo_t *cr = gtk_snapshot_append_cairo (snapshot, &all);
-  if (qn_gl_layer_prepare (self->gl_layer, scene, &self->camera)) {
+  if (qn_gl_layer_prepare (&self->gl_layer, scene, &self->camera)) {
     qn_scene_cache_clear (&self->cache);
     qn_canvas_draw_below (self, TRUE, cr);
     cairo_destroy (cr);
-    gtk_widget_snapshot_child (widget, qn_gl_layer_get_area (self->gl_layer), snapshot);
+    gtk_widget_snapshot_child (widget, self->gl_layer.area, snapshot);
     cr = gtk_snapshot_append_cairo (snapshot, &all);
     qn_canvas_draw_above (self, TRUE, cr);
   } else {
@@ -120,7 +120,7 @@ qn_canvas_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
 static void
 qn_canvas_size_allocate (GtkWidget *widget, int width, int height, int baseline)
 {
-  GtkWidget *area = qn_gl_layer_get_area (QN_CANVAS (widget)->gl_layer);
+  GtkWidget *area = QN_CANVAS (widget)->gl_layer.area;
   if (gtk_widget_should_layout (area))
     gtk_widget_allocate (area, width, height, baseline, NULL);
 }
@@ -165,7 +165,7 @@ qn_canvas_dispose (GObject *object)
   g_clear_handle_id (&self->place_timeout, g_source_remove);
   g_clear_handle_id (&self->inspect_timeout, g_source_remove);
   g_clear_handle_id (&self->rest_timeout, g_source_remove);
-  g_clear_pointer (&self->gl_layer, qn_gl_layer_free);
+  qn_gl_layer_clear (&self->gl_layer);
   g_clear_weak_pointer (&self->corner);
   qn_scene_cache_clear (&self->cache);
   g_clear_pointer (&self->scene, qn_scene_free);
@@ -217,7 +217,7 @@ qn_canvas_init (QnCanvas *self)
   self->camera.unit = 1.0;
   self->typed = g_string_new (NULL);
   self->gesture.points = g_array_new (FALSE, FALSE, sizeof (QnVec2));
-  self->gl_layer = qn_gl_layer_new (GTK_WIDGET (self));
+  qn_gl_layer_init (&self->gl_layer, GTK_WIDGET (self));
   self->wants_fit = self->keeps_fit = TRUE;
   qn_canvas_add_pointer_controllers (self);
   qn_canvas_add_camera_controllers (self);

@@ -43,9 +43,8 @@ void qn_canvas_show_gaps (QnCanvas *canvas, QnGaps *gaps);
 /* Brings an area into view, where it is not. */
 void qn_canvas_show_area (QnCanvas *canvas, QnVec2 low, QnVec2 high);
 
-/* What part is in view; the viewport is the canvas's own. Borrowed, and copied. */
+/* What part is in view; borrowed. */
 const QnCamera *qn_canvas_get_camera (QnCanvas *canvas);
-void qn_canvas_set_camera (QnCanvas *canvas, const QnCamera *camera);
 
 /* What lies over the lower right corner, which the legend gives way to; borrowed. */
 void qn_canvas_set_corner (QnCanvas *canvas, GtkWidget *corner);

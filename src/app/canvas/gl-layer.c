@@ -3,22 +3,7 @@
 #include "app/canvas/scene-cache.h"
 #include "app/widgets/settings.h"
 #include "core/base/integer.h"
-#include "render/backend/draw-gl.h"
 #include "render/backend/offscreen.h"
-
-struct QnGlLayer {
-  GtkWidget *area; /* visible only while OpenGL draws */
-  QnGl gl;
-  QnGlRenderer *renderer; /* of the area's context */
-  const QnScene *scene;   /* of the frame being drawn */
-  QnCamera camera;
-  uint64_t revision; /* last drawn, with camera */
-  guint wake;        /* shows or hides the area outside of any frame */
-  gboolean wanted;
-  gboolean failed;
-  gboolean software;
-  unsigned frames;
-};
 
 /* ---- the area ---- */
 
@@ -135,42 +120,16 @@ qn_gl_layer_prepare (QnGlLayer *self, const QnScene *scene, const QnCamera *came
   return TRUE;
 }
 
-unsigned
-qn_gl_layer_get_uploads (QnGlLayer *self)
+void
+qn_gl_layer_clear (QnGlLayer *self)
 {
-  return self->renderer != NULL ? qn_gl_renderer_uploads (self->renderer) : 0;
-}
-
-gboolean
-qn_gl_layer_is_software (QnGlLayer *self)
-{
-  return self->software;
-}
-
-unsigned
-qn_gl_layer_get_frames (QnGlLayer *self)
-{
-  return self->frames;
-}
-
-GtkWidget *
-qn_gl_layer_get_area (QnGlLayer *self)
-{
-  return self->area;
+  g_clear_handle_id (&self->wake, g_source_remove);
+  g_clear_pointer (&self->area, gtk_widget_unparent);
 }
 
 void
-qn_gl_layer_free (QnGlLayer *self)
+qn_gl_layer_init (QnGlLayer *self, GtkWidget *canvas)
 {
-  g_clear_handle_id (&self->wake, g_source_remove);
-  gtk_widget_unparent (self->area);
-  g_free (self);
-}
-
-QnGlLayer *
-qn_gl_layer_new (GtkWidget *canvas)
-{
-  QnGlLayer *self = g_new0 (QnGlLayer, 1);
   self->area = gtk_gl_area_new ();
   gtk_gl_area_set_required_version (GTK_GL_AREA (self->area), 3, 3);
   gtk_widget_set_visible (self->area, FALSE);
@@ -179,5 +138,4 @@ qn_gl_layer_new (GtkWidget *canvas)
   g_signal_connect (self->area, "unrealize", G_CALLBACK (on_unrealize), self);
   g_signal_connect (self->area, "render", G_CALLBACK (on_render), self);
   gtk_widget_set_parent (self->area, canvas);
-  return self;
 }

@@ -3,29 +3,32 @@
  * is not to be had the area hides for good and Cairo draws everything. */
 #pragma once
 
-#include "render/backend/gl-api.h"
-#include "render/drawing/scene.h"
+#include "render/backend/draw-gl.h"
 
 #include <gtk/gtk.h>
 
-typedef struct QnGlLayer QnGlLayer;
+typedef struct QnGlLayer {
+  GtkWidget *area; /* visible only while OpenGL draws */
+  QnGl gl;
+  QnGlRenderer *renderer; /* of the area's context */
+  const QnScene *scene;   /* of the frame being drawn */
+  QnCamera camera;
+  uint64_t revision; /* last drawn, with camera */
+  guint wake;        /* shows or hides the area outside of any frame */
+  gboolean wanted;
+  gboolean failed;
+  gboolean software; /* OpenGL turned out to be drawn by the processor */
+  unsigned frames;   /* drawn so far */
+} QnGlLayer;
 
 /* Values of the setting "engine". */
 typedef enum { QN_ENGINE_AUTOMATIC, QN_ENGINE_CAIRO, QN_ENGINE_OPENGL } QnEngine;
 
-/* Puts its area into the canvas, without a context until it is asked to draw; freeing takes it out. */
-QnGlLayer *qn_gl_layer_new (GtkWidget *canvas);
-void qn_gl_layer_free (QnGlLayer *self);
-GtkWidget *qn_gl_layer_get_area (QnGlLayer *self);
+/* Puts the area of a zeroed layer into the canvas, without a context until it is asked to draw; and takes it out. */
+void qn_gl_layer_init (QnGlLayer *self, GtkWidget *canvas);
+void qn_gl_layer_clear (QnGlLayer *self);
 
 /* Says what the next frame holds; true where OpenGL draws it. Otherwise Cairo has to, be it
  * for this one frame, while the context is being made. */
 gboolean qn_gl_layer_prepare (QnGlLayer *self, const QnScene *scene,
                               const QnCamera *camera);
-
-/* Whether OpenGL turned out to be drawn by the processor. */
-gboolean qn_gl_layer_is_software (QnGlLayer *self);
-
-/* How many scenes and frames this layer has drawn, for tests and timings. */
-unsigned qn_gl_layer_get_uploads (QnGlLayer *self);
-unsigned qn_gl_layer_get_frames (QnGlLayer *self);
