@@ -179,9 +179,7 @@ qn_study_page_run (GSimpleAction *action, GVariant *parameter, gpointer data)
 
 typedef struct Opening {
   char *folder;
-  gsize index;
   double *values;
-  char *name;
   QnRun *run;
 } Opening;
 
@@ -189,10 +187,9 @@ static void
 free_opening (gpointer data)
 {
   Opening *opening = data;
-  g_clear_pointer (&opening->run, qn_run_unref);
+  qn_run_unref (opening->run);
   g_free (opening->folder);
   g_free (opening->values);
-  g_free (opening->name);
   g_free (opening);
 }
 
@@ -213,8 +210,6 @@ solve_case (GTask *task, gpointer source, gpointer data, GCancellable *cancellab
   if (result.failed) {
     error = g_error_new_literal (QN_IO_ERROR, QN_IO_ERROR_INVALID, result.reason);
   } else {
-    opening->run = qn_run_new (opening->name, "");
-    opening->run->of_study = TRUE;
     opening->run->model = model.project.model;
     opening->run->contacts = model.contacts;
     opening->run->result = model.result;
@@ -256,16 +251,17 @@ qn_study_page_open_case (QnStudyPage *self)
     return;
   gsize row = (gsize) self->chosen;
   Opening *opening = g_new0 (Opening, 1);
-  opening->index = g_array_index (self->table.rows, QnRow, row).index;
   opening->folder = g_strdup (self->folder);
   opening->values = g_memdup2 (self->table.numbers + row * self->table.width,
                                self->table.parameters * sizeof (double));
   g_autoptr (GString) name = g_string_new (NULL);
-  g_string_printf (name, _ ("Case %zu"), opening->index + 1);
+  g_string_printf (name, _ ("Case %zu"),
+                   g_array_index (self->table.rows, QnRow, row).index + 1);
   for (gsize k = 0; k < self->table.parameters; k++)
     g_string_append_printf (name, ", %s %.4g", qn_table_column_name (&self->table, k),
                             opening->values[k]);
-  opening->name = g_string_free (g_steal_pointer (&name), FALSE);
+  opening->run = qn_run_new (name->str, "");
+  opening->run->of_study = TRUE;
   g_autoptr (GTask) task =
     g_task_new (self->state, NULL, on_solved, g_object_ref (self->status));
   g_task_set_task_data (task, opening, free_opening);

@@ -29,19 +29,8 @@ dup_examples_folder (void)
 
 /* ---- thumbnails, drawn one by one while the window is idle ---- */
 
-typedef struct Thumbnail {
-  GtkDrawingArea *area;
-  char *path;
-} Thumbnail;
-
-static void
-thumbnail_free (gpointer data)
-{
-  Thumbnail *thumbnail = data;
-  g_object_unref (thumbnail->area);
-  g_free (thumbnail->path);
-  g_free (thumbnail);
-}
+/* Of an area: the file that it shows. */
+#define PATH "qn-path"
 
 static void
 draw_thumbnail (GtkDrawingArea *area, cairo_t *cr, int width, int height,
@@ -53,11 +42,10 @@ draw_thumbnail (GtkDrawingArea *area, cairo_t *cr, int width, int height,
 }
 
 static gboolean
-on_idle (gpointer data)
+on_idle (gpointer area)
 {
-  const Thumbnail *thumbnail = data;
   QnProject project;
-  if (!qn_project_load (thumbnail->path, NULL, &project, NULL))
+  if (!qn_project_load (g_object_get_data (area, PATH), NULL, &project, NULL))
     return G_SOURCE_REMOVE;
   cairo_surface_t *surface =
     cairo_image_surface_create (CAIRO_FORMAT_RGB24, THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT);
@@ -65,7 +53,7 @@ on_idle (gpointer data)
   qn_preview_draw (&project.model, FALSE, cr, THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT, NULL);
   cairo_destroy (cr);
   qn_project_clear (&project);
-  gtk_drawing_area_set_draw_func (thumbnail->area, draw_thumbnail, surface,
+  gtk_drawing_area_set_draw_func (area, draw_thumbnail, surface,
                                   (GDestroyNotify) cairo_surface_destroy);
   return G_SOURCE_REMOVE;
 }
@@ -124,11 +112,9 @@ add_examples (GtkFlowBox *flow)
     gtk_flow_box_insert (flow, button, -1);
     gtk_widget_set_focusable (gtk_widget_get_parent (button), FALSE);
 
-    Thumbnail *thumbnail = g_new (Thumbnail, 1);
-    *thumbnail = (Thumbnail){ g_object_ref (GTK_DRAWING_AREA (
-                                gtk_builder_get_object (builder, "picture"))),
-                              g_strdup (path) };
-    g_idle_add_full (G_PRIORITY_LOW, on_idle, thumbnail, thumbnail_free);
+    GObject *area = gtk_builder_get_object (builder, "picture");
+    g_object_set_data_full (area, PATH, g_strdup (path), g_free);
+    g_idle_add_full (G_PRIORITY_LOW, on_idle, g_object_ref (area), g_object_unref);
   }
 }
 
