@@ -3,6 +3,7 @@
 #include "driver.h"
 
 #include "app/pages/pages.h"
+#include "app/widgets/builder.h"
 #include "study/cases/envelope.h"
 #include "support/room.h"
 #include "support/scratch.h"
@@ -129,7 +130,7 @@ test_none (void)
   driver_activate (window, "win.envelope");
   GtkWidget *page = driver_find_page ("Moving Load");
   g_assert_nonnull (strstr (words (page), "No vehicle"));
-  GActionGroup *actions = g_object_get_data (G_OBJECT (page), QN_PAGE_ACTIONS);
+  GActionGroup *actions = g_object_get_data (G_OBJECT (page), QN_ACTIONS);
   g_assert_false (g_action_group_get_action_enabled (actions, "run"));
   g_assert_false (gtk_widget_get_sensitive (driver_find_id (page, "animate")));
   driver_discard (window);

@@ -2,7 +2,6 @@
  * `quoin-cli generate facade-strip`. Lists go from the bottom storey upwards. */
 #include "app/dialogs/dialogs.h"
 
-#include "app/forms/form.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"

@@ -1,7 +1,6 @@
 /* What a report holds: kept in the project where it is changed, then the window asks for the file. */
 #include "app/dialogs/dialogs.h"
 
-#include "app/forms/form.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"

@@ -1,6 +1,5 @@
 #include "app/forms/bound-form.h"
 
-#include "app/forms/form.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/choice-list.h"
 #include "app/widgets/context-menu.h"
@@ -116,15 +115,9 @@ show_list (QnBoundForm *form, GtkListBox *list, const QnValue *value)
   GtkWidget *child = gtk_widget_get_first_child (GTK_WIDGET (list));
   for (char **row = value->rows; row != NULL && *row != NULL; row++) {
     if (child == NULL) {
-      GtkWidget *label = gtk_label_new (NULL);
-      gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
-      gtk_label_set_wrap (GTK_LABEL (label), TRUE);
-      gtk_label_set_wrap_mode (GTK_LABEL (label), PANGO_WRAP_WORD_CHAR);
-      qn_context_menu_attach (label, make_menu, form);
-      GtkWidget *line = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
-      gtk_box_append (GTK_BOX (line), gtk_image_new ());
-      gtk_box_append (GTK_BOX (line), label);
-      gtk_list_box_append (list, line);
+      g_autoptr (GtkBuilder) builder = qn_builder_new ("list-row");
+      qn_context_menu_attach (qn_builder_get_widget (builder, "text"), make_menu, form);
+      gtk_list_box_append (list, qn_builder_take_widget (builder, "row"));
       child = gtk_widget_get_last_child (GTK_WIDGET (list));
     }
     GtkWidget *icon =

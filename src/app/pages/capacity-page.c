@@ -3,7 +3,6 @@
 #include "app/pages/pages.h"
 
 #include "app/forms/bound-form.h"
-#include "app/forms/form.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/help.h"
@@ -35,7 +34,6 @@ static const char *const units[] = { NULL, "g", "m/s2", "cm/s2" };
 typedef struct Form {
   QnBoundForm base;
   QnDocument *document;
-  GSimpleActionGroup *actions;
   QnCapacitySettings
     entered; /* numbers, the control block, and in `spectrum` the path of a file */
   int kind, soil, unit;
@@ -387,10 +385,10 @@ show (gpointer data, guint field, QnValue *value)
       fill_table (data);
     return form->found && form->answer.has_spectrum;
   case CANCEL:
-    qn_actions_enable (form->actions, "cancel", busy);
+    qn_actions_enable (form->base.root, "cancel", busy);
     return busy;
   case FIND:
-    qn_actions_enable (form->actions, "run", !busy);
+    qn_actions_enable (form->base.root, "run", !busy);
     return !busy;
   case EXPORT_PICTURE:
   case EXPORT_TABLE:
@@ -554,10 +552,7 @@ qn_capacity_page_new (QnDocument *document)
   Form *form = qn_bound_form_new (&kind, NULL);
   form->base.clear = clear;
   form->document = g_object_ref (document);
-  form->actions = qn_actions_insert (form->base.root, "capacity", entries,
-                                     G_N_ELEMENTS (entries), form);
-  g_object_set_data_full (G_OBJECT (form->base.root), QN_PAGE_ACTIONS,
-                          g_object_ref (form->actions), g_object_unref);
+  qn_actions_insert (form->base.root, "capacity", entries, G_N_ELEMENTS (entries), form);
   g_object_set_data (G_OBJECT (form->base.root), FORM, form);
   qn_plot_view_init (form->base.widgets[PLOT], &hand, form);
   qn_layout_wrap_pair (

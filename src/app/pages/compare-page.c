@@ -1,7 +1,6 @@
 /* Compare: runs of the open drawings and of files side by side, at one scale, with linked zoom and
  * phase of motion; the first as an outline over the others on request; their numbers as a table and
  * their curves over each other. Files are opened and solved where they have no result. */
-#include "app/forms/form.h"
 #include "app/pages/compare-private.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/chooser.h"

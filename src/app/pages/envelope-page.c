@@ -3,7 +3,6 @@
 #include "app/pages/pages.h"
 
 #include "app/forms/bound-form.h"
-#include "app/forms/form.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/help.h"
@@ -27,7 +26,6 @@
 typedef struct Page {
   QnBoundForm base;
   QnDocument *document;
-  GSimpleActionGroup *actions;
   char *told; /* below the picture */
 
   QnEnvelopeSettings settings;
@@ -81,13 +79,13 @@ update_actions (Page *self)
 {
   QnEnvelopePlace least;
   const gboolean found = self->envelope.count > 0;
-  qn_actions_enable (self->actions, "run",
-                     self->thread == NULL && load_of (self) != NULL);
-  qn_actions_enable (self->actions, "cancel", self->thread != NULL);
-  qn_actions_enable (self->actions, "put", found);
-  qn_actions_enable (self->actions, "worst",
+  GtkWidget *page = self->base.root;
+  qn_actions_enable (page, "run", self->thread == NULL && load_of (self) != NULL);
+  qn_actions_enable (page, "cancel", self->thread != NULL);
+  qn_actions_enable (page, "put", found);
+  qn_actions_enable (page, "worst",
                      found && qn_envelope_find_least (&self->envelope, &least));
-  qn_actions_enable (self->actions, "export", found && self->thread == NULL);
+  qn_actions_enable (page, "export", found && self->thread == NULL);
 }
 
 /* ---- the position that is shown ---- */
@@ -556,10 +554,7 @@ connect (Page *self)
   };
   GtkGesture *drag = gtk_gesture_drag_new ();
   GtkWidget *area = self->base.widgets[AREA], *page = self->base.root;
-  self->actions =
-    qn_actions_insert (page, "envelope", entries, G_N_ELEMENTS (entries), self);
-  g_object_set_data_full (G_OBJECT (page), QN_PAGE_ACTIONS, g_object_ref (self->actions),
-                          g_object_unref);
+  qn_actions_insert (page, "envelope", entries, G_N_ELEMENTS (entries), self);
   gtk_widget_set_direction (area, GTK_TEXT_DIR_LTR);
   gtk_widget_set_direction (self->base.widgets[POSITION], GTK_TEXT_DIR_LTR);
   gtk_range_set_increments (GTK_RANGE (self->base.widgets[POSITION]), 1, 10);

@@ -2,7 +2,6 @@
  * stored, and all of them made again. */
 #include "app/pages/pages.h"
 
-#include "app/forms/form.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/help.h"

@@ -1,13 +1,10 @@
 /* Pages under the drawing, in its window: runs beside each other, the capacity curve, the moving load, the
- * study, the figures of the project. Each is a floating widget that lives as long as its window shows it. */
+ * study, the figures of the project. Each is a floating widget that lives as long as its window shows it. What it has
+ * of undo, redo, run and cancel (QN_ACTIONS) its window carries out while it is in sight. */
 #pragma once
 
 #include "doc/view/view-state.h"
 #include <gtk/gtk.h>
-
-/* Object data of a page: the GActionGroup of its own undo, redo, run, cancel, which those of the window carry
- * out while it is in sight. */
-#define QN_PAGE_ACTIONS "qn-page-actions"
 
 /* The capacity curve of the model, and what it is held against. */
 GtkWidget *qn_capacity_page_new (QnDocument *document);

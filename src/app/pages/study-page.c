@@ -1,6 +1,5 @@
 #include "app/pages/study-private.h"
 
-#include "app/forms/form.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/context-menu.h"
@@ -51,12 +50,13 @@ qn_study_page_update_actions (QnStudyPage *self)
   gboolean varied = qn_draft_count (self->draft) > 0
                     || qn_draft_get_plan (self->draft, &count) == QN_PLAN_COMBINATIONS;
   const gboolean idle = self->job == NULL;
-  qn_actions_enable (self->actions, "run", idle && varied);
-  qn_actions_enable (self->actions, "cancel", !idle);
-  qn_actions_enable (self->actions, "undo", idle && qn_draft_can_undo (self->draft));
-  qn_actions_enable (self->actions, "redo", idle && qn_draft_can_redo (self->draft));
-  qn_actions_enable (self->actions, "save-as", idle);
-  qn_actions_enable (self->actions, "export", self->folder != NULL);
+  GtkWidget *page = self->base.root;
+  qn_actions_enable (page, "run", idle && varied);
+  qn_actions_enable (page, "cancel", !idle);
+  qn_actions_enable (page, "undo", idle && qn_draft_can_undo (self->draft));
+  qn_actions_enable (page, "redo", idle && qn_draft_can_redo (self->draft));
+  qn_actions_enable (page, "save-as", idle);
+  qn_actions_enable (page, "export", self->folder != NULL);
 }
 
 void
@@ -522,10 +522,7 @@ connect (QnStudyPage *self)
     { .name = "remove", .activate = remove_parameter, .parameter_type = "u" },
   };
   GtkWidget *page = self->base.root, *plot = self->base.widgets[PLOT];
-  self->actions =
-    qn_actions_insert (page, "study", entries, G_N_ELEMENTS (entries), self);
-  g_object_set_data_full (G_OBJECT (page), QN_PAGE_ACTIONS, g_object_ref (self->actions),
-                          g_object_unref);
+  qn_actions_insert (page, "study", entries, G_N_ELEMENTS (entries), self);
   g_object_set_data (G_OBJECT (page), "qn-study", self);
   g_signal_connect_swapped (page, "destroy", G_CALLBACK (on_destroy), self);
   qn_plot_view_init (plot, &hand, self);

@@ -11,7 +11,6 @@ typedef struct QnStudyPage {
   QnBoundForm base;
   QnDocument *document;
   QnViewState *state;
-  GSimpleActionGroup *actions;
   const char *exported; /* what a file is asked for */
 
   QnDraft *draft;

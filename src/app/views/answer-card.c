@@ -1,6 +1,5 @@
 /* The answer of the current run: its multiplier, what that means, the mechanism in a sentence; what happened
  * on the path, every value that was found for the model, and how, behind expanders. */
-#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/settings.h"

@@ -1,5 +1,4 @@
 /* The corners of the selected block by their coordinates. */
-#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/quantity-entry.h"

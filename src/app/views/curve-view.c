@@ -1,5 +1,5 @@
-#include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/paper-area.h"
 #include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"

@@ -1,4 +1,3 @@
-#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/settings.h"

@@ -1,5 +1,4 @@
 #include "app/forms/bound-form.h"
-#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/context-menu.h"

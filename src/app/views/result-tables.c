@@ -1,7 +1,7 @@
 /* Tables of steps and contacts of the current run. Rows carry no data of their own: cells look
  * their numbers up when they come into view. */
-#include "app/forms/form.h"
 #include "app/forms/panel.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/context-menu.h"
 #include "app/widgets/settings.h"
 #include "doc/text/beam-summary.h"
@@ -9,8 +9,6 @@
 #include "io/text/outcome-text.h"
 #include "render/scene/reading.h"
 #include <glib/gi18n.h>
-
-#define TABLE_HEIGHT 220
 
 typedef struct Table Table;
 
@@ -391,18 +389,20 @@ static GtkWidget *
 make_table (const TableKind *kind, QnViewState *state, QnCanvas *canvas,
             void (*updates) (Table *table))
 {
-  Table *table = g_new0 (Table, 1);
-  *table = (Table){ .kind = kind, .state = state, .canvas = canvas };
-  table->rows = gtk_string_list_new (NULL);
-  table->selection = gtk_single_selection_new (G_LIST_MODEL (table->rows));
-  gtk_single_selection_set_autoselect (table->selection, FALSE);
-  gtk_single_selection_set_can_unselect (table->selection, TRUE);
+  Table *table = g_new (Table, 1);
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("result-table");
+  GtkColumnView *view = GTK_COLUMN_VIEW (gtk_builder_get_object (builder, "view"));
+  *table = (Table){
+    .kind = kind,
+    .state = state,
+    .canvas = canvas,
+    .widget = qn_builder_take_widget (builder, "table"),
+    .rows = GTK_STRING_LIST (gtk_builder_get_object (builder, "rows")),
+    .selection = GTK_SINGLE_SELECTION (gtk_builder_get_object (builder, "selection")),
+  };
+  gtk_expander_set_label (GTK_EXPANDER (table->widget), _ (kind->title));
   g_signal_connect (table->selection, "notify::selected", G_CALLBACK (on_selected),
                     table);
-  GtkWidget *view =
-    gtk_column_view_new (g_object_ref (GTK_SELECTION_MODEL (table->selection)));
-  g_object_set_data_full (G_OBJECT (view), "qn-selection", table->selection,
-                          g_object_unref);
   for (guint i = 0; i < kind->column_count; i++) {
     const ColumnTitle *title = &table->kind->columns[i];
     QnUnits units = qn_settings_get_units ();
@@ -418,18 +418,9 @@ make_table (const TableKind *kind, QnViewState *state, QnCanvas *canvas,
     g_signal_connect (factory, "setup", G_CALLBACK (on_setup_cell), table);
     g_signal_connect (factory, "bind", G_CALLBACK (on_bind_cell), table);
     g_autoptr (GtkColumnViewColumn) column = gtk_column_view_column_new (text, factory);
-    gtk_column_view_append_column (GTK_COLUMN_VIEW (view), column);
+    gtk_column_view_append_column (view, column);
     table->columns[i] = column; /* the view holds it */
   }
-
-  GtkWidget *scroller = gtk_scrolled_window_new ();
-  gtk_scrolled_window_set_min_content_height (GTK_SCROLLED_WINDOW (scroller),
-                                              TABLE_HEIGHT);
-  gtk_scrolled_window_set_child (GTK_SCROLLED_WINDOW (scroller), view);
-  gtk_widget_add_css_class (scroller, "frame");
-  gtk_widget_add_css_class (view, "data-table");
-  table->widget = gtk_expander_new_with_mnemonic (_ (kind->title));
-  gtk_expander_set_child (GTK_EXPANDER (table->widget), scroller);
   qn_own (table->widget, table);
   qn_watch (table->widget, qn_view_state_get_document (state), "runs-changed",
             G_CALLBACK (updates), table);

@@ -50,21 +50,37 @@ on_root (GtkWidget *widget, GParamSpec *pspec, GObject *group)
   gtk_widget_insert_action_group (widget, prefix, G_ACTION_GROUP (group));
 }
 
-GSimpleActionGroup *
+void
 qn_actions_insert (GtkWidget *widget, const char *prefix, const GActionEntry *entries,
                    gsize count, gpointer data)
 {
-  g_autoptr (GSimpleActionGroup) group = g_simple_action_group_new ();
+  GSimpleActionGroup *group = g_simple_action_group_new ();
   g_action_map_add_action_entries (G_ACTION_MAP (group), entries, (int) count, data);
   g_object_set_data (G_OBJECT (group), "qn-prefix", (gpointer) prefix);
   gtk_widget_insert_action_group (widget, prefix, G_ACTION_GROUP (group));
   g_signal_connect_object (widget, "notify::root", G_CALLBACK (on_root), group, 0);
-  return group;
+  g_object_set_data_full (G_OBJECT (widget), QN_ACTIONS, group, g_object_unref);
 }
 
 void
-qn_actions_enable (GSimpleActionGroup *group, const char *name, gboolean enabled)
+qn_actions_enable (GtkWidget *widget, const char *name, gboolean enabled)
 {
-  GAction *action = g_action_map_lookup_action (G_ACTION_MAP (group), name);
+  GActionMap *group = g_object_get_data (G_OBJECT (widget), QN_ACTIONS);
+  GAction *action = g_action_map_lookup_action (group, name);
   g_simple_action_set_enabled (G_SIMPLE_ACTION (action), enabled);
+}
+
+void
+qn_watch (GtkWidget *owner, gpointer object, const char *signal, GCallback func,
+          gpointer data)
+{
+  GClosure *closure = g_cclosure_new_swap (func, data, NULL);
+  g_object_watch_closure (G_OBJECT (owner), closure);
+  g_signal_connect_closure (object, signal, closure, FALSE);
+}
+
+void
+qn_own (GtkWidget *owner, gpointer data)
+{
+  g_object_set_data_full (G_OBJECT (owner), "qn-owned", data, g_free);
 }

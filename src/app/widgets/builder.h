@@ -1,4 +1,4 @@
-/* What is described in ui/NAME.ui. */
+/* What is described in ui/NAME.ui, and what widgets of it hear and own. */
 #pragma once
 
 #include <gtk/gtk.h>
@@ -14,8 +14,15 @@ GtkWidget *qn_builder_get_widget (GtkBuilder *builder, const char *id);
 GtkWidget *qn_builder_take_widget (GtkBuilder *builder, const char *id);
 
 /* Actions of a widget and of what is in it, whose names begin so (a constant): also after it has moved into
- * another window, where GTK 4.8 forgets them. The widget keeps the group. */
-GSimpleActionGroup *qn_actions_insert (GtkWidget *widget, const char *prefix,
-                                       const GActionEntry *entries, gsize count,
-                                       gpointer data);
-void qn_actions_enable (GSimpleActionGroup *group, const char *name, gboolean enabled);
+ * another window, where GTK 4.8 forgets them. The widget keeps the group as QN_ACTIONS. */
+#define QN_ACTIONS "qn-actions"
+void qn_actions_insert (GtkWidget *widget, const char *prefix,
+                        const GActionEntry *entries, gsize count, gpointer data);
+void qn_actions_enable (GtkWidget *widget, const char *name, gboolean enabled);
+
+/* Calls `func` (data) on a signal without arguments for as long as `owner` lives. */
+void qn_watch (GtkWidget *owner, gpointer object, const char *signal, GCallback func,
+               gpointer data);
+
+/* Frees `data`, all that the owner has so, with g_free() when `owner` is gone. */
+void qn_own (GtkWidget *owner, gpointer data);

@@ -1,6 +1,6 @@
 #include "app/widgets/dialog.h"
 
-#include "app/widgets/shortened.h"
+#include "app/widgets/builder.h"
 
 #include <glib/gi18n.h>
 
@@ -77,22 +77,6 @@ qn_dialog_attend (GtkWidget *window)
   gtk_widget_add_controller (window, keys);
 }
 
-GtkWidget *
-qn_dialog_new (GtkWindow *parent, const char *title, int width, int height)
-{
-  GtkWidget *dialog = gtk_window_new ();
-  gtk_window_set_title (GTK_WINDOW (dialog), title);
-  gtk_window_set_transient_for (GTK_WINDOW (dialog), parent);
-  gtk_window_set_modal (GTK_WINDOW (dialog), TRUE);
-  gtk_window_set_destroy_with_parent (GTK_WINDOW (dialog), TRUE);
-  gtk_window_set_default_size (GTK_WINDOW (dialog), width, height);
-  GtkWidget *header = gtk_header_bar_new ();
-  qn_shortened_tell (header);
-  gtk_window_set_titlebar (GTK_WINDOW (dialog), header);
-  qn_dialog_attend (dialog);
-  return dialog;
-}
-
 /* No larger than the screen, where what scrolls can be less. */
 static void
 fit_screen (GtkWidget *dialog)
@@ -154,59 +138,40 @@ on_close (GtkWidget *dialog)
   return GDK_EVENT_STOP;
 }
 
-static GtkWidget *
-add_text (GtkWidget *box, const char *text, const char *style)
-{
-  GtkWidget *label = gtk_label_new (text);
-  gtk_label_set_wrap (GTK_LABEL (label), TRUE);
-  gtk_label_set_max_width_chars (GTK_LABEL (label), 50);
-  gtk_label_set_xalign (GTK_LABEL (label), 0.0f);
-  gtk_widget_add_css_class (label, style);
-  gtk_box_append (GTK_BOX (box), label);
-  return label;
-}
-
 void
 qn_dialog_ask (GtkWindow *parent, const char *text, const char *consequence,
                const char *reject, const char *accept, GtkWidget *more,
                QnAnswered answered, gpointer data)
 {
   const struct {
-    const char *label, *style;
+    const char *id, *label;
     QnAnswer answer;
-  } answers[] = { { reject, "destructive-action", QN_ANSWER_REJECT },
-                  { _ ("_Cancel"), "cancel", QN_ANSWER_CANCEL },
-                  { accept, "suggested-action", QN_ANSWER_ACCEPT } };
-  GtkWidget *dialog = qn_dialog_new (parent, NULL, -1, -1), *last = NULL;
-  GtkWidget *box = gtk_box_new (GTK_ORIENTATION_VERTICAL, 12);
-  GtkWidget *buttons = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 6);
+  } answers[] = { { "reject", reject, QN_ANSWER_REJECT },
+                  { "cancel", _ ("_Cancel"), QN_ANSWER_CANCEL },
+                  { "accept", accept, QN_ANSWER_ACCEPT } };
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("question");
+  GtkWidget *dialog = qn_builder_get_widget (builder, "question"), *last = NULL;
+  GtkWidget *told = qn_builder_get_widget (builder, "consequence");
   Question *question = g_new (Question, 1);
   *question = (Question){ answered, data };
   g_object_set_data_full (G_OBJECT (dialog), QUESTION, question, g_free);
-  gtk_widget_set_name (dialog, "question");
-  GtkWidget *no_title = gtk_box_new (GTK_ORIENTATION_HORIZONTAL, 0);
-  gtk_widget_set_visible (no_title, FALSE);
-  gtk_window_set_titlebar (GTK_WINDOW (dialog), no_title);
-  gtk_window_set_resizable (GTK_WINDOW (dialog), FALSE);
+  gtk_window_set_transient_for (GTK_WINDOW (dialog), parent);
   gtk_accessible_update_property (GTK_ACCESSIBLE (dialog), GTK_ACCESSIBLE_PROPERTY_LABEL,
                                   text, -1);
-  add_text (box, text, "title-4");
-  add_text (box, consequence, "body");
+  gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (builder, "text")), text);
+  gtk_label_set_text (GTK_LABEL (told), consequence);
   if (more != NULL)
-    gtk_box_append (GTK_BOX (box), more);
-  gtk_box_set_homogeneous (GTK_BOX (buttons), TRUE);
+    gtk_box_insert_child_after (GTK_BOX (gtk_widget_get_parent (told)), more, told);
   for (gsize i = 0; i < G_N_ELEMENTS (answers); i++) {
+    GtkWidget *button = qn_builder_get_widget (builder, answers[i].id);
+    gtk_widget_set_visible (button, answers[i].label != NULL);
     if (answers[i].label == NULL)
       continue;
-    last = gtk_button_new_with_mnemonic (answers[i].label);
-    gtk_widget_add_css_class (last, answers[i].style);
-    g_signal_connect (last, "clicked", G_CALLBACK (on_button),
+    gtk_button_set_label (GTK_BUTTON (button), answers[i].label);
+    g_signal_connect (button, "clicked", G_CALLBACK (on_button),
                       GINT_TO_POINTER (answers[i].answer));
-    gtk_box_append (GTK_BOX (buttons), last);
+    last = button;
   }
-  gtk_box_append (GTK_BOX (box), buttons);
-  gtk_widget_add_css_class (box, "question");
-  gtk_window_set_child (GTK_WINDOW (dialog), box);
   gtk_window_set_default_widget (GTK_WINDOW (dialog), last);
   g_signal_connect (dialog, "close-request", G_CALLBACK (on_close), NULL);
   qn_dialog_present (dialog, last);

@@ -8,12 +8,8 @@
  * back. */
 void qn_popovers_attend (GtkWidget *window);
 
-/* Escape closes the window, and popovers that close give their keys back. For windows that do not come
- * from qn_builder_new(), which does it. */
+/* Escape closes the window, and popovers that close give their keys back; qn_builder_new() does it. */
 void qn_dialog_attend (GtkWidget *window);
-
-/* Modal, gone with its parent. A height of -1 takes what the content needs. */
-GtkWidget *qn_dialog_new (GtkWindow *parent, const char *title, int width, int height);
 
 /* Shows it with the focus on the button that takes what it offers, for Return. */
 void qn_dialog_present (GtkWidget *dialog, GtkWidget *accept);

@@ -2,7 +2,6 @@
 
 #include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
-#include <glib/gi18n.h>
 #include <string.h>
 
 #define RESOURCES "/io/github/quoin/Quoin/help/"
@@ -199,7 +198,8 @@ qn_help_show (GtkWindow *parent, const char *page)
     g_autoptr (GtkBuilder) builder = qn_builder_new ("help");
     GtkStack *stack = GTK_STACK (gtk_builder_get_object (builder, "stack"));
     GtkWidget *sidebar = qn_builder_get_widget (builder, "sidebar");
-    GtkWidget *box = qn_builder_take_widget (builder, "content");
+    GtkWidget *window = qn_builder_get_widget (builder, "window");
+    GtkPaned *content = GTK_PANED (gtk_builder_get_object (builder, "content"));
     for (gsize i = 0; i < G_N_ELEMENTS (pages); i++) {
       g_autofree char *text = dup_page_text (pages[i]);
       g_autofree char *title = g_strndup (text + 2, strcspn (text + 2, "\n"));
@@ -207,15 +207,11 @@ qn_help_show (GtkWindow *parent, const char *page)
     }
     if (page != NULL)
       gtk_stack_set_visible_child_name (stack, page);
-
-    /* One works while reading. */
-    GtkWidget *window = qn_dialog_new (parent, _ ("Help"), 900, 720);
-    gtk_window_set_modal (GTK_WINDOW (window), FALSE);
-    gtk_window_set_child (GTK_WINDOW (window), box);
+    gtk_window_set_transient_for (GTK_WINDOW (window), parent);
     int usual;
     gtk_widget_measure (sidebar, GTK_ORIENTATION_HORIZONTAL, -1, NULL, &usual, NULL,
                         NULL);
-    gtk_paned_set_position (GTK_PANED (box), MIN (usual, 900 - LEAST_PAGE));
+    gtk_paned_set_position (content, MIN (usual, 900 - LEAST_PAGE));
     qn_help_set_page (window, page);
     qn_dialog_present (window, sidebar);
     return;

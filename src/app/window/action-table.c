@@ -251,7 +251,7 @@ qn_action_show_shortcuts (GtkWindow *parent)
     [QN_GROUP_VIEW] = N_ ("View"),   [QN_GROUP_GENERAL] = N_ ("General"),
   };
   g_autoptr (GtkBuilder) builder = qn_builder_new ("shortcuts");
-  GtkWidget *dialog = qn_dialog_new (parent, _ ("Keyboard shortcuts"), 1240, -1);
+  GtkWidget *dialog = qn_builder_get_widget (builder, "window");
   GtkWidget *columns = qn_builder_get_widget (builder, "columns");
   GtkWidget *entry = qn_builder_get_widget (builder, "search");
   GtkGrid *grid = NULL;
@@ -279,6 +279,6 @@ qn_action_show_shortcuts (GtkWindow *parent)
   gtk_search_entry_set_key_capture_widget (GTK_SEARCH_ENTRY (entry), dialog);
   g_signal_connect (entry, "changed", G_CALLBACK (on_searched), columns);
   g_signal_connect_swapped (entry, "stop-search", G_CALLBACK (gtk_window_close), dialog);
-  gtk_window_set_child (GTK_WINDOW (dialog), qn_builder_take_widget (builder, "page"));
+  gtk_window_set_transient_for (GTK_WINDOW (dialog), parent);
   qn_dialog_present (dialog, entry);
 }

@@ -17,7 +17,8 @@ static void
 on_table_action (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   const QnWindowAction *row = g_object_get_data (G_OBJECT (action), ROW);
-  row->func (data, parameter);
+  g_autoptr (GVariant) name = g_variant_ref_sink (g_variant_new_string (row->name));
+  row->func (data, parameter != NULL ? parameter : name);
 }
 
 /* Keeps what an action does, and when it can be carried out. */
@@ -52,15 +53,10 @@ new_drawing (QnWindow *self, GVariant *parameter)
 }
 
 static void
-zoom_in (QnWindow *self, GVariant *parameter)
+zoom (QnWindow *self, GVariant *name)
 {
-  qn_canvas_zoom (self->canvas, ZOOM_FACTOR);
-}
-
-static void
-zoom_out (QnWindow *self, GVariant *parameter)
-{
-  qn_canvas_zoom (self->canvas, 1.0 / ZOOM_FACTOR);
+  const gboolean in = g_str_equal (g_variant_get_string (name, NULL), "zoom-in");
+  qn_canvas_zoom (self->canvas, in ? ZOOM_FACTOR : 1.0 / ZOOM_FACTOR);
 }
 
 static void
@@ -76,8 +72,9 @@ play (QnWindow *self, GVariant *parameter)
 }
 
 static void
-go_by_steps (QnWindow *self, int by)
+go_by_step (QnWindow *self, GVariant *name)
 {
+  const int by = g_str_equal (g_variant_get_string (name, NULL), "next-step") ? 1 : -1;
   const QnRun *run = qn_document_get_run (self->document);
   if (run == NULL || run->result.step_count == 0)
     return;
@@ -86,18 +83,6 @@ go_by_steps (QnWindow *self, int by)
   if (!qn_view_needs_result (qn_view_state_get_view (self->state)))
     qn_view_state_set_view (self->state, QN_VIEW_DEFORMED);
   qn_view_state_set_step (self->state, CLAMP (step + by, 0, last));
-}
-
-static void
-next_step (QnWindow *self, GVariant *parameter)
-{
-  go_by_steps (self, 1);
-}
-
-static void
-previous_step (QnWindow *self, GVariant *parameter)
-{
-  go_by_steps (self, -1);
 }
 
 static void
@@ -265,12 +250,12 @@ qn_window_add_actions (QnWindow *self)
 {
   static const QnWindowAction actions[] = {
     { "draw", NULL, new_drawing, 0 },
-    { "zoom-in", NULL, zoom_in, 0 },
-    { "zoom-out", NULL, zoom_out, 0 },
+    { "zoom-in", NULL, zoom, 0 },
+    { "zoom-out", NULL, zoom, 0 },
     { "fit", NULL, fit, 0 },
     { "play", NULL, play, QN_NEEDS_RUN },
-    { "next-step", NULL, next_step, QN_NEEDS_RUN },
-    { "previous-step", NULL, previous_step, QN_NEEDS_RUN },
+    { "next-step", NULL, go_by_step, QN_NEEDS_RUN },
+    { "previous-step", NULL, go_by_step, QN_NEEDS_RUN },
     { "show-panel", "s", show_panel, 0 },
     { "fullscreen", NULL, toggle_fullscreen, 0 },
     { "shortcuts", NULL, show_shortcuts, 0 },

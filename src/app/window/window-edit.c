@@ -255,17 +255,11 @@ nudge (QnWindow *self, GVariant *parameter)
 }
 
 static void
-undo (QnWindow *self, GVariant *parameter)
+undo_or_redo (QnWindow *self, GVariant *name)
 {
-  if (!qn_window_page_does (self, "undo"))
-    qn_document_undo (self->document);
-}
-
-static void
-redo (QnWindow *self, GVariant *parameter)
-{
-  if (!qn_window_page_does (self, "redo"))
-    qn_document_redo (self->document);
+  const char *what = g_variant_get_string (name, NULL);
+  if (!qn_window_page_does (self, what))
+    (g_str_equal (what, "undo") ? qn_document_undo : qn_document_redo) (self->document);
 }
 
 static void
@@ -518,8 +512,8 @@ const QnWindowAction qn_window_edit_actions[] = {
   { "support", "s", hold, QN_NEEDS_BLOCKS },
   { "joint-law", "s", set_joint_law, QN_NEEDS_FACE },
   { "copy-text", "s", copy_text, 0 },
-  { "undo", NULL, undo, QN_NEEDS_WORK | QN_NEEDS_UNDO },
-  { "redo", NULL, redo, QN_NEEDS_WORK | QN_NEEDS_REDO },
+  { "undo", NULL, undo_or_redo, QN_NEEDS_WORK | QN_NEEDS_UNDO },
+  { "redo", NULL, undo_or_redo, QN_NEEDS_WORK | QN_NEEDS_REDO },
   { "go-to-step", "i", go_to_step, QN_NEEDS_WORK },
   { "remove-run", NULL, remove_run, QN_NEEDS_RUN },
   { "select-all", NULL, select_all, QN_NEEDS_MODEL },

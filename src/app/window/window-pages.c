@@ -1,7 +1,7 @@
 /* The pages under the drawing, or in a window of their own: runs beside each other, capacity curve, study, figures.
  * Each is made when it is asked for, and stays until it is closed; Escape goes back to the drawing. */
 #include "app/pages/pages.h"
-#include "app/widgets/dialog.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/text-unit.h"
 #include "app/window/action-table.h"
 #include "app/window/window-private.h"
@@ -71,14 +71,9 @@ own_window (QnWindow *self, GVariant *parameter)
     qn_window_take_pages_back (self);
     return;
   }
-  GtkWidget *window = qn_dialog_new (NULL, NULL, 900, 640);
-  GtkWidget *run = gtk_button_new_from_icon_name ("media-playback-start-symbolic");
-  gtk_actionable_set_action_name (GTK_ACTIONABLE (run), "win.run-shown");
-  gtk_widget_set_tooltip_text (run, _ ("Solve, or run the study"));
-  qn_action_complete_tooltips (run);
-  gtk_header_bar_pack_end (GTK_HEADER_BAR (gtk_window_get_titlebar (GTK_WINDOW (window))),
-                           run);
-  gtk_window_set_modal (GTK_WINDOW (window), FALSE);
+  g_autoptr (GtkBuilder) builder = qn_builder_new ("page-window");
+  GtkWidget *window = qn_builder_get_widget (builder, "window");
+  qn_action_complete_tooltips (window);
   gtk_window_set_application (GTK_WINDOW (window),
                               gtk_window_get_application (GTK_WINDOW (self)));
   gtk_widget_insert_action_group (window, "win", G_ACTION_GROUP (self));
@@ -127,7 +122,7 @@ static void
 add (QnWindow *self, const char *name, const char *title, GtkWidget *page)
 {
   GtkWidget *before = gtk_stack_get_child_by_name (self->pages, name);
-  GActionGroup *actions = g_object_get_data (G_OBJECT (page), QN_PAGE_ACTIONS);
+  GActionGroup *actions = g_object_get_data (G_OBJECT (page), QN_ACTIONS);
   if (before != NULL)
     gtk_stack_remove (self->pages, before);
   gtk_stack_add_titled (self->pages, page, name, title);
@@ -166,7 +161,7 @@ static GActionGroup *
 actions_of_page (QnWindow *self)
 {
   GtkWidget *page = qn_window_get_page (self);
-  return page != NULL ? g_object_get_data (G_OBJECT (page), QN_PAGE_ACTIONS) : NULL;
+  return page != NULL ? g_object_get_data (G_OBJECT (page), QN_ACTIONS) : NULL;
 }
 
 gboolean
@@ -213,39 +208,23 @@ new_compare (QnDocument *document)
 
 /* The page of that name, made where it is not there. */
 static void
-show_or_add (QnWindow *self, const char *name, const char *title,
-             GtkWidget *(*make) (QnDocument *document))
+show_or_add (QnWindow *self, GVariant *name)
 {
-  GtkWidget *page = gtk_stack_get_child_by_name (self->pages, name);
+  static const struct {
+    const char *name, *title;
+    GtkWidget *(*make) (QnDocument *document);
+  } pages[] = { { "compare", N_ ("Comparison"), new_compare },
+                { "capacity", N_ ("Capacity Curve"), qn_capacity_page_new },
+                { "envelope", N_ ("Moving Load"), qn_envelope_page_new },
+                { "figures", N_ ("Figures of the Project"), qn_figures_page_new } };
+  const char *wanted = g_variant_get_string (name, NULL);
+  GtkWidget *page = gtk_stack_get_child_by_name (self->pages, wanted);
   qn_window_commit_entry (self);
   if (page != NULL)
     show (self, page);
-  else
-    add (self, name, title, make (self->document));
-}
-
-static void
-compare (QnWindow *self, GVariant *parameter)
-{
-  show_or_add (self, "compare", _ ("Comparison"), new_compare);
-}
-
-static void
-capacity (QnWindow *self, GVariant *parameter)
-{
-  show_or_add (self, "capacity", _ ("Capacity Curve"), qn_capacity_page_new);
-}
-
-static void
-envelope (QnWindow *self, GVariant *parameter)
-{
-  show_or_add (self, "envelope", _ ("Moving Load"), qn_envelope_page_new);
-}
-
-static void
-figures (QnWindow *self, GVariant *parameter)
-{
-  show_or_add (self, "figures", _ ("Figures of the Project"), qn_figures_page_new);
+  for (gsize i = 0; page == NULL && i < G_N_ELEMENTS (pages); i++)
+    if (g_str_equal (pages[i].name, wanted))
+      add (self, wanted, _ (pages[i].title), pages[i].make (self->document));
 }
 
 /* ---- the study: numbers that vary, loads that move ---- */
@@ -310,10 +289,10 @@ qn_window_open_study (QnWindow *self, const char *path)
 }
 
 const QnWindowAction qn_window_page_actions[] = {
-  { "compare", NULL, compare, 0 },
-  { "envelope", NULL, envelope, QN_NEEDS_DRAWN },
-  { "capacity", NULL, capacity, QN_NEEDS_SOLVABLE },
-  { "figures", NULL, figures, QN_NEEDS_WORK },
+  { "compare", NULL, show_or_add, 0 },
+  { "envelope", NULL, show_or_add, QN_NEEDS_DRAWN },
+  { "capacity", NULL, show_or_add, QN_NEEDS_SOLVABLE },
+  { "figures", NULL, show_or_add, QN_NEEDS_WORK },
   { "study", NULL, study, QN_NEEDS_DRAWN },
   { "vary", "(sd)", vary, QN_NEEDS_DRAWN },
   { "close-page", NULL, close_page, 0 },

@@ -180,7 +180,7 @@ typedef enum {
 /* Actions of one source; the last has no name. */
 typedef struct QnWindowAction {
   const char *name;
-  const char *parameter; /* type of the parameter, or NULL */
+  const char *parameter; /* type of the parameter, or NULL: the function gets the name */
   void (*func) (QnWindow *window, GVariant *parameter);
   QnNeeds needs;
 } QnWindowAction;
