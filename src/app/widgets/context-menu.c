@@ -2,7 +2,6 @@
 
 #define HOOK    "qn-menu-hook"
 #define POPOVER "qn-menu-popover"
-#define HELD    "qn-menu-held"
 
 typedef struct Hook {
   QnMenuFunc func;
@@ -51,33 +50,22 @@ on_closed (GtkPopover *popover)
   g_idle_add (on_idle, g_object_ref (popover));
 }
 
-static void
-let_scroll (gpointer data)
+static gboolean
+is_nowhere (GBinding *binding, const GValue *parent, GValue *nowhere, gpointer data)
 {
-  GWeakRef *reference = data;
-  g_autoptr (GtkViewport) viewport = g_weak_ref_get (reference);
-  if (viewport != NULL)
-    gtk_viewport_set_scroll_to_focus (viewport, TRUE);
-  g_weak_ref_clear (reference);
-  g_free (reference);
+  g_value_set_boolean (nowhere, g_value_get_object (parent) == NULL);
+  return TRUE;
 }
 
 /* What is around the menu does not scroll to the item under the pointer, which would move the menu away
- * from it. The menu is a part of what it holds: with a strong reference both would stay for ever. */
+ * from it, as long as the menu has a place there. */
 static void
 hold_still (GtkWidget *popover, GtkWidget *widget)
 {
-  GPtrArray *held = g_ptr_array_new_with_free_func (let_scroll);
   for (; widget != NULL; widget = gtk_widget_get_parent (widget))
-    if (GTK_IS_VIEWPORT (widget)
-        && gtk_viewport_get_scroll_to_focus (GTK_VIEWPORT (widget))) {
-      GWeakRef *reference = g_new0 (GWeakRef, 1);
-      g_weak_ref_init (reference, widget);
-      gtk_viewport_set_scroll_to_focus (GTK_VIEWPORT (widget), FALSE);
-      g_ptr_array_add (held, reference);
-    }
-  g_object_set_data_full (G_OBJECT (popover), HELD, held,
-                          (GDestroyNotify) g_ptr_array_unref);
+    if (GTK_IS_VIEWPORT (widget))
+      g_object_bind_property_full (popover, "parent", widget, "scroll-to-focus",
+                                   G_BINDING_SYNC_CREATE, is_nowhere, NULL, NULL, NULL);
 }
 
 /* A submenu comes at once: while one page follows upon the other in a menu that has closed, GTK 4.8 looks for
