@@ -5,12 +5,6 @@
 
 /* ---- the first that fits ---- */
 
-static GtkSizeRequestMode
-constant_size (GtkWidget *widget)
-{
-  return GTK_SIZE_REQUEST_CONSTANT_SIZE;
-}
-
 /* As wide as the last child at least, and as the widest by itself; as high as the highest. */
 static void
 measure_first_fit (GtkWidget *widget, GtkOrientation orientation, int for_size,
@@ -47,7 +41,7 @@ void
 qn_layout_first_fit (GtkWidget *box)
 {
   gtk_widget_set_layout_manager (
-    box, gtk_custom_layout_new (constant_size, measure_first_fit, allocate_first_fit));
+    box, gtk_custom_layout_new (NULL, measure_first_fit, allocate_first_fit));
 }
 
 /* ---- beside or below each other ---- */
