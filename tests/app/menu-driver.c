@@ -60,8 +60,9 @@ menu_check_keys (GtkWidget *widget, const char *label)
 gboolean
 menu_is_row (GtkWidget *widget, gconstpointer name)
 {
-  g_autofree char *own = QN_IS_ROW (widget) && gtk_widget_get_mapped (widget)
-                           ? qn_row_dup_name (QN_ROW (widget))
-                           : NULL;
+  g_autofree char *own =
+    QN_IS_ROW (widget) && gtk_widget_get_mapped (widget)
+      ? g_strdup (gtk_label_get_text (GTK_LABEL (qn_row_get_label (QN_ROW (widget)))))
+      : NULL;
   return own != NULL && g_str_has_prefix (own, name);
 }

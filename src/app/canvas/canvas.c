@@ -1,5 +1,6 @@
 #include "app/canvas/canvas-private.h"
 
+#include "app/widgets/builder.h"
 #include "app/widgets/paper-area.h"
 #include "app/widgets/settings.h"
 #include "app/widgets/text-unit.h"
@@ -15,7 +16,7 @@
 
 G_DEFINE_FINAL_TYPE (QnCanvas, qn_canvas, GTK_TYPE_WIDGET)
 
-enum { SIGNAL_STATUS, SIGNAL_FAILED, SIGNAL_COUNT };
+enum { SIGNAL_STATUS, SIGNAL_TOOL, SIGNAL_FAILED, SIGNAL_COUNT };
 static guint signals[SIGNAL_COUNT];
 
 void
@@ -156,12 +157,6 @@ static void
 qn_canvas_dispose (GObject *object)
 {
   QnCanvas *self = QN_CANVAS (object);
-  if (self->state != NULL) {
-    QnDocument *document = qn_view_state_get_document (self->state);
-    g_signal_handlers_disconnect_by_data (self->state, self);
-    g_signal_handlers_disconnect_by_data (qn_document_get_selection (document), self);
-  }
-  g_signal_handlers_disconnect_by_data (qn_settings_get (), self);
   g_clear_handle_id (&self->place_timeout, g_source_remove);
   g_clear_handle_id (&self->inspect_timeout, g_source_remove);
   g_clear_handle_id (&self->rest_timeout, g_source_remove);
@@ -198,6 +193,8 @@ qn_canvas_class_init (QnCanvasClass *klass)
   widget_class->unroot = qn_canvas_unroot;
   signals[SIGNAL_STATUS] = g_signal_new ("status", QN_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0,
                                          NULL, NULL, NULL, G_TYPE_NONE, 0);
+  signals[SIGNAL_TOOL] = g_signal_new ("tool-changed", QN_TYPE_CANVAS, G_SIGNAL_RUN_LAST,
+                                       0, NULL, NULL, NULL, G_TYPE_NONE, 0);
   signals[SIGNAL_FAILED] = g_signal_new ("failed", QN_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0,
                                          NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_STRING);
   gtk_widget_class_set_css_name (widget_class, "canvas");
@@ -242,14 +239,14 @@ qn_canvas_set_state (QnCanvas *self, QnViewState *state, QnToolSettings *setting
   self->state = g_object_ref (state);
   self->settings = settings;
   self->tool = self->resting = resting;
-  g_signal_connect_swapped (state, "changed", G_CALLBACK (on_state_changed), self);
   QnDocument *document = qn_view_state_get_document (state);
-  g_signal_connect_object (document, "changed", G_CALLBACK (on_document_changed), self,
-                           G_CONNECT_SWAPPED);
-  g_signal_connect_swapped (qn_document_get_selection (document), "changed",
-                            G_CALLBACK (gtk_widget_queue_draw), self);
-  g_signal_connect_swapped (qn_settings_get (), "changed",
-                            G_CALLBACK (gtk_widget_queue_draw), self);
+  qn_watch (GTK_WIDGET (self), state, "changed", G_CALLBACK (on_state_changed), self);
+  qn_watch (GTK_WIDGET (self), document, "changed", G_CALLBACK (on_document_changed),
+            self);
+  qn_watch (GTK_WIDGET (self), qn_document_get_selection (document), "changed",
+            G_CALLBACK (gtk_widget_queue_draw), self);
+  qn_watch (GTK_WIDGET (self), qn_settings_get (), "changed",
+            G_CALLBACK (gtk_widget_queue_draw), self);
   update_description (self);
 }
 
@@ -317,6 +314,7 @@ qn_canvas_set_tool (QnCanvas *self, const QnTool *tool)
   gtk_widget_set_cursor_from_name (GTK_WIDGET (self),
                                    tool == self->resting ? NULL : "crosshair");
   gtk_widget_queue_draw (GTK_WIDGET (self));
+  g_signal_emit (self, signals[SIGNAL_TOOL], 0);
   qn_canvas_emit_status (self);
 }
 

@@ -3,7 +3,7 @@
  * Zooms about the pointer (wheel, pinch), pans with the middle button or two fingers, fits on
  * request. Grid, rulers, selection, findings and the tool's gesture are drawn over the scene.
  *
- * Signals: "status" (without arguments) when pointer, hint or snapping have changed;
+ * Signals: "status" (without arguments) when pointer, hint or snapping have changed; "tool-changed";
  * "failed" (message) when an edit was refused.
  */
 #pragma once

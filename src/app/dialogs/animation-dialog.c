@@ -12,35 +12,29 @@
 
 enum { FORMAT_GIF, FORMAT_WEBM, FORMAT_PICTURES };
 
-/* What a running export needs; it may outlive the form. */
 typedef struct Dialog {
+  QnBoundForm base;
   GtkWindow *parent;
   QnViewState *state;
   QnTellFunc tell;
-  QnBoundForm *form; /* NULL: it has been closed */
   QnAnimationSettings settings;
   int format;
   GCancellable *cancellable; /* while it is written */
   char *path, *message;      /* message: NULL for the facts */
 } Dialog;
 
-typedef struct Form {
-  QnBoundForm base;
-  Dialog *dialog;
-} Form;
-
 #define FIELDS(FIELD, MEMBER)                                                            \
   FIELD (WHAT, "what", NULL)                                                             \
   FIELD (FORMAT, "format", NULL)                                                         \
-  MEMBER (WIDTH, "width", NULL, QnAnimationSettings, width)                              \
-  MEMBER (HEIGHT, "height", NULL, QnAnimationSettings, height)                           \
-  MEMBER (FRAMES, "frames", NULL, QnAnimationSettings, frames)                           \
+  MEMBER (WIDTH, "width", NULL, Dialog, settings.width)                                  \
+  MEMBER (HEIGHT, "height", NULL, Dialog, settings.height)                               \
+  MEMBER (FRAMES, "frames", NULL, Dialog, settings.frames)                               \
   FIELD (RATE, "rate", NULL)                                                             \
   FIELD (SPEED, "speed", NULL)                                                           \
-  MEMBER (SCALE, "scale", NULL, QnAnimationSettings, scale)                              \
-  MEMBER (ONCE, "once", NULL, QnAnimationSettings, once)                                 \
-  MEMBER (CURVE, "curve", NULL, QnAnimationSettings, curve)                              \
-  MEMBER (MONOCHROME, "monochrome", NULL, QnAnimationSettings, monochrome)               \
+  MEMBER (SCALE, "scale", NULL, Dialog, settings.scale)                                  \
+  MEMBER (ONCE, "once", NULL, Dialog, settings.once)                                     \
+  MEMBER (CURVE, "curve", NULL, Dialog, settings.curve)                                  \
+  MEMBER (MONOCHROME, "monochrome", NULL, Dialog, settings.monochrome)                   \
   FIELD (BOX, "fields", NULL)                                                            \
   FIELD (FACTS, "facts", NULL)                                                           \
   FIELD (PROGRESS, "progress", NULL)                                                     \
@@ -49,27 +43,17 @@ typedef struct Form {
 QN_FORM_FIELDS;
 
 static void
-dialog_clear (gpointer data)
+clear (gpointer data)
 {
   Dialog *dialog = data;
-  g_clear_object (&dialog->cancellable);
   g_free (dialog->path);
   g_free (dialog->message);
 }
 
 static void
-dialog_unref (Dialog *dialog)
+on_destroy (Dialog *dialog)
 {
-  g_atomic_rc_box_release_full (dialog, dialog_clear);
-}
-
-static void
-clear (gpointer form)
-{
-  Dialog *dialog = ((Form *) form)->dialog;
-  dialog->form = NULL;
   g_cancellable_cancel (dialog->cancellable);
-  dialog_unref (dialog);
 }
 
 /* What there is to say besides the facts; NULL for nothing. */
@@ -78,7 +62,7 @@ say (Dialog *dialog, const char *message)
 {
   g_free (dialog->message);
   dialog->message = g_strdup (message);
-  qn_bound_form_show (dialog->form);
+  qn_bound_form_show (dialog);
 }
 
 /* ---- writing ---- */
@@ -87,9 +71,9 @@ static void
 on_tick (int done, int total, gpointer data)
 {
   Dialog *dialog = data;
-  if (dialog->form == NULL)
+  if (dialog->base.closed)
     return;
-  GtkProgressBar *bar = GTK_PROGRESS_BAR (dialog->form->widgets[PROGRESS]);
+  GtkProgressBar *bar = GTK_PROGRESS_BAR (dialog->base.widgets[PROGRESS]);
   g_autofree char *text = g_strdup_printf (_ ("Picture %d of %d"), done, total);
   gtk_progress_bar_set_fraction (bar, (double) done / total);
   gtk_progress_bar_set_text (bar, text);
@@ -99,7 +83,7 @@ static void
 on_written (GObject *source, GAsyncResult *result, gpointer data)
 {
   Dialog *dialog = data;
-  GtkWindow *parent = dialog->parent;
+  g_autoptr (GtkWindow) parent = dialog->parent;
   g_autoptr (GError) error = NULL;
   gboolean done = g_task_propagate_boolean (G_TASK (result), &error);
   gboolean cancelled = g_cancellable_is_cancelled (dialog->cancellable);
@@ -108,14 +92,11 @@ on_written (GObject *source, GAsyncResult *result, gpointer data)
     g_autofree char *message =
       g_strdup_printf (_ ("Animation written to %s"), dialog->path);
     dialog->tell (parent, message, FALSE);
-    if (dialog->form != NULL)
-      gtk_window_destroy (GTK_WINDOW (dialog->form->root));
-  } else if (dialog->form != NULL)
+    if (!dialog->base.closed)
+      gtk_window_destroy (GTK_WINDOW (dialog->base.root));
+  } else if (!dialog->base.closed)
     say (dialog, cancelled ? _ ("Cancelled; nothing was written.") : error->message);
-  else if (!cancelled)
-    dialog->tell (parent, error->message, TRUE);
-  g_object_unref (parent);
-  dialog_unref (dialog);
+  qn_bound_form_unref (dialog);
 }
 
 static void
@@ -130,8 +111,7 @@ write_to (Dialog *dialog, const char *path)
   on_tick (0, dialog->settings.frames, dialog);
   g_object_ref (dialog->parent);
   qn_animation_write_async (dialog->state, &dialog->settings, path, dialog->cancellable,
-                            on_tick, dialog, on_written,
-                            g_atomic_rc_box_acquire (dialog));
+                            on_tick, dialog, on_written, g_rc_box_acquire (dialog));
 }
 
 /* Numbered pictures go into a folder. */
@@ -161,7 +141,7 @@ on_export (Dialog *dialog)
                                     .endings = folder ? NULL : endings[dialog->format],
                                     .chosen = on_chosen,
                                     .folder = folder };
-  qn_chooser_ask (GTK_WIDGET (dialog->form->root), &question, dialog);
+  qn_chooser_ask (dialog->base.root, &question, dialog);
 }
 
 /* ---- fields ---- */
@@ -204,16 +184,10 @@ dup_facts (const Dialog *dialog)
                           s->height, s->frames / s->rate);
 }
 
-static gpointer
-subject (gpointer form, QnModel *model, guint field)
-{
-  return &((Form *) form)->dialog->settings;
-}
-
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
-  const Dialog *dialog = ((Form *) data)->dialog;
+  const Dialog *dialog = data;
   const QnAnimationSettings *s = &dialog->settings;
   const char *const formats[] = { _ ("GIF"), _ ("Numbered pictures (PNG)"), NULL };
   const char *const with_webm[] = { _ ("GIF"), _ ("WebM"), _ ("Numbered pictures (PNG)"),
@@ -261,7 +235,7 @@ show (gpointer data, guint field, QnValue *value)
 static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
-  Dialog *dialog = ((Form *) data)->dialog;
+  Dialog *dialog = data;
   QnAnimationSettings *s = &dialog->settings;
   if (field == CANCEL)
     g_cancellable_cancel (dialog->cancellable);
@@ -289,19 +263,18 @@ void
 qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell,
                           const char *path)
 {
-  static const QnFormKind kind =
-    QN_FORM_KIND ("animation-dialog", Form, .subject = subject);
-  Form *form = qn_bound_form_new (&kind, NULL);
-  Dialog *dialog = form->dialog = g_atomic_rc_box_new0 (Dialog);
-  form->base.clear = clear;
-  dialog->form = &form->base;
+  static const QnFormKind kind = QN_FORM_KIND ("animation-dialog", Dialog);
+  Dialog *dialog = qn_bound_form_new (&kind, NULL);
+  GtkWidget *root = dialog->base.root;
+  dialog->base.clear = clear;
   dialog->parent = parent;
   dialog->state = state;
   dialog->tell = tell;
   qn_animation_settings_init (&dialog->settings, state);
-  gtk_window_set_transient_for (GTK_WINDOW (form->base.root), parent);
-  qn_help_set_page (form->base.root, "export");
-  qn_dialog_present (qn_bound_form_show (form), form->base.widgets[EXPORT]);
+  g_signal_connect_swapped (root, "destroy", G_CALLBACK (on_destroy), dialog);
+  gtk_window_set_transient_for (GTK_WINDOW (root), parent);
+  qn_help_set_page (root, "export");
+  qn_dialog_present (qn_bound_form_show (dialog), dialog->base.widgets[EXPORT]);
   if (path != NULL)
     write_to (dialog, path);
 }

@@ -7,13 +7,11 @@
 #include "app/widgets/row.h"
 #include "core/base/integer.h"
 #include <glib/gi18n.h>
+#include <math.h>
 
 /* What an entry tells by itself, while it shows a refusal; what it has shown or was last taken of it. */
 #define TOOLTIP "qn-tooltip"
 #define KNOWN   "qn-known"
-
-/* The form of a field. */
-#define FORM "qn-form"
 
 static GMenuModel *make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data);
 
@@ -458,10 +456,10 @@ static char *
 dup_step (const char *step, GtkWidget *widget)
 {
   GtkWidget *row = gtk_widget_get_ancestor (widget, QN_TYPE_ROW);
-  g_autofree char *label = row != NULL ? qn_row_dup_name (QN_ROW (row)) : NULL;
   GString *name = g_string_new (step);
-  if (label != NULL)
-    g_string_replace (name, "%s", label, 1);
+  if (row != NULL)
+    g_string_replace (
+      name, "%s", gtk_label_get_text (GTK_LABEL (qn_row_get_label (QN_ROW (row)))), 1);
   return g_string_free (name, FALSE);
 }
 
@@ -483,31 +481,36 @@ field_of (const QnBoundForm *form, const GtkWidget *widget)
   return field;
 }
 
-/* What another value of the field would change. */
-static char *
-find_path (QnQuantityEntry *entry, gpointer data, double *number)
+/* The context menu offers to vary the number of the file that another value of the field would change. */
+static void
+on_menu (QnQuantityEntry *entry, QnBoundForm *form)
 {
-  QnBoundForm *form = data;
   Entered same = { .form = form,
                    .field = field_of (form, GTK_WIDGET (entry)),
                    .value.number = qn_quantity_entry_get_value (entry) };
   Entered other = same;
-  char *path = NULL;
+  double number = NAN;
+  g_autofree char *path = NULL;
+  g_autoptr (GMenu) menu = g_menu_new ();
   if (form->canvas == NULL || step_of (form, same.field) == NULL)
-    return NULL;
+    return;
   for (guint attempt = 0;
        path == NULL && qn_quantity_entry_get_other (entry, attempt, &other.value.number);
        attempt++)
     path = qn_document_dup_number_path (qn_canvas_get_document (form->canvas), edit,
-                                        &same, &other, other.value.number, number);
-  return path;
+                                        &same, &other, other.value.number, &number);
+  if (path != NULL)
+    qn_menu_add_target (
+      menu, _ ("_Vary This…"), "win.vary",
+      g_variant_new ("(sd)", path, isnan (number) ? same.value.number : number));
+  gtk_entry_set_extra_menu (GTK_ENTRY (entry), path != NULL ? G_MENU_MODEL (menu) : NULL);
 }
 
 /* Whatever else its signal tells. */
 static void
 on_entered (GtkWidget *widget)
 {
-  QnBoundForm *form = g_object_get_data (G_OBJECT (widget), FORM);
+  QnBoundForm *form = g_object_get_data (G_OBJECT (widget), QN_BOUND_FORM);
   /* Lists that are being taken apart say that nothing is selected any more; the form is gone by then. */
   if (gtk_widget_get_root (widget) == NULL || form->showing)
     return;
@@ -608,7 +611,7 @@ on_refused (QnQuantityEntry *entry, const char *reason, QnBoundForm *form)
 static void
 connect (QnBoundForm *form, GtkWidget *widget)
 {
-  g_object_set_data (G_OBJECT (widget), FORM, form);
+  g_object_set_data (G_OBJECT (widget), QN_BOUND_FORM, form);
   /* Where buttons have little room their words go below each other. */
   GtkWidget *words =
     GTK_IS_BUTTON (widget) ? gtk_button_get_child (GTK_BUTTON (widget)) : NULL;
@@ -637,7 +640,7 @@ connect (QnBoundForm *form, GtkWidget *widget)
   }
   if (QN_IS_QUANTITY_ENTRY (widget)) {
     g_signal_connect (widget, "refused", G_CALLBACK (on_refused), form);
-    qn_quantity_entry_set_path_func (QN_QUANTITY_ENTRY (widget), find_path, form);
+    g_signal_connect (widget, "menu", G_CALLBACK (on_menu), form);
   }
 }
 
@@ -709,13 +712,24 @@ add_menus (QnBoundForm *form)
 /* ---- life ---- */
 
 static void
-on_gone (gpointer data, GObject *root)
+on_destroy (QnBoundForm *form)
+{
+  form->closed = TRUE;
+}
+
+static void
+free_form (gpointer data)
 {
   QnBoundForm *form = data;
   if (form->clear != NULL)
     form->clear (form);
   g_free (form->widgets);
-  g_free (form);
+}
+
+void
+qn_bound_form_unref (gpointer form)
+{
+  g_rc_box_release_full (form, free_form);
 }
 
 /* The labels of all rows below a widget are equally wide, and so are the fields, but for those that do
@@ -736,22 +750,11 @@ align_rows (GtkWidget *widget, GtkSizeGroup *labels, GtkSizeGroup *fields)
     align_rows (child, labels, fields);
 }
 
-/* Of the status of the canvas only the tool concerns forms. */
-static void
-on_status (QnBoundForm *form)
-{
-  const QnTool *tool = qn_canvas_get_tool (form->canvas);
-  if (tool == form->tool)
-    return;
-  form->tool = tool;
-  qn_bound_form_show (form);
-}
-
 gpointer
 qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
 {
   g_autoptr (GtkBuilder) builder = qn_builder_new (kind->name);
-  QnBoundForm *form = g_malloc0 (kind->size);
+  QnBoundForm *form = g_rc_box_alloc0 (kind->size);
   form->kind = kind;
   form->canvas = canvas;
   form->selected = form->wanted = -1;
@@ -775,7 +778,9 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
   g_autoptr (GtkSizeGroup) labels = gtk_size_group_new (GTK_SIZE_GROUP_HORIZONTAL);
   g_autoptr (GtkSizeGroup) fields = gtk_size_group_new (GTK_SIZE_GROUP_HORIZONTAL);
   align_rows (form->root, labels, fields);
-  g_object_weak_ref (G_OBJECT (form->root), on_gone, form);
+  g_object_set_data_full (G_OBJECT (form->root), QN_BOUND_FORM, form,
+                          qn_bound_form_unref);
+  g_signal_connect_swapped (form->root, "destroy", G_CALLBACK (on_destroy), form);
   /* A window is kept by GTK, anything else by the parent that it gets. */
   if (!GTK_IS_WINDOW (form->root))
     g_object_force_floating (g_object_ref (G_OBJECT (form->root)));
@@ -791,14 +796,13 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
   } signals[] = { { QN_FOLLOW_SELECTION, qn_canvas_get_selection (canvas), "changed" },
                   { QN_FOLLOW_RUNS, qn_canvas_get_document (canvas), "runs-changed" },
                   { QN_FOLLOW_RUNS, qn_canvas_get_document (canvas), "job-changed" },
-                  { QN_FOLLOW_VIEW, qn_canvas_get_state (canvas), "changed" } };
+                  { QN_FOLLOW_VIEW, qn_canvas_get_state (canvas), "changed" },
+                  { QN_FOLLOW_TOOL, canvas, "tool-changed" } };
   GCallback callback = G_CALLBACK (qn_bound_form_show);
   qn_watch (form->root, qn_canvas_get_document (canvas), "changed", callback, form);
   for (gsize i = 0; i < G_N_ELEMENTS (signals); i++)
     if ((kind->follows & signals[i].what) != 0)
       qn_watch (form->root, signals[i].object, signals[i].signal, callback, form);
-  if ((kind->follows & QN_FOLLOW_TOOL) != 0)
-    qn_watch (form->root, canvas, "status", G_CALLBACK (on_status), form);
   return form;
 }
 

@@ -111,16 +111,18 @@ struct QnBoundForm {
   int selected;                  /* item of the list; -1: none */
   int wanted;                    /* to be selected once an edit has added it; -1: none */
   const char *told;              /* once the step is made; NULL: nothing */
-  const QnTool *tool;            /* that was shown last */
   const QnValue *taken;          /* the value that a step takes, of the field … */
   guint taken_field;
   gboolean showing; /* values are being shown: nobody has entered them */
+  gboolean closed;  /* its widgets are gone; work that has not ended keeps the struct */
   guint frames;     /* that it takes to bring the form into view, so far; 0: it stays */
 };
 
-/* A form of that kind; its struct lives as long as its root. `canvas` is NULL for dialogs, whose
- * fields have no steps. Shows nothing before qn_bound_form_show(). */
+/* A form of that kind; its root, of which it is the object data, as of its fields, keeps the struct, as does
+ * whoever g_rc_box_acquire()s it. `canvas` is NULL for dialogs, whose fields have no steps. Shows nothing before qn_bound_form_show(). */
+#define QN_BOUND_FORM "qn-form"
 gpointer qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas);
+void qn_bound_form_unref (gpointer form);
 
 /* The root of a new form that shows its values. */
 GtkWidget *qn_form_new (const QnFormKind *kind, QnCanvas *canvas);

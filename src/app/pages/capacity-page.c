@@ -24,9 +24,6 @@
 /* The plot's text over that of the window. */
 #define TEXT_SHARE 0.9
 
-/* Where the page keeps its form. */
-#define FORM "capacity-form"
-
 enum { TYPE_1, TYPE_2, FROM_FILE, NONE };
 
 static const char *const units[] = { NULL, "g", "m/s2", "cm/s2" };
@@ -171,18 +168,14 @@ static void
 on_found (GObject *source, GAsyncResult *result, gpointer data)
 {
   g_autoptr (GError) error = NULL;
-  /* The page may have been closed meanwhile. */
-  g_autoptr (GObject) root = g_weak_ref_get (data);
-  Form *form = root != NULL ? g_object_get_data (root, FORM) : NULL;
-  g_weak_ref_clear (data);
-  g_free (data);
-  if (form == NULL)
-    return;
+  Form *form = data;
   g_clear_object (&form->cancellable);
   form->found = qn_capacity_find_finish (result, &form->answer, &error);
   if (form->found)
     check (form);
-  say (form, error != NULL ? error->message : NULL);
+  if (!form->base.closed)
+    say (form, error != NULL ? error->message : NULL);
+  qn_bound_form_unref (form);
 }
 
 static void
@@ -204,10 +197,9 @@ find (GSimpleAction *action, GVariant *parameter, gpointer data)
   form->digest = qn_model_digest (qn_document_get_project (form->document), NULL);
   form->title = g_strdup (model->title);
   form->cancellable = g_cancellable_new ();
-  GWeakRef *root = g_new0 (GWeakRef, 1);
-  g_weak_ref_init (root, form->base.root);
   form->answer.control = control;
-  qn_capacity_find_async (model, &form->answer, form->cancellable, on_found, root);
+  qn_capacity_find_async (model, &form->answer, form->cancellable, on_found,
+                          g_rc_box_acquire (form));
   say (form, NULL);
 }
 
@@ -525,13 +517,15 @@ on_model_changed (Form *form)
 }
 
 static void
+on_destroy (Form *form)
+{
+  g_cancellable_cancel (form->cancellable);
+}
+
+static void
 clear (gpointer data)
 {
   Form *form = data;
-  g_object_set_data (G_OBJECT (form->base.root), FORM, NULL);
-  if (form->cancellable != NULL)
-    g_cancellable_cancel (form->cancellable);
-  g_clear_object (&form->cancellable);
   clear_curve (form);
   qn_record_clear (&form->points);
   qn_capacity_settings_clear (&form->entered);
@@ -553,7 +547,7 @@ qn_capacity_page_new (QnDocument *document)
   form->base.clear = clear;
   form->document = g_object_ref (document);
   qn_actions_insert (form->base.root, "capacity", entries, G_N_ELEMENTS (entries), form);
-  g_object_set_data (G_OBJECT (form->base.root), FORM, form);
+  g_signal_connect_swapped (form->base.root, "destroy", G_CALLBACK (on_destroy), form);
   qn_plot_view_init (form->base.widgets[PLOT], &hand, form);
   qn_layout_wrap_pair (
     gtk_widget_get_parent (gtk_widget_get_parent (form->base.widgets[PLOT])));

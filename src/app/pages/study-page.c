@@ -523,7 +523,6 @@ connect (QnStudyPage *self)
   };
   GtkWidget *page = self->base.root, *plot = self->base.widgets[PLOT];
   qn_actions_insert (page, "study", entries, G_N_ELEMENTS (entries), self);
-  g_object_set_data (G_OBJECT (page), "qn-study", self);
   g_signal_connect_swapped (page, "destroy", G_CALLBACK (on_destroy), self);
   qn_plot_view_init (plot, &hand, self);
   GtkGesture *click = gtk_gesture_click_new ();
@@ -598,7 +597,7 @@ takes_fractions (QnStudyPage *self, const char *path, double base)
 void
 qn_study_page_vary (GtkWidget *page, const char *path, double base)
 {
-  QnStudyPage *self = g_object_get_data (G_OBJECT (page), "qn-study");
+  QnStudyPage *self = g_object_get_data (G_OBJECT (page), QN_BOUND_FORM);
   g_autofree char *words =
     qn_path_dup_text (qn_document_get_model (self->document), path);
   gboolean added =
@@ -612,6 +611,6 @@ qn_study_page_vary (GtkWidget *page, const char *path, double base)
 const char *
 qn_study_page_get_path (GtkWidget *page)
 {
-  QnStudyPage *self = g_object_get_data (G_OBJECT (page), "qn-study");
+  QnStudyPage *self = g_object_get_data (G_OBJECT (page), QN_BOUND_FORM);
   return qn_draft_get_path (self->draft);
 }

@@ -12,17 +12,14 @@ struct _QnQuantityEntry {
   GtkEntry parent_instance;
   QnQuantity quantity;
   double least, most;
-  double value, previous;       /* SI; before the last one was entered */
-  QnQuantityPathFunc find_path; /* or NULL */
-  gpointer find_path_data;
+  double value, previous; /* SI; before the last one was entered */
   gboolean troubled;
   gboolean mixed;
-  gulong settings_handler;
 };
 
 G_DEFINE_FINAL_TYPE (QnQuantityEntry, qn_quantity_entry, GTK_TYPE_ENTRY)
 
-enum { SIGNAL_COMMITTED, SIGNAL_REFUSED, SIGNAL_COUNT };
+enum { SIGNAL_COMMITTED, SIGNAL_REFUSED, SIGNAL_MENU, SIGNAL_COUNT };
 static guint signals[SIGNAL_COUNT];
 
 enum { PROPERTY_QUANTITY = 1, PROPERTY_LEAST, PROPERTY_MOST };
@@ -73,29 +70,11 @@ set_trouble (QnQuantityEntry *self, const char *message)
     message != NULL ? GTK_ACCESSIBLE_INVALID_TRUE : GTK_ACCESSIBLE_INVALID_FALSE, -1);
 }
 
-/* What the context menu has besides GTK's items, just before it opens. */
-static void
-offer_to_vary (QnQuantityEntry *self)
-{
-  double number = NAN;
-  g_autofree char *path = self->find_path != NULL
-                            ? self->find_path (self, self->find_path_data, &number)
-                            : NULL;
-  g_autoptr (GMenu) menu = g_menu_new ();
-  if (path != NULL) {
-    g_autoptr (GMenuItem) item = g_menu_item_new (_ ("_Vary This…"), NULL);
-    g_menu_item_set_action_and_target (item, "win.vary", "(sd)", path,
-                                       isnan (number) ? self->value : number);
-    g_menu_append_item (menu, item);
-  }
-  gtk_entry_set_extra_menu (GTK_ENTRY (self), path != NULL ? G_MENU_MODEL (menu) : NULL);
-}
-
 static void
 on_secondary_press (GtkGestureClick *gesture, int count, double x, double y,
                     QnQuantityEntry *self)
 {
-  offer_to_vary (self);
+  g_signal_emit (self, signals[SIGNAL_MENU], 0);
 }
 
 static char *
@@ -163,7 +142,7 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
     show_value (self);
   else if (keyval == GDK_KEY_Menu
            || (keyval == GDK_KEY_F10 && (modifiers & GDK_SHIFT_MASK) != 0))
-    offer_to_vary (self);
+    g_signal_emit (self, signals[SIGNAL_MENU], 0);
   return FALSE;
 }
 
@@ -193,19 +172,10 @@ qn_quantity_entry_constructed (GObject *object)
 }
 
 static void
-qn_quantity_entry_dispose (GObject *object)
-{
-  QnQuantityEntry *self = QN_QUANTITY_ENTRY (object);
-  g_clear_signal_handler (&self->settings_handler, qn_settings_get ());
-  G_OBJECT_CLASS (qn_quantity_entry_parent_class)->dispose (object);
-}
-
-static void
 qn_quantity_entry_class_init (QnQuantityEntryClass *klass)
 {
   GObjectClass *object_class = G_OBJECT_CLASS (klass);
   object_class->constructed = qn_quantity_entry_constructed;
-  object_class->dispose = qn_quantity_entry_dispose;
   object_class->set_property = qn_quantity_entry_set_property;
   g_object_class_install_property (
     object_class, PROPERTY_QUANTITY,
@@ -225,6 +195,8 @@ qn_quantity_entry_class_init (QnQuantityEntryClass *klass)
   signals[SIGNAL_REFUSED] =
     g_signal_new ("refused", QN_TYPE_QUANTITY_ENTRY, G_SIGNAL_RUN_LAST, 0, NULL, NULL,
                   NULL, G_TYPE_NONE, 1, G_TYPE_STRING);
+  signals[SIGNAL_MENU] = g_signal_new ("menu", QN_TYPE_QUANTITY_ENTRY, G_SIGNAL_RUN_LAST,
+                                       0, NULL, NULL, NULL, G_TYPE_NONE, 0);
 }
 
 static void
@@ -251,8 +223,8 @@ qn_quantity_entry_init (QnQuantityEntry *self)
                                               GTK_PHASE_CAPTURE);
   g_signal_connect (press, "pressed", G_CALLBACK (on_secondary_press), self);
   gtk_widget_add_controller (GTK_WIDGET (self), GTK_EVENT_CONTROLLER (press));
-  self->settings_handler = g_signal_connect_swapped (qn_settings_get (), "changed",
-                                                     G_CALLBACK (show_value), self);
+  g_signal_connect_object (qn_settings_get (), "changed", G_CALLBACK (show_value), self,
+                           G_CONNECT_SWAPPED);
 }
 
 GtkWidget *
@@ -273,14 +245,6 @@ double
 qn_quantity_entry_get_value (QnQuantityEntry *self)
 {
   return self->value;
-}
-
-void
-qn_quantity_entry_set_path_func (QnQuantityEntry *self, QnQuantityPathFunc func,
-                                 gpointer data)
-{
-  self->find_path = func;
-  self->find_path_data = data;
 }
 
 gboolean

@@ -2,7 +2,7 @@
  *
  * Emits "committed" when the user has entered a new, valid value (Enter, or leaving the
  * field). What cannot be read, or lies outside of the limits, is marked and not committed:
- * "refused" has the reason.
+ * "refused" has the reason. "menu" is before the context menu opens, which GTK makes.
  * Properties of .ui files: "quantity" (length, stress, …), "least", "most". */
 #pragma once
 
@@ -17,13 +17,6 @@ GtkWidget *qn_quantity_entry_new (QnQuantity quantity, double least, double most
 
 /* The value that was committed last is not taken: what was typed stays, with the reason. */
 void qn_quantity_entry_refuse (QnQuantityEntry *entry, const char *message);
-
-/* Says which number of the project's file the entry shows (laws[0].friction), and what it is there;
- * NULL: none. The caller frees it. Asked for when the context menu opens, which offers to vary it. */
-typedef char *(*QnQuantityPathFunc) (QnQuantityEntry *entry, gpointer data,
-                                     double *number);
-void qn_quantity_entry_set_path_func (QnQuantityEntry *entry, QnQuantityPathFunc func,
-                                      gpointer data);
 
 /* A value other than the present one that lies within the limits: the `attempt`-th of several, near
  * ones first; FALSE where there are no more. */

@@ -165,9 +165,3 @@ qn_row_get_field (QnRow *self)
 {
   return self->field;
 }
-
-char *
-qn_row_dup_name (QnRow *self)
-{
-  return g_strdup (gtk_label_get_text (self->label));
-}

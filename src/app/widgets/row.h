@@ -11,6 +11,3 @@ GtkWidget *qn_row_new (const char *label, GtkWidget *field);
 
 GtkWidget *qn_row_get_label (QnRow *row);
 GtkWidget *qn_row_get_field (QnRow *row);
-
-/* Its label without the mark of the mnemonic; the caller frees it. */
-char *qn_row_dup_name (QnRow *row);
