@@ -8,30 +8,19 @@
 /* ---- the area ---- */
 
 static void
-give_up (QnGlLayer *self, const char *reason)
-{
-  g_info ("OpenGL is not available to the window: %s", reason);
-  self->failed = TRUE;
-}
-
-static void
 on_realize (GtkGLArea *area, QnGlLayer *self)
 {
   g_autoptr (GError) error = NULL;
   gtk_gl_area_make_current (area);
-  if (gtk_gl_area_get_error (area) != NULL) {
-    give_up (self, gtk_gl_area_get_error (area)->message);
-    return;
-  }
-  if (!qn_gl_load_current (&self->gl)) {
-    give_up (self, "the context is older than OpenGL 3.3");
-    return;
-  }
-  self->software = qn_gl_is_software (&self->gl);
-  self->renderer = qn_gl_renderer_new (&self->gl, &error);
   self->revision = 0;
-  if (self->renderer == NULL)
-    give_up (self, error->message);
+  if (gtk_gl_area_get_error (area) == NULL && qn_gl_load_current (&self->gl)) {
+    self->software = qn_gl_is_software (&self->gl);
+    self->renderer = qn_gl_renderer_new (&self->gl, &error);
+  }
+  self->failed = self->renderer == NULL;
+  if (self->failed)
+    g_info ("OpenGL is not available to the window: %s",
+            error != NULL ? error->message : "no context of version 3.3");
 }
 
 static void
