@@ -58,8 +58,9 @@ on_destroy (Dialog *dialog)
 
 /* What there is to say besides the facts; NULL for nothing. */
 static void
-say (Dialog *dialog, const char *message)
+say (gpointer data, const char *message)
 {
+  Dialog *dialog = data;
   g_free (dialog->message);
   dialog->message = g_strdup (message);
   qn_bound_form_show (dialog);
@@ -115,17 +116,14 @@ write_to (Dialog *dialog, const char *path)
 }
 
 /* Numbered pictures go into a folder. */
-static void
-on_chosen (gpointer data, const char *path, const GError *error)
+static gboolean
+use_chosen (gpointer data, const char *path, GError **error)
 {
   Dialog *dialog = data;
   g_autofree char *whole =
-    g_strconcat (path != NULL ? path : "",
-                 dialog->format == FORMAT_PICTURES ? G_DIR_SEPARATOR_S : "", NULL);
-  if (path != NULL)
-    write_to (dialog, whole);
-  else
-    say (dialog, error->message);
+    g_strconcat (path, dialog->format == FORMAT_PICTURES ? G_DIR_SEPARATOR_S : "", NULL);
+  write_to (dialog, whole);
+  return TRUE;
 }
 
 static void
@@ -139,7 +137,8 @@ on_export (Dialog *dialog)
                                     .accept = _ ("_Export"),
                                     .name = folder ? NULL : _ (names[dialog->format]),
                                     .endings = folder ? NULL : endings[dialog->format],
-                                    .chosen = on_chosen,
+                                    .use = use_chosen,
+                                    .failed = say,
                                     .folder = folder };
   qn_chooser_ask (dialog->base.root, &question, dialog);
 }

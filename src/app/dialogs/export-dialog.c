@@ -164,14 +164,20 @@ on_typed (Dialog *dialog)
 
 /* ---- export ---- */
 
-static void
-on_file_chosen (gpointer data, const char *path, const GError *error)
+static gboolean
+use_chosen (gpointer data, const char *path, GError **error)
 {
   Dialog *dialog = data;
-  if (path != NULL)
-    dialog->write (dialog->parent, path, g_steal_pointer (&dialog->recipe));
-  else
-    dialog->tell (dialog->parent, error->message, TRUE);
+  dialog->write (dialog->parent, path, g_steal_pointer (&dialog->recipe));
+  gtk_window_destroy (GTK_WINDOW (dialog->base.root));
+  return TRUE;
+}
+
+static void
+on_failed (gpointer data, const char *message)
+{
+  Dialog *dialog = data;
+  dialog->tell (dialog->parent, message, TRUE);
   gtk_window_destroy (GTK_WINDOW (dialog->base.root));
 }
 
@@ -186,7 +192,8 @@ on_export (Dialog *dialog)
                                     .accept = _ ("_Export"),
                                     .name = g_strdelimit (proposed, "/", '-'),
                                     .endings = typed_endings[dialog->format],
-                                    .chosen = on_file_chosen };
+                                    .use = use_chosen,
+                                    .failed = on_failed };
   qn_chooser_ask (GTK_WIDGET (dialog->base.root), &question, dialog);
 }
 

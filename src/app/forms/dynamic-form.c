@@ -261,36 +261,24 @@ show (gpointer data, guint field, QnValue *value)
 
 /* ---- records ---- */
 
-static void
-import_path (Form *form, const char *path)
+static gboolean
+import_path (gpointer data, const char *path, GError **error)
 {
+  Form *form = data;
   QnCanvasDraft draft;
   if (!qn_canvas_begin_edit (form->base.canvas, &draft)
       || !qn_canvas_end_edit (form->base.canvas, &draft, _ ("Import Ground Motion"), NULL,
                               qn_edit_add_record (draft.model, path, &draft.error)))
-    return;
+    return TRUE; /* the canvas has told why not */
   form->base.selected = (int) qn_canvas_get_model (form->base.canvas)->ground_count - 1;
   qn_bound_form_show (form);
-}
-
-static gboolean
-take_file (GFile *file, gpointer form)
-{
-  g_autofree char *path = g_file_get_path (file);
-  if (path != NULL)
-    import_path (form, path);
-  else
-    qn_canvas_tell (((Form *) form)->base.canvas, _ ("Only local files can be read"));
-  return path != NULL;
+  return TRUE;
 }
 
 static void
-on_chosen (gpointer form, const char *path, const GError *error)
+tell (gpointer form, const char *message)
 {
-  if (path != NULL)
-    import_path (form, path);
-  else
-    qn_canvas_tell (((Form *) form)->base.canvas, error->message);
+  qn_canvas_tell (((Form *) form)->base.canvas, message);
 }
 
 /* ---- changes ---- */
@@ -319,7 +307,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     qn_chooser_ask (form->base.root,
                     &(QnFileQuestion){ .title = _ ("Import Ground Motion"),
                                        .accept = _ ("_Import"),
-                                       .chosen = on_chosen },
+                                       .use = import_path,
+                                       .failed = tell },
                     form);
     return TRUE;
   case REMOVE:
@@ -359,7 +348,8 @@ init (gpointer data)
   static const QnPlotHand hand = { .text_share = TEXT_SHARE, .make = make_plot };
   Form *form = data;
   qn_plot_view_init (form->base.widgets[PLOT], &hand, form);
-  qn_accept_files (form->base.root, take_file, form);
+  qn_accept_files (form->base.root,
+                   &(QnFileQuestion){ .use = import_path, .failed = tell }, form);
   g_signal_connect (form->base.root, "destroy", G_CALLBACK (on_destroy), form);
 }
 

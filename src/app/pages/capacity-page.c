@@ -16,7 +16,7 @@
 #include "io/exchange/record.h"
 #include "io/project/project.h"
 #include "io/text/file-read.h"
-
+#include "io/text/io-error.h"
 #include <glib/gi18n.h>
 #include <math.h>
 #include <string.h>
@@ -211,29 +211,24 @@ cancel (GSimpleAction *action, GVariant *parameter, gpointer form)
 
 /* ---- files ---- */
 
-static void
-on_points_chosen (gpointer data, const char *path, const GError *error)
+static gboolean
+read_points (gpointer data, const char *path, GError **error)
 {
   Form *form = data;
-  if (path == NULL) {
-    say (form, error->message);
-    return;
-  }
   g_autofree char *before = form->entered.spectrum;
   form->entered.spectrum = g_strdup (path);
   g_clear_pointer (&form->read, g_free); /* it may have changed */
   g_clear_pointer (&form->message, g_free);
-  if (check (form))
-    store (form);
-  else { /* one that cannot be read is not taken */
+  if (!check (form)) { /* one that cannot be read is not taken */
+    g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, form->message);
     g_free (form->entered.spectrum);
     form->entered.spectrum = g_steal_pointer (&before);
-    g_autofree char *told = g_steal_pointer (&form->message);
     check (form);
-    say (form, told);
-    return;
+    return FALSE;
   }
+  store (form);
   say (form, NULL);
+  return TRUE;
 }
 
 static gboolean
@@ -255,13 +250,14 @@ ask (Form *form, guint field)
     field == FILE_BUTTON
       ? (QnFileQuestion){ .title = _ ("Read Spectrum"),
                           .accept = _ ("_Open"),
-                          .chosen = on_points_chosen }
+                          .use = read_points,
+                          .failed = say }
       : (QnFileQuestion){ .title = _ ("Export Capacity Curve"),
                           .accept = _ ("_Export"),
                           .name = field == EXPORT_PICTURE ? _ ("capacity.pdf")
                                                           : _ ("capacity.csv"),
                           .endings = field == EXPORT_PICTURE ? pictures : tables,
-                          .write = write_file,
+                          .use = write_file,
                           .told = say };
   qn_chooser_ask (form->base.root, &question, form);
 }

@@ -562,23 +562,10 @@ on_batch_changed (Compare *compare)
 }
 
 static gboolean
-add_file (GFile *file, gpointer data)
+use_file (gpointer data, const char *path, GError **error)
 {
-  Compare *compare = data;
-  g_autofree char *path = g_file_get_path (file);
-  if (path != NULL)
-    qn_batch_add (compare->batch, path);
-  return path != NULL;
-}
-
-static void
-on_file_added (gpointer data, const char *path, const GError *error)
-{
-  Compare *compare = data;
-  if (path != NULL)
-    qn_batch_add (compare->batch, path);
-  else
-    tell (compare, error->message);
+  qn_batch_add (((Compare *) data)->batch, path);
+  return TRUE;
 }
 
 static void
@@ -591,7 +578,8 @@ add_files (GSimpleAction *action, GVariant *parameter, gpointer data)
                                    .suffixes = suffixes };
   const QnFileQuestion question = { .title = folder ? _ ("Add Folders") : _ ("Add Files"),
                                     .accept = _ ("_Open"),
-                                    .chosen = on_file_added,
+                                    .use = use_file,
+                                    .failed = tell,
                                     .kind = folder ? NULL : &kind,
                                     .folder = folder,
                                     .many = TRUE };
@@ -601,7 +589,7 @@ add_files (GSimpleAction *action, GVariant *parameter, gpointer data)
 static void
 add_path (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
-  on_file_added (data, g_variant_get_string (parameter, NULL), NULL);
+  use_file (data, g_variant_get_string (parameter, NULL), NULL);
 }
 
 /* ---- motion and zoom ---- */
@@ -692,7 +680,7 @@ export_sheet (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .accept = _ ("_Export"),
                                     .name = _ ("comparison.png"),
                                     .endings = endings,
-                                    .write = write_sheet,
+                                    .use = write_sheet,
                                     .told = tell };
   Compare *compare = data;
   qn_chooser_ask (compare->page, &question, compare);
@@ -719,6 +707,7 @@ add_actions (Compare *compare)
 GtkWidget *
 qn_compare_page_new (QnDocument *document, QnDocumentsFunc list_others)
 {
+  static const QnFileQuestion dropped = { .use = use_file, .failed = tell };
   g_autoptr (GtkBuilder) builder = qn_builder_new ("compare-page");
   Compare *compare = g_new0 (Compare, 1);
   *compare = (Compare){
@@ -748,7 +737,7 @@ qn_compare_page_new (QnDocument *document, QnDocumentsFunc list_others)
                             compare);
   g_object_weak_ref (G_OBJECT (compare->grid), compare_free, compare);
   qn_help_set_page (compare->page, "results");
-  qn_accept_files (compare->page, add_file, compare);
+  qn_accept_files (compare->page, &dropped, compare);
   add_actions (compare);
   qn_watch (compare->grid, document, "runs-changed", G_CALLBACK (on_runs_changed),
             compare);

@@ -519,7 +519,7 @@ export_file (GSimpleAction *action, GVariant *path, gpointer data)
                                     .accept = _ ("_Export"),
                                     .name = _ ("envelope.pdf"),
                                     .endings = endings,
-                                    .write = write_file,
+                                    .use = write_file,
                                     .told = on_told,
                                     .given = path != NULL
                                                ? g_variant_get_string (path, NULL)

@@ -421,25 +421,18 @@ undo_or_redo (GSimpleAction *action, GVariant *parameter, gpointer data)
   qn_study_page_show (self);
 }
 
-static void
-on_saved (gpointer data, const char *path, const GError *error)
+static gboolean
+write_study (gpointer data, const char *path, GError **error)
 {
   QnStudyPage *self = data;
-  g_autoptr (GError) fault = NULL;
-  g_autofree char *text = NULL;
-  if (path != NULL) {
-    const char *project = qn_document_get_path (self->document);
-    g_autofree char *name = g_path_get_basename (project);
-    g_autofree char *from = g_path_get_dirname (project), *to = g_path_get_dirname (path);
-    if (qn_draft_save_as (self->draft, path, g_str_equal (from, to) ? name : project,
-                          &fault))
-      text = g_strdup_printf (_ ("Written to %s"), path);
-    qn_study_page_read_results (self);
-    qn_study_page_show (self);
-  }
-  qn_study_page_tell (self, text != NULL    ? text
-                            : fault != NULL ? fault->message
-                                            : error->message);
+  const char *project = qn_document_get_path (self->document);
+  g_autofree char *name = g_path_get_basename (project);
+  g_autofree char *from = g_path_get_dirname (project), *to = g_path_get_dirname (path);
+  const gboolean written =
+    qn_draft_save_as (self->draft, path, g_str_equal (from, to) ? name : project, error);
+  qn_study_page_read_results (self);
+  qn_study_page_show (self);
+  return written;
 }
 
 /* Its results are kept beside it. */
@@ -452,7 +445,8 @@ save_as (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .accept = _ ("_Save"),
                                     .name = "study.quoin-study",
                                     .endings = endings,
-                                    .chosen = on_saved,
+                                    .use = write_study,
+                                    .told = qn_study_page_tell,
                                     .path = qn_draft_get_path (self->draft) };
   qn_chooser_ask (self->base.root, &question, self);
 }

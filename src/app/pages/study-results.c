@@ -305,7 +305,7 @@ qn_study_page_export (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .accept = _ ("_Export"),
                                     .name = table ? "study.csv" : "study.png",
                                     .endings = table ? tables : figures,
-                                    .write = write_file,
+                                    .use = write_file,
                                     .told = qn_study_page_tell,
                                     .given = path };
   self->exported = g_intern_string (what);

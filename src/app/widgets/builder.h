@@ -20,7 +20,7 @@ void qn_actions_insert (GtkWidget *widget, const char *prefix,
                         const GActionEntry *entries, gsize count, gpointer data);
 void qn_actions_enable (GtkWidget *widget, const char *name, gboolean enabled);
 
-/* Calls `func` (data) on a signal without arguments for as long as `owner` lives. */
+/* Calls `func` (data), with what the signal tells behind it, for as long as `owner` lives. */
 void qn_watch (GtkWidget *owner, gpointer object, const char *signal, GCallback func,
                gpointer data);
 

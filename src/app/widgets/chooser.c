@@ -23,6 +23,13 @@ typedef struct Asked {
   gpointer data;
 } Asked;
 
+static Asked *
+new_asked (GtkWidget *widget, const QnFileQuestion *question, gpointer data)
+{
+  const Asked asked = { *question, widget, data };
+  return g_memdup2 (&asked, sizeof asked);
+}
+
 char *
 qn_chooser_complete_path (const char *path, const char *const *endings, GError **error)
 {
@@ -46,16 +53,15 @@ hand_over (const QnFileQuestion *question, gpointer data, const char *path,
            const GError *refused)
 {
   g_autoptr (GError) error = NULL;
-  if (question->write == NULL) {
-    question->chosen (data, path, refused);
-    return;
-  }
-  gboolean written = path != NULL && question->write (data, path, &error);
-  g_autofree char *where = written ? g_strdup_printf (_ ("Written to %s"), path) : NULL;
-  if (!written && question->failed != NULL)
-    question->failed (data, (error != NULL ? error : refused)->message);
-  else
-    question->told (data, written ? where : (error != NULL ? error : refused)->message);
+  const gboolean used = path != NULL && question->use (data, path, &error);
+  g_autofree char *where = g_strdup_printf (_ ("Written to %s"), path);
+  if (!used)
+    (question->failed != NULL ? question->failed : question->told) (
+      data, (error != NULL ? error : refused)->message);
+  else if (question->told != NULL)
+    question->told (data, where);
+  if (!used && question->left != NULL)
+    question->left (data);
 }
 
 static void
@@ -196,8 +202,7 @@ show (GtkWidget *widget, const QnFileQuestion *question, gpointer data)
     g_list_store_append (filters, filter);
     gtk_file_dialog_set_filters (dialog, G_LIST_MODEL (filters));
   }
-  Asked *asked = g_new (Asked, 1);
-  *asked = (Asked){ *question, widget, data };
+  Asked *asked = new_asked (widget, question, data);
   g_object_set_data (G_OBJECT (cancellable), "qn-asked", asked);
   g_object_weak_ref (holder, forget, cancellable);
   keep (widget, holder);
@@ -243,9 +248,8 @@ show (GtkWidget *widget, const QnFileQuestion *question, gpointer data)
     g_autoptr (GtkFileFilter) filter = make_filter (question->kind);
     gtk_file_chooser_add_filter (chooser, filter);
   }
-  Asked *asked = g_new (Asked, 1);
-  *asked = (Asked){ *question, widget, data };
-  g_signal_connect_data (native, "response", G_CALLBACK (on_response), asked,
+  g_signal_connect_data (native, "response", G_CALLBACK (on_response),
+                         new_asked (widget, question, data),
                          (GClosureNotify) (void (*) (void)) g_free, 0);
   keep (widget, native);
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (native));
@@ -262,29 +266,21 @@ qn_chooser_ask (GtkWidget *widget, const QnFileQuestion *question, gpointer data
     show (widget, question, data);
 }
 
-/* Who takes what is dropped. */
-typedef struct Taker {
-  QnTakeFile take;
-  gpointer data;
-} Taker;
-
 static gboolean
 on_drop (GtkDropTarget *target, const GValue *value, double x, double y,
-         const Taker *taker)
+         const Asked *asked)
 {
-  gboolean taken = FALSE;
   for (GSList *l = g_value_get_boxed (value); l != NULL; l = l->next)
-    taken |= taker->take (l->data, taker->data);
-  return taken;
+    tell (asked, l->data);
+  return TRUE;
 }
 
 void
-qn_accept_files (GtkWidget *widget, QnTakeFile take, gpointer data)
+qn_accept_files (GtkWidget *widget, const QnFileQuestion *question, gpointer data)
 {
   GtkDropTarget *target = gtk_drop_target_new (GDK_TYPE_FILE_LIST, GDK_ACTION_COPY);
-  Taker *taker = g_new (Taker, 1);
-  *taker = (Taker){ take, data };
-  g_signal_connect_data (target, "drop", G_CALLBACK (on_drop), taker,
+  g_signal_connect_data (target, "drop", G_CALLBACK (on_drop),
+                         new_asked (widget, question, data),
                          (GClosureNotify) (void (*) (void)) g_free, 0);
   gtk_widget_add_controller (widget, GTK_EVENT_CONTROLLER (target));
 }

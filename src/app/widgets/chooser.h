@@ -24,18 +24,15 @@ typedef struct QnFileQuestion {
   /* Of such a file, NULL-terminated, with their dots. A name that ends in none of them gets the first; such a
    * file must not be there yet, as nobody was asked whether it may be replaced. */
   const char *const *endings;
-  /* The file, each of many; NULL with the reason why it is none. Not called where none was chosen. */
-  void (*chosen) (gpointer data, const char *path, const GError *error);
-  /* In place of it, for a file to be written: writes it; `told` says where it is, or why it is not there, but
-   * where `failed` (nullable) does. */
-  gboolean (*write) (gpointer data, const char *path, GError **error);
-  void (*told) (gpointer data, const char *message);
-  void (*failed) (gpointer data, const char *message);
-  void (*left) (gpointer data); /* none was chosen; or NULL */
-  const QnFileKind *kind;       /* that alone is shown; NULL: all files */
-  const char *path;      /* of the file that is proposed, instead of a name; or NULL */
-  const char *given;     /* that is the file, and nothing is asked; or NULL */
-  gboolean folder, many; /* folders, in place of files to be read; several at once */
+  /* Reads or writes the file, each of many; FALSE with an error. */
+  gboolean (*use) (gpointer data, const char *path, GError **error);
+  void (*told) (gpointer data, const char *message); /* where a written one is; or NULL */
+  void (*failed) (gpointer data, const char *message); /* why not; NULL: `told` */
+  void (*left) (gpointer data);                        /* no file was taken; or NULL */
+  const QnFileKind *kind; /* that alone is shown; NULL: all files */
+  const char *path;       /* of the file that is proposed, instead of a name; or NULL */
+  const char *given;      /* that is the file, and nothing is asked; or NULL */
+  gboolean folder, many;  /* folders, in place of files to be read; several at once */
 } QnFileQuestion;
 
 /* Asks over the window of a widget, in the folder that was chosen from last. The widget keeps the chooser, its
@@ -47,7 +44,5 @@ void qn_chooser_ask (GtkWidget *widget, const QnFileQuestion *question, gpointer
 char *qn_chooser_complete_path (const char *path, const char *const *endings,
                                 GError **error);
 
-/* Calls `take` for every file that is dropped on the widget; it says whether it takes the file. `data`
- * must live as long as the widget. */
-typedef gboolean (*QnTakeFile) (GFile *file, gpointer data);
-void qn_accept_files (GtkWidget *widget, QnTakeFile take, gpointer data);
+/* Files that are dropped on the widget answer the question, too. `data` must live as long as the widget. */
+void qn_accept_files (GtkWidget *widget, const QnFileQuestion *question, gpointer data);

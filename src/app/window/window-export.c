@@ -54,12 +54,13 @@ on_report_written (GObject *source, GAsyncResult *result, gpointer data)
 }
 
 /* All that was computed of the model as it is now, in the background, for combinations are analysed. */
-static void
-write_report (QnWindow *self, const char *path)
+static gboolean
+write_report (gpointer data, const char *path, GError **error)
 {
+  QnWindow *self = data;
   if (self->reporting != NULL) {
     qn_window_show_message (self, _ ("A report is being written; Shift+F5 cancels it"));
-    return;
+    return TRUE;
   }
   self->reporting = g_cancellable_new ();
   g_object_set_data_full (G_OBJECT (self->reporting), PATH, g_strdup (path), g_free);
@@ -67,6 +68,7 @@ write_report (QnWindow *self, const char *path)
                          on_report_written, g_object_ref (self));
   qn_window_show_message (self, _ ("Writing the report… Shift+F5 cancels"));
   qn_window_update_actions (self);
+  return TRUE;
 }
 
 /* ---- choosing the file ---- */
@@ -123,27 +125,6 @@ write_file (gpointer data, const char *path, GError **error)
   }
 }
 
-static void
-on_report_chosen (gpointer self, const char *path, const GError *error)
-{
-  if (path != NULL)
-    write_report (self, path);
-  else
-    qn_window_show_error (self, error->message);
-}
-
-static void
-on_told (gpointer self, const char *message)
-{
-  qn_window_show_message (self, message);
-}
-
-static void
-on_failed (gpointer self, const char *message)
-{
-  qn_window_show_error (self, message);
-}
-
 /* To a file that is asked for, where `path` is NULL. */
 static void
 export_to (QnWindow *self, gsize i, const char *path)
@@ -152,11 +133,10 @@ export_to (QnWindow *self, gsize i, const char *path)
                                     .accept = _ ("_Export"),
                                     .name = _ (exports[i].file),
                                     .endings = exports[i].endings,
-                                    .write = i == REPORT ? NULL : write_file,
-                                    .told = on_told,
-                                    .failed = on_failed,
-                                    .given = path,
-                                    .chosen = on_report_chosen };
+                                    .use = i == REPORT ? write_report : write_file,
+                                    .told = i == REPORT ? NULL : qn_window_show_message,
+                                    .failed = qn_window_show_error,
+                                    .given = path };
   if (i != DRAWING && qn_document_get_run (self->document) == NULL)
     return;
   self->exported = i;

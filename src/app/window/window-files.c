@@ -15,14 +15,11 @@ static const QnFileKind projects = { .title = N_ ("Open"),
 
 /* ---- opening ---- */
 
-static void
-on_file_chosen (gpointer data, const char *path, const GError *error)
+static gboolean
+use_chosen (gpointer data, const char *path, GError **error)
 {
   QnWindow *self = data;
-  if (path != NULL)
-    gtk_widget_activate_action (GTK_WIDGET (self), self->chosen_kind->action, "s", path);
-  else
-    qn_window_show_error (self, error->message);
+  return gtk_widget_activate_action (data, self->chosen_kind->action, "s", path);
 }
 
 void
@@ -30,7 +27,8 @@ qn_window_choose_file (QnWindow *self, const QnFileKind *kind)
 {
   const QnFileQuestion question = { .title = _ (kind->title),
                                     .accept = _ (kind->accept),
-                                    .chosen = on_file_chosen,
+                                    .use = use_chosen,
+                                    .failed = qn_window_show_error,
                                     .kind = kind };
   self->chosen_kind = kind;
   qn_chooser_ask (GTK_WIDGET (self), &question, self);
@@ -125,8 +123,9 @@ close_soon (QnWindow *self)
 
 /* One window that stays keeps those that were to close after it. */
 static void
-stop_closing (QnWindow *self)
+stop_closing (gpointer data)
 {
+  QnWindow *self = data;
   self->closing = QN_CLOSING_NOT;
   g_clear_pointer (&self->after_save, g_free);
   for (GList *l =
@@ -162,23 +161,16 @@ save_to (QnWindow *self, const char *path)
   return FALSE;
 }
 
-static void
-on_save_left (gpointer self)
-{
-  stop_closing (self);
-}
-
-static void
-on_save_chosen (gpointer data, const char *path, const GError *error)
+static gboolean
+use_saved (gpointer data, const char *path, GError **error)
 {
   QnWindow *self = data;
   const gboolean closes = self->closing == QN_CLOSING_NOW;
-  if (path == NULL)
-    qn_window_show_error (self, error->message);
-  if (path != NULL && save_to (self, path) && closes)
+  if (save_to (self, path) && closes)
     close_soon (self);
   else
     stop_closing (self);
+  return TRUE;
 }
 
 static void
@@ -190,8 +182,9 @@ save_as (QnWindow *self, GVariant *parameter)
                                     .accept = _ ("_Save"),
                                     .name = _ ("untitled.quoin"),
                                     .endings = endings,
-                                    .chosen = on_save_chosen,
-                                    .left = on_save_left,
+                                    .use = use_saved,
+                                    .failed = qn_window_show_error,
+                                    .left = stop_closing,
                                     .kind = &projects,
                                     .path = qn_document_get_path (self->document) };
   qn_chooser_ask (GTK_WIDGET (self), &question, self);

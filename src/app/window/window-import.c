@@ -25,12 +25,6 @@ insert_picture (QnWindow *self, const char *path)
 }
 
 static void
-picture_path (QnWindow *self, GVariant *parameter)
-{
-  insert_picture (self, g_variant_get_string (parameter, NULL));
-}
-
-static void
 remove_picture (QnWindow *self, GVariant *parameter)
 {
   g_autoptr (GError) error = NULL;
@@ -94,20 +88,17 @@ take_path (QnWindow *self, GVariant *parameter)
 }
 
 static gboolean
-take_dropped (GFile *file, gpointer window)
+use_dropped (gpointer window, const char *path, GError **error)
 {
-  g_autofree char *path = g_file_get_path (file);
-  if (path != NULL)
-    qn_window_take_file (window, path);
-  else
-    qn_window_show_error (window, _ ("Only local files can be opened"));
-  return path != NULL;
+  qn_window_take_file (window, path);
+  return TRUE;
 }
 
 void
 qn_window_accept_drops (QnWindow *self)
 {
-  qn_accept_files (GTK_WIDGET (self), take_dropped, self);
+  const QnFileQuestion question = { .use = use_dropped, .failed = qn_window_show_error };
+  qn_accept_files (GTK_WIDGET (self), &question, self);
 }
 
 /* ---- choosing ---- */
@@ -143,7 +134,6 @@ const QnWindowAction qn_window_import_actions[] = {
   { "facade-strip", NULL, facade_strip, 0 },
   { "take-path", "s", take_path, 0 },
   { "picture", NULL, picture, 0 },
-  { "picture-path", "s", picture_path, 0 },
   { "remove-picture", NULL, remove_picture, 0 },
   { .name = NULL },
 };

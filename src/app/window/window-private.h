@@ -80,8 +80,7 @@ struct _QnWindow {
   const QnFileKind *chosen_kind; /* what the file chooser on the screen opens */
   gsize exported;                /* what it asks for a file for */
   GCancellable *reporting;       /* while a report is written */
-  gboolean has_info_place;
-  QnVec2 info_place;
+  QnVec2 info_place;             /* of what the bar says, where it has a button for it */
 
 #define CHILD(type, name) type *name;
   QN_WINDOW_CHILDREN (CHILD)

@@ -2,6 +2,7 @@
 
 #include "app/forms/panel.h"
 #include "app/tools/tools.h"
+#include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/layouts.h"
 #include "app/widgets/settings.h"
@@ -183,14 +184,14 @@ on_view_changed (QnWindow *self)
 }
 
 void
-qn_window_show_error (QnWindow *self, const char *message)
+qn_window_show_error (gpointer window, const char *message)
 {
+  QnWindow *self = window;
   /* Work that outlives its window has nobody to tell. */
   if (self->info_label == NULL)
     return;
   g_clear_handle_id (&self->message_timeout, g_source_remove);
   gtk_widget_add_css_class (self->info_bar, "warning");
-  self->has_info_place = FALSE;
   gtk_label_set_text (self->info_label, message);
   gtk_widget_set_visible (GTK_WIDGET (self->info_button), FALSE);
   gtk_widget_set_visible (self->info_bar, TRUE);
@@ -206,8 +207,9 @@ on_message_timeout (gpointer data)
 }
 
 void
-qn_window_show_message (QnWindow *self, const char *message)
+qn_window_show_message (gpointer window, const char *message)
 {
+  QnWindow *self = window;
   qn_window_show_error (self, message);
   if (self->info_label == NULL)
     return;
@@ -220,7 +222,6 @@ void
 qn_window_show_error_at (QnWindow *self, const char *message, QnVec2 at)
 {
   qn_window_show_error (self, message);
-  self->has_info_place = TRUE;
   self->info_place = at;
   gtk_widget_set_visible (GTK_WIDGET (self->info_button), TRUE);
 }
@@ -228,8 +229,7 @@ qn_window_show_error_at (QnWindow *self, const char *message, QnVec2 at)
 static void
 on_info_button (QnWindow *self)
 {
-  if (self->has_info_place)
-    qn_canvas_show_place (self->canvas, self->info_place);
+  qn_canvas_show_place (self->canvas, self->info_place);
 }
 
 /* Undo, Solve and Cancel act on what is in sight. */
@@ -258,12 +258,6 @@ static void
 on_info_close (QnWindow *self)
 {
   gtk_widget_set_visible (self->info_bar, FALSE);
-}
-
-static void
-on_canvas_failed (QnCanvas *canvas, const char *message, QnWindow *self)
-{
-  qn_window_show_error (self, message);
 }
 
 /* ---- opening ---- */
@@ -383,24 +377,23 @@ static void
 connect_document (QnWindow *self)
 {
   const struct {
+    gpointer source;
     const char *signal;
     void (*func) (QnWindow *);
-  } signals[] = { { "changed", on_document_changed },
-                  { "history-changed", update_history },
-                  { "file-changed", update_title },
-                  { "runs-changed", on_view_changed } };
+  } signals[] = {
+    { self->document, "changed", on_document_changed },
+    { self->document, "history-changed", update_history },
+    { self->document, "file-changed", update_title },
+    { self->document, "runs-changed", on_view_changed },
+    { self->state, "changed", on_view_changed },
+    { qn_document_get_selection (self->document), "changed", qn_window_update_actions },
+    { self->canvas, "status", update_status },
+  };
   for (gsize i = 0; i < G_N_ELEMENTS (signals); i++)
-    g_signal_connect_object (self->document, signals[i].signal,
-                             G_CALLBACK (signals[i].func), self, G_CONNECT_SWAPPED);
-  g_signal_connect_object (self->state, "changed", G_CALLBACK (on_view_changed), self,
-                           G_CONNECT_SWAPPED);
-  g_signal_connect_object (qn_document_get_selection (self->document), "changed",
-                           G_CALLBACK (qn_window_update_actions), self,
-                           G_CONNECT_SWAPPED);
-  g_signal_connect_object (self->canvas, "status", G_CALLBACK (update_status), self,
-                           G_CONNECT_SWAPPED);
-  g_signal_connect_object (self->canvas, "failed", G_CALLBACK (on_canvas_failed), self,
-                           0);
+    qn_watch (GTK_WIDGET (self), signals[i].source, signals[i].signal,
+              G_CALLBACK (signals[i].func), self);
+  qn_watch (GTK_WIDGET (self), self->canvas, "failed", G_CALLBACK (qn_window_show_error),
+            self);
 }
 
 static void

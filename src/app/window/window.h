@@ -45,7 +45,7 @@ gboolean qn_window_open_copy (QnWindow *window, const char *path);
 gboolean qn_window_open_recovered (QnWindow *window, const char *recovery_path);
 
 /* A message in the bar above the drawing, with the place it is about (nullable). */
-void qn_window_show_error (QnWindow *window, const char *message);
+void qn_window_show_error (gpointer window, const char *message);
 /* The same for what went well; it goes by itself. */
-void qn_window_show_message (QnWindow *window, const char *message);
+void qn_window_show_message (gpointer window, const char *message);
 void qn_window_show_error_at (QnWindow *window, const char *message, QnVec2 at);
