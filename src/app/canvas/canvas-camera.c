@@ -229,23 +229,12 @@ qn_canvas_show_area (QnCanvas *self, QnVec2 low, QnVec2 high)
 }
 
 void
-qn_canvas_add_camera_controllers (QnCanvas *self)
+qn_canvas_bind_camera (GtkWidgetClass *klass)
 {
-  GtkWidget *widget = GTK_WIDGET (self);
-  GtkGesture *pan = gtk_gesture_drag_new ();
-  gtk_gesture_single_set_button (GTK_GESTURE_SINGLE (pan), GDK_BUTTON_MIDDLE);
-  g_signal_connect (pan, "drag-begin", G_CALLBACK (on_pan_begin), self);
-  g_signal_connect (pan, "drag-update", G_CALLBACK (on_pan_update), self);
-  g_signal_connect (pan, "drag-end", G_CALLBACK (on_pan_end), self);
-  gtk_widget_add_controller (widget, GTK_EVENT_CONTROLLER (pan));
-
-  GtkGesture *pinch = gtk_gesture_zoom_new ();
-  g_signal_connect (pinch, "begin", G_CALLBACK (on_pinch_begin), self);
-  g_signal_connect (pinch, "scale-changed", G_CALLBACK (on_pinch_changed), self);
-  gtk_widget_add_controller (widget, GTK_EVENT_CONTROLLER (pinch));
-
-  GtkEventController *scroll =
-    gtk_event_controller_scroll_new (GTK_EVENT_CONTROLLER_SCROLL_BOTH_AXES);
-  g_signal_connect (scroll, "scroll", G_CALLBACK (on_scroll), self);
-  gtk_widget_add_controller (widget, scroll);
+  gtk_widget_class_bind_template_callback (klass, on_pan_begin);
+  gtk_widget_class_bind_template_callback (klass, on_pan_update);
+  gtk_widget_class_bind_template_callback (klass, on_pan_end);
+  gtk_widget_class_bind_template_callback (klass, on_pinch_begin);
+  gtk_widget_class_bind_template_callback (klass, on_pinch_changed);
+  gtk_widget_class_bind_template_callback (klass, on_scroll);
 }

@@ -151,9 +151,7 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
 }
 
 void
-qn_canvas_add_key_controller (QnCanvas *self)
+qn_canvas_bind_keys (GtkWidgetClass *klass)
 {
-  GtkEventController *key = gtk_event_controller_key_new ();
-  g_signal_connect (key, "key-pressed", G_CALLBACK (on_key), self);
-  gtk_widget_add_controller (GTK_WIDGET (self), key);
+  gtk_widget_class_bind_template_callback (klass, on_key);
 }

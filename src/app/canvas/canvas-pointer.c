@@ -146,17 +146,10 @@ on_leave (GtkEventControllerMotion *controller, QnCanvas *self)
 }
 
 void
-qn_canvas_add_pointer_controllers (QnCanvas *self)
+qn_canvas_bind_pointer (GtkWidgetClass *klass)
 {
-  GtkWidget *widget = GTK_WIDGET (self);
-  GtkGesture *click = gtk_gesture_click_new ();
-  gtk_gesture_single_set_button (GTK_GESTURE_SINGLE (click), GDK_BUTTON_PRIMARY);
-  g_signal_connect (click, "pressed", G_CALLBACK (on_press), self);
-  g_signal_connect (click, "released", G_CALLBACK (on_release), self);
-  gtk_widget_add_controller (widget, GTK_EVENT_CONTROLLER (click));
-
-  GtkEventController *motion = gtk_event_controller_motion_new ();
-  g_signal_connect (motion, "motion", G_CALLBACK (on_motion), self);
-  g_signal_connect (motion, "leave", G_CALLBACK (on_leave), self);
-  gtk_widget_add_controller (widget, motion);
+  gtk_widget_class_bind_template_callback (klass, on_press);
+  gtk_widget_class_bind_template_callback (klass, on_release);
+  gtk_widget_class_bind_template_callback (klass, on_motion);
+  gtk_widget_class_bind_template_callback (klass, on_leave);
 }

@@ -82,10 +82,10 @@ PangoLayout *qn_canvas_make_text (QnCanvas *canvas, const char *text, double poi
 /* Draws everything by Cairo. */
 void qn_canvas_draw (QnCanvas *canvas, cairo_t *cr);
 
-/* canvas-pointer.c, canvas-camera.c, canvas-keys.c: what the user does to the drawing. */
-void qn_canvas_add_pointer_controllers (QnCanvas *canvas);
-void qn_canvas_add_camera_controllers (QnCanvas *canvas);
-void qn_canvas_add_key_controller (QnCanvas *canvas);
+/* canvas-pointer.c, canvas-camera.c, canvas-keys.c: what canvas.ui calls, as the user does things to the drawing. */
+void qn_canvas_bind_pointer (GtkWidgetClass *klass);
+void qn_canvas_bind_camera (GtkWidgetClass *klass);
+void qn_canvas_bind_keys (GtkWidgetClass *klass);
 
 /* Puts the pointer somewhere, and presses and releases there, as the mouse would; px. */
 void qn_canvas_point (QnCanvas *canvas, QnVec2 screen, GdkModifierType modifiers);

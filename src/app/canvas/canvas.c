@@ -160,7 +160,8 @@ qn_canvas_dispose (GObject *object)
   g_clear_handle_id (&self->place_timeout, g_source_remove);
   g_clear_handle_id (&self->inspect_timeout, g_source_remove);
   g_clear_handle_id (&self->rest_timeout, g_source_remove);
-  qn_gl_layer_clear (&self->gl_layer);
+  g_clear_handle_id (&self->gl_layer.wake, g_source_remove);
+  gtk_widget_dispose_template (GTK_WIDGET (self), QN_TYPE_CANVAS);
   g_clear_weak_pointer (&self->corner);
   qn_scene_cache_clear (&self->cache);
   g_clear_pointer (&self->scene, qn_scene_free);
@@ -199,26 +200,27 @@ qn_canvas_class_init (QnCanvasClass *klass)
                                          NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_STRING);
   gtk_widget_class_set_css_name (widget_class, "canvas");
   gtk_widget_class_set_accessible_role (widget_class, GTK_ACCESSIBLE_ROLE_IMG);
+  gtk_widget_class_set_template_from_resource (widget_class,
+                                               "/io/github/quoin/Quoin/canvas.ui");
+  gtk_widget_class_bind_template_child_full (widget_class, "area", FALSE,
+                                             G_STRUCT_OFFSET (QnCanvas, gl_layer.area));
+  qn_canvas_bind_pointer (widget_class);
+  qn_canvas_bind_camera (widget_class);
+  qn_canvas_bind_keys (widget_class);
 }
 
 static void
 qn_canvas_init (QnCanvas *self)
 {
-  gtk_widget_set_focusable (GTK_WIDGET (self), TRUE);
+  gtk_widget_init_template (GTK_WIDGET (self));
   /* A drawing is the same in every script. */
   gtk_widget_set_direction (GTK_WIDGET (self), GTK_TEXT_DIR_LTR);
-  gtk_widget_set_overflow (GTK_WIDGET (self), GTK_OVERFLOW_HIDDEN);
-  gtk_widget_set_hexpand (GTK_WIDGET (self), TRUE);
-  gtk_widget_set_vexpand (GTK_WIDGET (self), TRUE);
   self->camera.scale = 100.0;
   self->camera.unit = 1.0;
   self->typed = g_string_new (NULL);
   self->gesture.points = g_array_new (FALSE, FALSE, sizeof (QnVec2));
-  qn_gl_layer_init (&self->gl_layer, GTK_WIDGET (self));
+  qn_gl_layer_init (&self->gl_layer);
   self->wants_fit = self->keeps_fit = TRUE;
-  qn_canvas_add_pointer_controllers (self);
-  qn_canvas_add_camera_controllers (self);
-  qn_canvas_add_key_controller (self);
 }
 
 static void

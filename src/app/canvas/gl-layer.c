@@ -110,21 +110,10 @@ qn_gl_layer_prepare (QnGlLayer *self, const QnScene *scene, const QnCamera *came
 }
 
 void
-qn_gl_layer_clear (QnGlLayer *self)
+qn_gl_layer_init (QnGlLayer *self)
 {
-  g_clear_handle_id (&self->wake, g_source_remove);
-  g_clear_pointer (&self->area, gtk_widget_unparent);
-}
-
-void
-qn_gl_layer_init (QnGlLayer *self, GtkWidget *canvas)
-{
-  self->area = gtk_gl_area_new ();
   gtk_gl_area_set_required_version (GTK_GL_AREA (self->area), 3, 3);
-  gtk_widget_set_visible (self->area, FALSE);
-  gtk_widget_set_can_target (self->area, FALSE);
   g_signal_connect_after (self->area, "realize", G_CALLBACK (on_realize), self);
   g_signal_connect (self->area, "unrealize", G_CALLBACK (on_unrealize), self);
   g_signal_connect (self->area, "render", G_CALLBACK (on_render), self);
-  gtk_widget_set_parent (self->area, canvas);
 }

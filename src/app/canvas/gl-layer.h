@@ -24,9 +24,8 @@ typedef struct QnGlLayer {
 /* Values of the setting "engine". */
 typedef enum { QN_ENGINE_AUTOMATIC, QN_ENGINE_CAIRO, QN_ENGINE_OPENGL } QnEngine;
 
-/* Puts the area of a zeroed layer into the canvas, without a context until it is asked to draw; and takes it out. */
-void qn_gl_layer_init (QnGlLayer *self, GtkWidget *canvas);
-void qn_gl_layer_clear (QnGlLayer *self);
+/* Of a layer that has its area, which gets a context once it is asked to draw. */
+void qn_gl_layer_init (QnGlLayer *self);
 
 /* Says what the next frame holds; true where OpenGL draws it. Otherwise Cairo has to, be it
  * for this one frame, while the context is being made. */

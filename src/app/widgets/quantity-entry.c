@@ -5,8 +5,6 @@
 #include <math.h>
 
 #define SHOWN_DIGITS 7
-#define WIDTH_CHARS  9
-#define USUAL_CHARS  12 /* all digits with a unit */
 
 struct _QnQuantityEntry {
   GtkEntry parent_instance;
@@ -28,31 +26,16 @@ enum { PROPERTY_QUANTITY = 1, PROPERTY_LEAST, PROPERTY_MOST };
 static GType
 quantity_type (void)
 {
-  static const GEnumValue values[] = {
-    { QN_QUANTITY_NUMBER, "QN_QUANTITY_NUMBER", "number" },
-    { QN_QUANTITY_LENGTH, "QN_QUANTITY_LENGTH", "length" },
-    { QN_QUANTITY_DIAMETER, "QN_QUANTITY_DIAMETER", "diameter" },
-    { QN_QUANTITY_ANGLE, "QN_QUANTITY_ANGLE", "angle" },
-    { QN_QUANTITY_ROTATION, "QN_QUANTITY_ROTATION", "rotation" },
-    { QN_QUANTITY_FORCE, "QN_QUANTITY_FORCE", "force" },
-    { QN_QUANTITY_MOMENT, "QN_QUANTITY_MOMENT", "moment" },
-    { QN_QUANTITY_STRESS, "QN_QUANTITY_STRESS", "stress" },
-    { QN_QUANTITY_PRESSURE, "QN_QUANTITY_PRESSURE", "pressure" },
-    { QN_QUANTITY_STIFFNESS, "QN_QUANTITY_STIFFNESS", "stiffness" },
-    { QN_QUANTITY_SURFACE_STIFFNESS, "QN_QUANTITY_SURFACE_STIFFNESS",
-      "surface-stiffness" },
-    { QN_QUANTITY_UNIT_WEIGHT, "QN_QUANTITY_UNIT_WEIGHT", "unit-weight" },
-    { QN_QUANTITY_DENSITY, "QN_QUANTITY_DENSITY", "density" },
-    { QN_QUANTITY_TIME, "QN_QUANTITY_TIME", "time" },
-    { QN_QUANTITY_ENERGY, "QN_QUANTITY_ENERGY", "energy" },
-    { QN_QUANTITY_SURFACE_ENERGY, "QN_QUANTITY_SURFACE_ENERGY", "surface-energy" },
-    { 0, NULL, NULL }
+  static const char *const names[] = {
+    "number",  "length", "diameter", "angle",         "rotation",          "force",
+    "moment",  "stress", "pressure", "stiffness",     "surface-stiffness", "unit-weight",
+    "density", "time",   "energy",   "surface-energy"
   };
-  G_STATIC_ASSERT (G_N_ELEMENTS (values) == QN_QUANTITY_COUNT + 1);
-  static GType type;
-  if (type == 0)
-    type = g_enum_register_static ("QnQuantity", values);
-  return type;
+  G_STATIC_ASSERT (G_N_ELEMENTS (names) == QN_QUANTITY_COUNT);
+  static GEnumValue values[QN_QUANTITY_COUNT + 1];
+  for (int i = 0; i < QN_QUANTITY_COUNT; i++)
+    values[i] = (GEnumValue){ i, names[i], names[i] };
+  return g_enum_register_static ("QnQuantity", values);
 }
 
 static void
@@ -70,9 +53,9 @@ set_trouble (QnQuantityEntry *self, const char *message)
     message != NULL ? GTK_ACCESSIBLE_INVALID_TRUE : GTK_ACCESSIBLE_INVALID_FALSE, -1);
 }
 
+/* What GTK's context menu, which opens next, has besides its own. */
 static void
-on_secondary_press (GtkGestureClick *gesture, int count, double x, double y,
-                    QnQuantityEntry *self)
+make_menu (QnQuantityEntry *self)
 {
   g_signal_emit (self, signals[SIGNAL_MENU], 0);
 }
@@ -128,12 +111,6 @@ commit (QnQuantityEntry *self)
   g_signal_emit (self, signals[SIGNAL_COMMITTED], 0);
 }
 
-static void
-on_focus_leave (GtkEventControllerFocus *controller, QnQuantityEntry *self)
-{
-  commit (self);
-}
-
 static gboolean
 on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
         GdkModifierType modifiers, QnQuantityEntry *self)
@@ -142,7 +119,7 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
     show_value (self);
   else if (keyval == GDK_KEY_Menu
            || (keyval == GDK_KEY_F10 && (modifiers & GDK_SHIFT_MASK) != 0))
-    g_signal_emit (self, signals[SIGNAL_MENU], 0);
+    make_menu (self);
   return FALSE;
 }
 
@@ -175,6 +152,7 @@ static void
 qn_quantity_entry_class_init (QnQuantityEntryClass *klass)
 {
   GObjectClass *object_class = G_OBJECT_CLASS (klass);
+  GtkWidgetClass *widget_class = GTK_WIDGET_CLASS (klass);
   object_class->constructed = qn_quantity_entry_constructed;
   object_class->set_property = qn_quantity_entry_set_property;
   g_object_class_install_property (
@@ -197,6 +175,11 @@ qn_quantity_entry_class_init (QnQuantityEntryClass *klass)
                   NULL, G_TYPE_NONE, 1, G_TYPE_STRING);
   signals[SIGNAL_MENU] = g_signal_new ("menu", QN_TYPE_QUANTITY_ENTRY, G_SIGNAL_RUN_LAST,
                                        0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+  gtk_widget_class_set_template_from_resource (
+    widget_class, "/io/github/quoin/Quoin/quantity-entry.ui");
+  gtk_widget_class_bind_template_callback (widget_class, commit);
+  gtk_widget_class_bind_template_callback (widget_class, on_key);
+  gtk_widget_class_bind_template_callback (widget_class, make_menu);
 }
 
 static void
@@ -204,25 +187,9 @@ qn_quantity_entry_init (QnQuantityEntry *self)
 {
   self->least = -INFINITY;
   self->most = INFINITY;
-  gtk_editable_set_width_chars (GTK_EDITABLE (self), WIDTH_CHARS);
-  gtk_editable_set_max_width_chars (GTK_EDITABLE (self), USUAL_CHARS);
-  gtk_editable_set_alignment (GTK_EDITABLE (self), 1.0f);
+  gtk_widget_init_template (GTK_WIDGET (self));
   /* Numbers run from left to right in every script. */
   gtk_widget_set_direction (GTK_WIDGET (self), GTK_TEXT_DIR_LTR);
-  g_signal_connect (self, "activate", G_CALLBACK (commit), NULL);
-  GtkEventController *focus = gtk_event_controller_focus_new ();
-  g_signal_connect (focus, "leave", G_CALLBACK (on_focus_leave), self);
-  gtk_widget_add_controller (GTK_WIDGET (self), focus);
-  GtkEventController *key = gtk_event_controller_key_new ();
-  gtk_event_controller_set_propagation_phase (key, GTK_PHASE_CAPTURE);
-  g_signal_connect (key, "key-pressed", G_CALLBACK (on_key), self);
-  gtk_widget_add_controller (GTK_WIDGET (self), key);
-  GtkGesture *press = gtk_gesture_click_new ();
-  gtk_gesture_single_set_button (GTK_GESTURE_SINGLE (press), GDK_BUTTON_SECONDARY);
-  gtk_event_controller_set_propagation_phase (GTK_EVENT_CONTROLLER (press),
-                                              GTK_PHASE_CAPTURE);
-  g_signal_connect (press, "pressed", G_CALLBACK (on_secondary_press), self);
-  gtk_widget_add_controller (GTK_WIDGET (self), GTK_EVENT_CONTROLLER (press));
   g_signal_connect_object (qn_settings_get (), "changed", G_CALLBACK (show_value), self,
                            G_CONNECT_SWAPPED);
 }
