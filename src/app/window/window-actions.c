@@ -181,7 +181,6 @@ static void
 on_keep_history (GSimpleAction *action, GVariant *value, gpointer data)
 {
   QnWindow *self = data;
-  g_simple_action_set_state (action, value);
   qn_document_set_keeps_history (self->document, g_variant_get_boolean (value));
 }
 
@@ -189,7 +188,6 @@ static void
 on_switch (GSimpleAction *action, GVariant *value, gpointer data)
 {
   QnWindow *self = data;
-  g_simple_action_set_state (action, value);
   qn_view_state_set_switch (self->state, g_action_get_name (G_ACTION (action)),
                             g_variant_get_boolean (value));
 }
@@ -226,9 +224,8 @@ add_stateful_actions (QnWindow *self)
   g_action_map_add_action_entries (G_ACTION_MAP (self), entries, G_N_ELEMENTS (entries),
                                    self);
   for (gsize i = 0; i < G_N_ELEMENTS (switches); i++) {
-    gboolean on = qn_view_state_get_switch (self->state, switches[i]);
     g_autoptr (GSimpleAction) action =
-      g_simple_action_new_stateful (switches[i], NULL, g_variant_new_boolean (on));
+      g_simple_action_new_stateful (switches[i], NULL, g_variant_new_boolean (FALSE));
     g_signal_connect (action, "change-state", G_CALLBACK (on_switch), self);
     g_action_map_add_action (G_ACTION_MAP (self), G_ACTION (action));
   }
@@ -349,9 +346,10 @@ qn_window_update_actions (QnWindow *self)
     if (row != NULL)
       g_simple_action_set_enabled (G_SIMPLE_ACTION (action), (row->needs & ~facts) == 0);
   }
-  /* Loads have a switch for the model, and one for results. */
-  set_state (self, "loads",
-             g_variant_new_boolean (qn_view_state_get_switch (self->state, "loads")));
+  for (gsize i = 0; i < G_N_ELEMENTS (switches); i++)
+    set_state (
+      self, switches[i],
+      g_variant_new_boolean (qn_view_state_get_switch (self->state, switches[i])));
   set_state (self, "view",
              g_variant_new_string (qn_view_names[qn_view_state_get_view (self->state)]));
   set_state (self, "keep-history",

@@ -1,5 +1,6 @@
 #include "app/window/window-private.h"
 
+#include "app/widgets/builder.h"
 #include "app/widgets/settings.h"
 #include "doc/document/run.h"
 #include "doc/text/explain.h"
@@ -304,14 +305,13 @@ on_document_changed (QnWindow *self)
 void
 qn_window_connect_analysis (QnWindow *self)
 {
-  g_signal_connect_object (self->document, "job-changed", G_CALLBACK (on_job_changed),
-                           self, G_CONNECT_SWAPPED);
-  g_signal_connect_object (self->document, "job-progress", G_CALLBACK (on_job_progress),
-                           self, G_CONNECT_SWAPPED);
-  g_signal_connect_object (self->document, "changed", G_CALLBACK (on_document_changed),
-                           self, G_CONNECT_SWAPPED);
-  g_signal_connect_object (qn_settings_get (), "changed::live",
-                           G_CALLBACK (on_document_changed), self, G_CONNECT_SWAPPED);
+  GtkWidget *window = GTK_WIDGET (self);
+  QnDocument *document = self->document;
+  qn_watch (window, document, "job-changed", G_CALLBACK (on_job_changed), self);
+  qn_watch (window, document, "job-progress", G_CALLBACK (on_job_progress), self);
+  qn_watch (window, document, "changed", G_CALLBACK (on_document_changed), self);
+  qn_watch (window, qn_settings_get (), "changed::live", G_CALLBACK (on_document_changed),
+            self);
   self->next_method = QN_NO_METHOD;
   on_job_changed (self);
 }
