@@ -12,8 +12,7 @@
 typedef struct Table {
   QnCanvas *canvas;
   GtkWidget *expander, *grid;
-  GtkWidget *entries[MOST_CORNERS][2]; /* x, y */
-  QnId count;                          /* of rows */
+  int count; /* of its rows: number, x, y */
 } Table;
 
 /* The only block that is selected, or QN_NONE. */
@@ -29,35 +28,29 @@ on_committed (QnQuantityEntry *entry, Table *table)
 {
   QnId block = selected_block (table);
   const QnModel *model = qn_canvas_get_model (table->canvas);
-  if (block == QN_NONE || (gsize) block >= model->block_count)
+  int column, corner;
+  gtk_grid_query_child (GTK_GRID (table->grid), GTK_WIDGET (entry), &column, &corner,
+                        NULL, NULL);
+  if (block == QN_NONE || (gsize) block >= model->block_count
+      || corner >= model->blocks[block].vertex_count)
     return;
-  const QnVec2 *v = qn_model_block_vertices (model, block);
-  for (QnId k = 0; k < MIN (table->count, model->blocks[block].vertex_count); k++) {
-    QnVec2 to = v[k];
-    if (GTK_WIDGET (entry) == table->entries[k][0])
-      to.x = qn_quantity_entry_get_value (entry);
-    else if (GTK_WIDGET (entry) == table->entries[k][1])
-      to.y = qn_quantity_entry_get_value (entry);
-    else
-      continue;
-    QnCanvasDraft draft;
-    const QnVec2 from = v[k];
-    if (!qn_canvas_begin_edit (table->canvas, &draft)
-        || !qn_canvas_end_edit (table->canvas, &draft, _ ("Move Corner"), NULL,
-                                qn_edit_move_corner (draft.model,
-                                                     (QnBlockSet){ &block, 1 }, from, to,
-                                                     &draft.error)))
-      qn_quantity_entry_refuse (entry, _ ("No block has this shape"));
-    return;
-  }
+  QnCanvasDraft draft;
+  const QnVec2 from = qn_model_block_vertices (model, block)[corner];
+  QnVec2 to = from;
+  *(column == 1 ? &to.x : &to.y) = qn_quantity_entry_get_value (entry);
+  if (!qn_canvas_begin_edit (table->canvas, &draft)
+      || !qn_canvas_end_edit (table->canvas, &draft, _ ("Move Corner"), NULL,
+                              qn_edit_move_corner (draft.model, (QnBlockSet){ &block, 1 },
+                                                   from, to, &draft.error)))
+    qn_quantity_entry_refuse (entry, _ ("No block has this shape"));
 }
 
 static GtkWidget *
-new_entry (Table *table, QnId corner, int axis)
+new_entry (Table *table, int corner, int axis)
 {
   GtkWidget *entry = qn_quantity_entry_new (QN_QUANTITY_LENGTH, -FARTHEST, FARTHEST);
-  g_autofree char *name = g_strdup_printf (
-    axis == 0 ? _ ("Corner %d, x") : _ ("Corner %d, y"), (int) corner + 1);
+  g_autofree char *name =
+    g_strdup_printf (axis == 0 ? _ ("Corner %d, x") : _ ("Corner %d, y"), corner + 1);
   gtk_accessible_update_property (GTK_ACCESSIBLE (entry), GTK_ACCESSIBLE_PROPERTY_LABEL,
                                   name, -1);
   g_signal_connect (entry, "committed", G_CALLBACK (on_committed), table);
@@ -76,23 +69,22 @@ update (Table *table)
   if (!shown)
     return;
   const QnVec2 *v = qn_model_block_vertices (model, block);
-  QnId count = model->blocks[block].vertex_count;
+  const int count = model->blocks[block].vertex_count;
+  GtkGrid *grid = GTK_GRID (table->grid);
   while (table->count > count)
-    gtk_grid_remove_row (GTK_GRID (table->grid), --table->count);
+    gtk_grid_remove_row (grid, --table->count);
   for (; table->count < count; table->count++) {
-    g_autofree char *number = g_strdup_printf ("%d", (int) table->count + 1);
-    gtk_grid_attach (GTK_GRID (table->grid), gtk_label_new (number), 0, table->count, 1,
-                     1);
-    for (int axis = 0; axis < 2; axis++) {
-      GtkWidget *entry = new_entry (table, table->count, axis);
-      table->entries[table->count][axis] = entry;
-      gtk_grid_attach (GTK_GRID (table->grid), entry, 1 + axis, table->count, 1, 1);
-    }
+    g_autofree char *number = g_strdup_printf ("%d", table->count + 1);
+    gtk_grid_attach (grid, gtk_label_new (number), 0, table->count, 1, 1);
+    for (int axis = 0; axis < 2; axis++)
+      gtk_grid_attach (grid, new_entry (table, table->count, axis), 1 + axis,
+                       table->count, 1, 1);
   }
-  for (QnId k = 0; k < table->count; k++) {
-    qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (table->entries[k][0]), v[k].x);
-    qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (table->entries[k][1]), v[k].y);
-  }
+  for (int k = 0; k < count; k++)
+    for (int axis = 0; axis < 2; axis++)
+      qn_quantity_entry_set_value (
+        QN_QUANTITY_ENTRY (gtk_grid_get_child_at (grid, 1 + axis, k)),
+        axis == 0 ? v[k].x : v[k].y);
 }
 
 GtkWidget *

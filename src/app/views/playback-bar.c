@@ -104,22 +104,15 @@ on_tick (GtkWidget *widget, GdkFrameClock *clock, gpointer data)
   bar->last_time = now;
   double period = g_settings_get_double (qn_settings_get (), "animation-period");
   gboolean loop = gtk_toggle_button_get_active (GTK_TOGGLE_BUTTON (bar->loop));
-  if (run != NULL) {
-    if (play_time (bar, run, loop))
-      return G_SOURCE_CONTINUE;
+  const double turns = bar->position / period;
+  gboolean goes_on = loop || turns < 1.0;
+  if (run != NULL)
+    goes_on = play_time (bar, run, loop);
+  else /* to and fro, slowly at both ends */
+    show_share (bar, goes_on ? 0.5 - 0.5 * cos (G_PI * turns) : 1.0);
+  if (!goes_on)
     stop (bar);
-    return G_SOURCE_REMOVE;
-  }
-  double turns = bar->position / period;
-  if (!loop && turns >= 1.0) {
-    show_share (bar, 1.0);
-    stop (bar);
-    return G_SOURCE_REMOVE;
-  }
-  /* To and fro, slowly at both ends. */
-  show_share (bar, loop ? 0.5 - 0.5 * cos (G_PI * turns)
-                        : 0.5 - 0.5 * cos (G_PI * fmin (turns, 1.0)));
-  return G_SOURCE_CONTINUE;
+  return goes_on ? G_SOURCE_CONTINUE : G_SOURCE_REMOVE;
 }
 
 static void
@@ -160,12 +153,7 @@ toggle (Bar *bar)
 static void
 on_slider (GtkRange *range, Bar *bar)
 {
-  if (moves_by_phase (bar))
-    qn_view_state_set_phase (bar->state,
-                             gtk_range_get_value (range) / MAX (1, last_step (bar)));
-  else
-    qn_view_state_set_step (
-      bar->state, (int) qn_to_integer (round (gtk_range_get_value (range)), 0, G_MAXINT));
+  show_share (bar, gtk_range_get_value (range) / MAX (1, last_step (bar)));
 }
 
 static void
