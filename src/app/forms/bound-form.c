@@ -527,9 +527,7 @@ on_entered (GtkWidget *widget)
   gboolean is_row = entered.field >= kind->field_count;
   const char *name = step_of (form, entered.field);
   gboolean done;
-  /* A button may close its dialog, and the form is gone with it. */
-  GtkWidget *root = NULL;
-  g_set_weak_pointer (&root, form->root);
+  g_rc_box_acquire (form); /* a button may close its dialog */
   if (is_list (form, entered.field)) {
     select_item (form, (int) entered.value.number);
     done = TRUE;
@@ -540,17 +538,16 @@ on_entered (GtkWidget *widget)
   } else {
     done = take (&entered, NULL, &error);
   }
-  if (root != NULL && done) {
+  if (!form->closed && done) {
     qn_bound_form_show (form);
     if (form->told != NULL)
       qn_canvas_tell (form->canvas, form->told);
-  } else if (root != NULL) {
+  } else if (!form->closed) {
     form->wanted = -1;
     refuse (form, widget, error);
   }
-  if (root != NULL)
-    form->told = NULL;
-  g_clear_weak_pointer (&root);
+  form->told = NULL;
+  qn_bound_form_unref (form);
   qn_value_clear (&entered.value);
 }
 
