@@ -765,10 +765,10 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
     connect (form, widget);
   }
   for (guint i = 0; i < kind->row_count; i++) {
-    const QnFieldInfo *info = kind->row_info (i);
-    GtkWidget *entry = qn_quantity_entry_new (info->quantity, info->least, info->most);
+    const QnFieldInfo info = kind->row_info (i);
+    GtkWidget *entry = qn_quantity_entry_new (info.quantity, info.least, info.most);
     gtk_box_append (GTK_BOX (gtk_builder_get_object (builder, "rows")),
-                    qn_row_new (_ (info->label), entry));
+                    qn_row_new (_ (info.label), entry));
     form->widgets[kind->field_count + i] = entry;
     connect (form, entry);
   }

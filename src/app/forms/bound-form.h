@@ -75,7 +75,7 @@ typedef struct QnFormKind {
   /* Numbers behind these fields, each with a row in the box "rows" of the file: how many, what they
    * are, and the names of their steps, translated. */
   guint row_count;
-  const QnFieldInfo *(*row_info) (guint row);
+  QnFieldInfo (*row_info) (guint row);
   const char *(*row_step) (guint row);
   const QnFormList *list;       /* or NULL */
   QnFollow follows;             /* besides the model */

@@ -20,8 +20,11 @@ typedef struct Form {
   char *fault;             /* why its record cannot be read, or NULL */
 } Form;
 
-#define CHANGE N_ ("Change Analysis")
+#define CHANGE    N_ ("Change Analysis")
+#define INITIALLY N_ ("Change Initial Motion")
+#define MOTION    N_ ("Change Ground Motion")
 
+/* INITIAL: of the selected blocks, ux, uy, rz and their rates. RESTS: of a record in a file. */
 #define FIELDS(FIELD, MEMBER)                                                            \
   MEMBER (DURATION, "duration", CHANGE, QnDynamicSettings, duration)                     \
   MEMBER (TIME_STEP, "time_step", CHANGE, QnDynamicSettings, time_step)                  \
@@ -33,30 +36,25 @@ typedef struct Form {
   MEMBER (FOLLOW, "follow", CHANGE, QnDynamicSettings, follow)                           \
   MEMBER (FALL, "fall", CHANGE, QnDynamicSettings, fall)                                 \
   FIELD (INITIAL_TITLE, "initial_title", NULL)                                           \
-  FIELD (                                                                                \
-    INITIAL, "initial_ux",                                                               \
-    N_ (                                                                                 \
-      "Change Initial Motion")) /* of the selected blocks: ux, uy, rz and their rates */ \
-  FIELD (INITIAL_UY, "initial_uy", N_ ("Change Initial Motion"))                         \
-  FIELD (INITIAL_RZ, "initial_rz", N_ ("Change Initial Motion"))                         \
-  FIELD (INITIAL_VX, "initial_vx", N_ ("Change Initial Motion"))                         \
-  FIELD (INITIAL_VY, "initial_vy", N_ ("Change Initial Motion"))                         \
-  FIELD (INITIAL_WZ, "initial_wz", N_ ("Change Initial Motion"))                         \
+  FIELD (INITIAL, "initial_ux", INITIALLY)                                               \
+  FIELD (INITIAL_UY, "initial_uy", INITIALLY)                                            \
+  FIELD (INITIAL_RZ, "initial_rz", INITIALLY)                                            \
+  FIELD (INITIAL_VX, "initial_vx", INITIALLY)                                            \
+  FIELD (INITIAL_VY, "initial_vy", INITIALLY)                                            \
+  FIELD (INITIAL_WZ, "initial_wz", INITIALLY)                                            \
   FIELD (MOTIONS, "motions", NULL)                                                       \
   FIELD (EMPTY, "empty", NULL)                                                           \
   FIELD (PREVIEW, "preview", NULL)                                                       \
   FIELD (PLOT, "plot", NULL)                                                             \
   FIELD (FAULT, "fault", NULL)                                                           \
-  MEMBER (KIND, "kind", N_ ("Change Ground Motion"), QnGroundMotion, pulse.kind)         \
-  MEMBER (AMPLITUDE, "amplitude", N_ ("Change Ground Motion"), QnGroundMotion,           \
-          pulse.amplitude)                                                               \
-  MEMBER (LENGTH, "length", N_ ("Change Ground Motion"), QnGroundMotion, pulse.duration) \
-  MEMBER (START, "start", N_ ("Change Ground Motion"), QnGroundMotion, pulse.start)      \
-  MEMBER (SCALE, "scale", N_ ("Change Ground Motion"), QnGroundMotion, scale)            \
-  MEMBER (X, "x", N_ ("Change Ground Motion"), QnGroundMotion, direction.x)              \
-  MEMBER (Y, "y", N_ ("Change Ground Motion"), QnGroundMotion, direction.y)              \
-  MEMBER (RESTS, "rests", N_ ("Change Ground Motion"), QnGroundMotion,                   \
-          rests) /* of a record in a file */                                             \
+  MEMBER (KIND, "kind", MOTION, QnGroundMotion, pulse.kind)                              \
+  MEMBER (AMPLITUDE, "amplitude", MOTION, QnGroundMotion, pulse.amplitude)               \
+  MEMBER (LENGTH, "length", MOTION, QnGroundMotion, pulse.duration)                      \
+  MEMBER (START, "start", MOTION, QnGroundMotion, pulse.start)                           \
+  MEMBER (SCALE, "scale", MOTION, QnGroundMotion, scale)                                 \
+  MEMBER (X, "x", MOTION, QnGroundMotion, direction.x)                                   \
+  MEMBER (Y, "y", MOTION, QnGroundMotion, direction.y)                                   \
+  MEMBER (RESTS, "rests", MOTION, QnGroundMotion, rests)                                 \
   FIELD (ADD, "add", N_ ("Add Ground Motion"))                                           \
   FIELD (IMPORT, "import", NULL)                                                         \
   FIELD (REMOVE, "remove", N_ ("Remove Ground Motion"))

@@ -11,31 +11,26 @@
 #include <string.h>
 
 /* Numbers by the keys of project files; the first ones belong to every law. */
-static struct {
-  const char *key;
-  QnFieldInfo info; /* its label that of law-text.h */
-} numbers[] = {
-  { "elasticity", { .least = 1e-12, .most = 1e18 } },
-  { "poisson", { .most = 0.4999 } },
-  { "kn", { .least = 1e-12, .most = 1e18 } },
-  { "ks", { .least = 1e-12, .most = 1e18 } },
-  { "shear_factor", { .most = 1e18 } },
-  { "friction", { .most = 1e18 } },
-  { "cohesion", { .most = 1e18 } },
-  { "tension", { .most = 1e18 } },
-  { "compression", { .most = 1e18 } },
-  { "residual_friction", { .most = 1e18 } },
-  { "fracture_energy_tension", { .most = 1e18 } },
-  { "fracture_energy_shear", { .most = 1e18 } },
-  { "dilatancy", { .most = 1e18 } },
-  { "dilation_end", { .most = 1e18 } },
-  { "yield", { .most = 1e18 } },
-  { "hardening", { .most = 1e18 } },
-  { "strength", { .most = 1e18 } },
-  { "ultimate_strain", { .most = 1e18 } },
-  { "fracture_energy", { .most = 1e18 } },
-  { "crushing_energy", { .most = 1e18 } },
-};
+static const char *const keys[] = { "elasticity",
+                                    "poisson",
+                                    "kn",
+                                    "ks",
+                                    "shear_factor",
+                                    "friction",
+                                    "cohesion",
+                                    "tension",
+                                    "compression",
+                                    "residual_friction",
+                                    "fracture_energy_tension",
+                                    "fracture_energy_shear",
+                                    "dilatancy",
+                                    "dilation_end",
+                                    "yield",
+                                    "hardening",
+                                    "strength",
+                                    "ultimate_strain",
+                                    "fracture_energy",
+                                    "crushing_energy" };
 
 /* m: of the block's side in the plot, where a law speaks of strains. */
 #define TYPICAL_LENGTH 0.1
@@ -71,11 +66,13 @@ typedef struct Form {
   FIELD (REMOVE, "remove", N_ ("Remove Law"))
 QN_FORM_FIELDS;
 
-static const QnFieldInfo *
+static QnFieldInfo
 row_info (guint row)
 {
-  numbers[row].info.label = qn_law_number_word (numbers[row].key);
-  return &numbers[row].info;
+  static const char *const positive[] = { "elasticity", "kn", "ks", NULL };
+  return (QnFieldInfo){ .label = qn_law_number_word (keys[row]),
+                        .least = g_strv_contains (positive, keys[row]) ? 1e-12 : 0.0,
+                        .most = g_str_equal (keys[row], "poisson") ? 0.4999 : 1e18 };
 }
 
 static const char *
@@ -97,7 +94,7 @@ number_of (QnLaw *law, guint row)
   size_t count;
   const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
   for (size_t i = 0; i < count; i++)
-    if (strcmp (parameters[i].key, numbers[row].key) == 0)
+    if (strcmp (parameters[i].key, keys[row]) == 0)
       return qn_law_at (law, &parameters[i]);
   return NULL;
 }
@@ -190,14 +187,9 @@ show (gpointer data, guint field, QnValue *value)
     value->number = law.basis;
     return TRUE;
   case CELLS:
-    qn_value_add_row (value, _ ("Given"));
-    qn_value_add_row (value, _ ("Of the material, blocks in a chain"));
-    qn_value_add_row (value, _ ("Of the material, blocks in a grid"));
     value->number = law.elasticity > 0.0 ? 1 + (int) law.arrangement : 0;
     return law.basis == QN_BASIS_MATERIAL;
   case SOFTENING:
-    qn_value_add_row (value, _ ("In a straight line"));
-    qn_value_add_row (value, _ ("Along an exponential curve"));
     value->number = law.exponential;
     return qn_law_may_bond (law.kind)
            && (law.fracture_energy_tension > 0.0 || law.fracture_energy_shear > 0.0);
@@ -232,9 +224,9 @@ show (gpointer data, guint field, QnValue *value)
     if (number == NULL)
       return FALSE;
     value->number = *number;
-    value->disabled = is_ignored (&model->analysis, numbers[field - FIELD_COUNT].key);
+    value->disabled = is_ignored (&model->analysis, keys[field - FIELD_COUNT]);
     g_object_set (form->base.widgets[field], "quantity",
-                  qn_law_quantity (numbers[field - FIELD_COUNT].key, law.basis), NULL);
+                  qn_law_quantity (keys[field - FIELD_COUNT], law.basis), NULL);
     return TRUE;
   }
 }
@@ -386,4 +378,4 @@ init (gpointer data)
 
 const QnFormKind qn_law_form = QN_FORM_KIND (
   "law-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION, .row_info = row_info,
-  .row_step = row_step, .row_count = G_N_ELEMENTS (numbers), .init = init);
+  .row_step = row_step, .row_count = G_N_ELEMENTS (keys), .init = init);

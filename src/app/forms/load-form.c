@@ -220,48 +220,32 @@ subject (gpointer data, QnModel *model, guint field)
 
 #define KIND(kind) (1u << QN_LOAD_##kind)
 
-/* Which loads have a number. */
-static const guint kinds[FIELD_COUNT] = {
-  [WHERE] = KIND (EDGE),
-  [EDGE] = KIND (EDGE),
-  [EDGE_COUNT] = KIND (EDGE),
-  [PART_FROM] = KIND (EDGE),
-  [PART_TO] = KIND (EDGE),
-  [INTENSITY_FROM] = KIND (EDGE),
-  [INTENSITY_TO] = KIND (EDGE),
-  [NORMAL] = KIND (EDGE),
-  [X] = KIND (WEIGHT) | KIND (FORCE) | KIND (NODE) | KIND (LINE) | KIND (EDGE),
-  [Y] = KIND (WEIGHT) | KIND (FORCE) | KIND (NODE) | KIND (LINE) | KIND (EDGE),
-  [MOMENT] = KIND (FORCE) | KIND (NODE),
-  [COMPONENT] = KIND (SETTLEMENT),
-  [DISTANCE] = KIND (SETTLEMENT),
-  [SOIL_SIDE] = KIND (BACKFILL),
-  [FROM] = KIND (SURCHARGE) | KIND (BACKFILL),
-  [TO] = KIND (SURCHARGE) | KIND (BACKFILL),
-  [PRESSURE] = KIND (SURCHARGE) | KIND (BACKFILL),
-  [UNIT_WEIGHT] = KIND (SURCHARGE) | KIND (BACKFILL) | KIND (FILL),
-  [LEVEL] = KIND (SURCHARGE),
-  [EARTH] = KIND (BACKFILL),
-  [COEFFICIENT] = KIND (BACKFILL),
-  [FRICTION_ANGLE] = KIND (BACKFILL) | KIND (FILL),
-  [SURFACE] = KIND (FILL),
-  [MOBILISATION] = KIND (FILL),
-  [SOIL_STIFFNESS] = KIND (FILL),
-  [VEHICLE] = KIND (VEHICLE),
-  [POSITION] = KIND (VEHICLE),
-  [REVERSED] = KIND (VEHICLE),
-  [CONVOY] = KIND (VEHICLE),
-  [HEADWAY] = KIND (VEHICLE),
-  [DISPERSAL] = KIND (VEHICLE),
-  [WIDTH] = KIND (VEHICLE),
-  [EFFECTIVE] = KIND (VEHICLE),
+/* Which loads have a number, and those behind it up to the next one here. */
+static const struct {
+  guint field, kinds;
+} numbers[] = {
+  { WHERE, KIND (EDGE) },
+  { X, KIND (WEIGHT) | KIND (FORCE) | KIND (NODE) | KIND (LINE) | KIND (EDGE) },
+  { MOMENT, KIND (FORCE) | KIND (NODE) },
+  { COMPONENT, KIND (SETTLEMENT) },
+  { SOIL_SIDE, KIND (BACKFILL) },
+  { FROM, KIND (SURCHARGE) | KIND (BACKFILL) },
+  { UNIT_WEIGHT, KIND (SURCHARGE) | KIND (BACKFILL) | KIND (FILL) },
+  { LEVEL, KIND (SURCHARGE) },
+  { EARTH, KIND (BACKFILL) },
+  { FRICTION_ANGLE, KIND (BACKFILL) | KIND (FILL) },
+  { SURFACE, KIND (FILL) },
+  { VEHICLE, KIND (VEHICLE) },
 };
 
 static gboolean
 has_number (const QnLoad *load, guint field)
 {
   const gboolean given = load->earth == QN_EARTH_GIVEN;
-  return (kinds[field] & 1u << load->kind) != 0
+  gsize i = G_N_ELEMENTS (numbers);
+  while (i > 0 && numbers[i - 1].field > field)
+    i--;
+  return i > 0 && (numbers[i - 1].kinds & 1u << load->kind) != 0
          && !((field == EDGE || field == EDGE_COUNT) && load->has_side)
          && !((field == X || field == Y) && load->kind == QN_LOAD_EDGE && load->normal)
          && !(field == FRICTION_ANGLE && load->kind == QN_LOAD_BACKFILL && given)
@@ -368,17 +352,8 @@ show (gpointer data, guint field, QnValue *value)
     return TRUE;
   case ADD_SETTLEMENT:
     return form->settles;
-  case ADD_WEIGHT:
-  case ADD_FORCE:
-  case ADD_LINE:
-  case ADD_EDGE:
-  case ADD_SURCHARGE:
-  case ADD_BACKFILL:
-  case ADD_FILL:
-  case ADD_VEHICLE:
-    return TRUE;
   default:
-    return show_load (form, field, value);
+    return field >= ADD_WEIGHT || show_load (form, field, value);
   }
 }
 
@@ -541,16 +516,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case DOWN:
     return qn_edit_move_load (model, form->shown != DEAD_LOADS, selected,
                               field == UP ? -1 : 1, error);
-  case ADD_WEIGHT:
-  case ADD_FORCE:
-  case ADD_LINE:
-  case ADD_SETTLEMENT:
-  case ADD_EDGE:
-  case ADD_SURCHARGE:
-  case ADD_BACKFILL:
-  case ADD_FILL:
-  case ADD_VEHICLE:
-    return add (form, model, field, error);
   case WHERE:
     if (value->number >= QN_BLOCK_SIDE_COUNT)
       qn_load_chain (model, load, &load->edge, &load->edge_count);
@@ -577,7 +542,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     load->earth = (QnEarth) qn_value_int (value);
     return TRUE;
   default:
-    return TRUE;
+    return field < ADD_WEIGHT || add (form, model, field, error);
   }
 }
 

@@ -34,7 +34,7 @@ look (gpointer data)
          && (gsize) form->number < list->items[form->object].wall.opening_count;
 }
 
-static const QnFieldInfo *
+static QnFieldInfo
 row_info (guint row)
 {
   return qn_masonry_field_info (QN_MASONRY_FIELDS + row);

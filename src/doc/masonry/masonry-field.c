@@ -132,10 +132,10 @@ static const Field fields[] = {
 
 G_STATIC_ASSERT (G_N_ELEMENTS (fields) == QN_MASONRY_FIELDS + QN_OPENING_FIELDS);
 
-const QnFieldInfo *
+QnFieldInfo
 qn_masonry_field_info (guint field)
 {
-  return &fields[field].info;
+  return fields[field].info;
 }
 
 gboolean

@@ -17,7 +17,7 @@ typedef struct QnFieldInfo {
 
 /* What a field is called and may be (static); whether an object, or with `opening` that one of a wall, has it;
  * its value, SI. Setting one does not check what else the object is made of: laying it again does. */
-const QnFieldInfo *qn_masonry_field_info (guint field);
+QnFieldInfo qn_masonry_field_info (guint field);
 gboolean qn_masonry_has_field (const QnMasonry *masonry, int opening, guint field);
 double qn_masonry_get_field (const QnMasonry *masonry, int opening, guint field);
 void qn_masonry_set_field (QnMasonry *masonry, int opening, guint field, double value);

@@ -11,7 +11,7 @@ find (const QnMasonry *masonry, int opening, const char *label)
 {
   for (guint field = 0; field < QN_MASONRY_FIELDS + QN_OPENING_FIELDS; field++)
     if (qn_masonry_has_field (masonry, opening, field)
-        && strcmp (qn_masonry_field_info (field)->label, label) == 0)
+        && strcmp (qn_masonry_field_info (field).label, label) == 0)
       return (int) field;
   return -1;
 }
@@ -20,7 +20,7 @@ find (const QnMasonry *masonry, int opening, const char *label)
 static double
 value_for (guint field)
 {
-  const double most = qn_masonry_field_info (field)->most;
+  const double most = qn_masonry_field_info (field).most;
   return most == 1000.0 || most == 10000.0 || most == G_MAXUINT32 ? 7.0 : 0.75;
 }
 
@@ -34,9 +34,9 @@ test_fields (void)
     g_assert_cmpint (qn_masonry_init (&masonry, (QnMasonryKind) kind, "m"), ==, QN_OK);
     guint shown = 0;
     for (guint field = 0; field < QN_MASONRY_FIELDS; field++) {
-      const QnFieldInfo *info = qn_masonry_field_info (field);
-      g_assert_nonnull (info->label);
-      g_assert_cmpfloat (info->least, <, info->most);
+      const QnFieldInfo info = qn_masonry_field_info (field);
+      g_assert_nonnull (info.label);
+      g_assert_cmpfloat (info.least, <, info.most);
       if (!qn_masonry_has_field (&masonry, QN_NO_OPENING, field))
         continue;
       shown++;

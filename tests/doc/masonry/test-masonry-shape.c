@@ -105,7 +105,7 @@ set_field (QnMasonry *masonry, const char *label, double value)
 {
   for (guint field = 0; field < QN_MASONRY_FIELDS; field++)
     if (qn_masonry_has_field (masonry, QN_NO_OPENING, field)
-        && g_str_equal (qn_masonry_field_info (field)->label, label)) {
+        && g_str_equal (qn_masonry_field_info (field).label, label)) {
       qn_masonry_set_field (masonry, QN_NO_OPENING, field, value);
       return;
     }
