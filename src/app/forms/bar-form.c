@@ -17,7 +17,7 @@
 #define FIELDS(FIELD, MEMBER)                                                            \
   FIELD (BARS, "bars", NULL)                                                             \
   FIELD (EMPTY, "empty", NULL)                                                           \
-  FIELD (LAW, "law", CHANGE)                                                             \
+  MEMBER (LAW, "law", CHANGE, QnBar, law)                                                \
   FIELD (DIAMETER, "diameter", CHANGE)                                                   \
   MEMBER (START_X, "start_x", CHANGE, QnBar, start.x)                                    \
   MEMBER (START_Y, "start_y", CHANGE, QnBar, start.y)                                    \
@@ -77,9 +77,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   QnBoundForm *form = data;
   QnModel *model = &draft->model;
   switch (field) {
-  case LAW:
-    model->bars[form->selected].law = (QnId) value->number;
-    return TRUE;
   case DIAMETER:
     model->bars[form->selected].area = qn_bar_get_area (value->number);
     return TRUE;

@@ -25,10 +25,6 @@ typedef struct Form {
   FIELD (OPENINGS, "openings", NULL)
 QN_FORM_FIELDS;
 
-/* Bonds in the list. */
-static const QnBond bonds[] = { QN_BOND_RUNNING, QN_BOND_STACK,   QN_BOND_HEADER,
-                                QN_BOND_ENGLISH, QN_BOND_FLEMISH, QN_BOND_CUSTOM };
-
 /* The object of the selected blocks, or of the selected opening. */
 static gboolean
 look (gpointer data)
@@ -82,9 +78,7 @@ show (gpointer data, guint field, QnValue *value)
     value->text = dup_title (masonry);
     return TRUE;
   case BOND:
-    for (guint i = 0; i < G_N_ELEMENTS (bonds); i++)
-      if (wall && bonds[i] == leaf->bond)
-        value->number = i;
+    value->number = wall ? leaf->bond : 0;
     return wall;
   case CLOSER:
     if (!wall || (leaf->bond != QN_BOND_ENGLISH && leaf->bond != QN_BOND_FLEMISH))
@@ -137,7 +131,7 @@ change_masonry (QnMasonry *masonry, gpointer data, GError **error)
   QnLeaf *leaf = &masonry->wall.leaves[0];
   switch (change->field) {
   case BOND:
-    qn_masonry_set_bond (masonry, bonds[(guint) number], leaf->lap);
+    qn_masonry_set_bond (masonry, (QnBond) number, leaf->lap);
     break;
   case CLOSER:
     leaf->closer = (QnCloser) number;
@@ -172,7 +166,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 {
   const Form *form = data;
   Change change = { field, value };
-  if (field == BOND && bonds[(guint) value->number] == QN_BOND_CUSTOM)
+  if (field == BOND && (QnBond) value->number == QN_BOND_CUSTOM)
     return FALSE;
   return qn_edit_change_masonry (draft, form->object, change_masonry, &change, error);
 }

@@ -70,10 +70,6 @@ static const struct {
               { QN_HEAD_SEMICIRCULAR, QN_SPAN_VOUSSOIRS },
               { QN_HEAD_FLAT, QN_SPAN_NONE } };
 
-/* What stands by itself, in the list. */
-static const int kinds[] = { QN_MASONRY_COLUMN, QN_MASONRY_BUTTRESS, QN_MASONRY_PORTAL,
-                             QN_MASONRY_RUBBLE, QN_MASONRY_GRID,     QN_MASONRY_VORONOI };
-
 /* Stones of rubble and cells of Voronoi have a length, drums and courses a height, cells of a grid
  * both; piers of a portal and cells are upright. */
 static guint
@@ -132,9 +128,7 @@ show (gpointer data, guint field, QnValue *value)
         value->number = i;
     break;
   case KIND:
-    for (guint i = 0; i < G_N_ELEMENTS (kinds); i++)
-      if (kinds[i] == style->kind)
-        value->number = i;
+    value->number = style->kind - QN_MASONRY_COLUMN;
     break;
   case FORCE_KIND:
     value->number = settings->live ? 0 : 1;
@@ -185,7 +179,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     style->span = heads[row].span;
     break;
   case KIND:
-    style->kind = kinds[row];
+    style->kind = QN_MASONRY_COLUMN + (int) row;
     break;
   case FORCE_KIND:
     settings->live = row == 0;
