@@ -183,7 +183,6 @@ on_place_timeout (gpointer data)
 {
   QnCanvas *self = data;
   self->place_timeout = 0;
-  self->has_place = FALSE;
   gtk_widget_queue_draw (GTK_WIDGET (self));
   return G_SOURCE_REMOVE;
 }
@@ -197,7 +196,6 @@ qn_canvas_show_place (QnCanvas *self, QnVec2 at)
       || screen.y > self->camera.height - margin)
     self->camera.center = at;
   self->place = at;
-  self->has_place = TRUE;
   self->wants_fit = self->keeps_fit = FALSE;
   g_clear_handle_id (&self->place_timeout, g_source_remove);
   self->place_timeout = g_timeout_add_seconds (PLACE_SECONDS, on_place_timeout, self);

@@ -659,7 +659,7 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
     draw_cursor (self, cr);
   if (self->pointer_inside)
     draw_magnet (self, cr);
-  if (self->has_place)
+  if (self->place_timeout != 0)
     draw_place (self, cr);
   draw_rulers (self, cr);
   qn_canvas_draw_inspected (self, cr);

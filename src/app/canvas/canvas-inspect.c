@@ -23,8 +23,8 @@
 
 /* ---- places ---- */
 
-QnVec2
-qn_canvas_place (QnCanvas *self, const QnMotion *motion, QnId block, QnVec2 p)
+static QnVec2
+place_of (QnCanvas *self, const QnMotion *motion, QnId block, QnVec2 p)
 {
   return qn_canvas_to_screen (self, qn_motion_place (motion, block, p, motion->scale));
 }
@@ -36,7 +36,7 @@ qn_canvas_trace_placed (QnCanvas *self, cairo_t *cr, const QnMotion *motion,
   const QnVec2 *v = qn_model_block_vertices (model, block);
   cairo_new_sub_path (cr);
   for (QnId k = 0; k < model->blocks[block].vertex_count; k++) {
-    QnVec2 s = qn_canvas_place (self, motion, block, v[k]);
+    QnVec2 s = place_of (self, motion, block, v[k]);
     cairo_line_to (cr, s.x, s.y);
   }
   cairo_close_path (cr);
@@ -63,8 +63,8 @@ qn_canvas_joint_line (QnCanvas *self, const QnMotion *motion, const QnContactFac
 {
   const QnVec2 ends[2] = { face->start, face->end };
   for (int i = 0; i < 2; i++)
-    line[i] = qn_vec2_lerp (qn_canvas_place (self, motion, face->a, ends[i]),
-                            qn_canvas_place (self, motion, face->b, ends[i]), 0.5);
+    line[i] = qn_vec2_lerp (place_of (self, motion, face->a, ends[i]),
+                            place_of (self, motion, face->b, ends[i]), 0.5);
 }
 
 /* The smaller side of the smaller block, px. */
@@ -238,8 +238,8 @@ trace_inspected (QnCanvas *self, cairo_t *cr, const QnStepView *view, QnInspecte
   cairo_new_path (cr);
   if (what.kind == QN_INSPECTED_FOUND) {
     const QnFoundContact *contact = &view->result->found[what.id].contact;
-    QnVec2 at = qn_canvas_place (self, &motion, contact->other,
-                                 qn_found_corner (view->model, contact));
+    QnVec2 at =
+      place_of (self, &motion, contact->other, qn_found_corner (view->model, contact));
     cairo_arc (cr, at.x, at.y, FOUND_PX, 0.0, 2.0 * G_PI);
     return;
   }

@@ -70,7 +70,7 @@ press (QnCanvas *self, QnVec2 at, GdkModifierType modifiers, int count)
   if (self->state == NULL || self->tool == NULL)
     return;
   self->pressed = TRUE;
-  self->has_place = FALSE;
+  g_clear_handle_id (&self->place_timeout, g_source_remove);
   send (self, self->tool->press, at, modifiers, count);
 }
 

@@ -43,8 +43,7 @@ struct _QnCanvas {
   QnView rested_view;      /* … in this view, … */
   const QnRun *rested_run; /* … of this run, which may be gone */
   guint inspect_timeout;
-  gboolean has_place;
-  QnVec2 place; /* ringed, m */
+  QnVec2 place; /* ringed while the timeout runs, m */
   guint place_timeout;
   QnBox card;        /* beside the pointer, px, as drawn last; empty: none */
   QnGaps gaps;       /* marked */
@@ -65,7 +64,6 @@ void qn_canvas_pointer_moved (QnCanvas *canvas);
 
 /* How the blocks are displaced in the scene that is shown; its model NULL: there is none. */
 QnMotion qn_canvas_get_motion (QnCanvas *canvas);
-QnVec2 qn_canvas_place (QnCanvas *canvas, const QnMotion *motion, QnId block, QnVec2 p);
 /* The outline of a block there. */
 void qn_canvas_trace_placed (QnCanvas *canvas, cairo_t *cr, const QnMotion *motion,
                              const QnModel *model, QnId block);

@@ -92,7 +92,7 @@ on_written (GObject *source, GAsyncResult *result, gpointer data)
   if (done) {
     g_autofree char *message =
       g_strdup_printf (_ ("Animation written to %s"), dialog->path);
-    dialog->tell (parent, message, FALSE);
+    dialog->tell (parent, message);
     if (!dialog->base.closed)
       gtk_window_destroy (GTK_WINDOW (dialog->base.root));
   } else if (!dialog->base.closed)

@@ -6,8 +6,8 @@
 #include "doc/view/view-state.h"
 #include <gtk/gtk.h>
 
-/* Shows a message in the window: `trouble` where something failed. */
-typedef void (*QnTellFunc) (GtkWindow *window, const char *message, gboolean trouble);
+/* Shows in the window what went well. */
+typedef void (*QnTellFunc) (gpointer window, const char *message);
 
 /* Of the program. */
 void qn_preferences_show (GtkWindow *parent);

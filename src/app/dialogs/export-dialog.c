@@ -174,11 +174,9 @@ use_chosen (gpointer data, const char *path, GError **error)
 }
 
 static void
-on_failed (gpointer data, const char *message)
+refuse (gpointer data, const char *message)
 {
-  Dialog *dialog = data;
-  dialog->tell (dialog->parent, message, TRUE);
-  gtk_window_destroy (GTK_WINDOW (dialog->base.root));
+  gtk_label_set_text (GTK_LABEL (((Dialog *) data)->base.widgets[TROUBLE]), message);
 }
 
 static void
@@ -193,7 +191,7 @@ on_export (Dialog *dialog)
                                     .name = g_strdelimit (proposed, "/", '-'),
                                     .endings = typed_endings[dialog->format],
                                     .use = use_chosen,
-                                    .failed = on_failed };
+                                    .failed = refuse };
   qn_chooser_ask (GTK_WIDGET (dialog->base.root), &question, dialog);
 }
 
@@ -206,10 +204,10 @@ on_store (Dialog *dialog)
                                 dialog->recipe, &error)) {
     g_autofree char *message =
       g_strdup_printf (_ ("Figure “%s” is kept in the project"), dialog->recipe->name);
-    dialog->tell (dialog->parent, message, FALSE);
+    dialog->tell (dialog->parent, message);
     gtk_window_destroy (GTK_WINDOW (dialog->base.root));
   } else
-    gtk_label_set_text (GTK_LABEL (dialog->base.widgets[TROUBLE]), error->message);
+    refuse (dialog, error->message);
 }
 
 /* ---- fields ---- */

@@ -43,8 +43,8 @@ qn_study_page_tell (gpointer self, const char *text)
   gtk_label_set_text (((QnStudyPage *) self)->status, text);
 }
 
-void
-qn_study_page_update_actions (QnStudyPage *self)
+static void
+update_actions (QnStudyPage *self)
 {
   int count;
   gboolean varied = qn_draft_count (self->draft) > 0
@@ -63,7 +63,7 @@ void
 qn_study_page_show (QnStudyPage *self)
 {
   qn_bound_form_show (self);
-  qn_study_page_update_actions (self);
+  update_actions (self);
 }
 
 /* ---- the figure ---- */
@@ -399,7 +399,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     qn_draft_set_run (self->draft, qn_study_run_of ((QnStudyRun) number, analysis));
   else
     qn_plot_view_fit (self->base.widgets[PLOT]);
-  qn_study_page_update_actions (self);
+  update_actions (self);
   return TRUE;
 }
 

@@ -29,9 +29,8 @@ typedef struct QnStudyPage {
   GtkLabel *status;
 } QnStudyPage;
 
-/* study-page.c: the line under the figure; which actions can be used; everything shown anew. */
+/* study-page.c: the line under the figure; everything shown anew. */
 void qn_study_page_tell (gpointer self, const char *text);
-void qn_study_page_update_actions (QnStudyPage *self);
 void qn_study_page_show (QnStudyPage *self);
 /* FALSE: nothing to draw. */
 gboolean qn_study_page_chosen_figure (QnStudyPage *self, QnStudyFigure *figure);

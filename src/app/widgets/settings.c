@@ -72,10 +72,9 @@ update_style (void)
 static void
 take_color_scheme (GVariant *value)
 {
-  while (g_variant_is_of_type (value, G_VARIANT_TYPE_VARIANT)) {
+  if (g_variant_is_of_type (value, G_VARIANT_TYPE_VARIANT)) {
     g_autoptr (GVariant) inner = g_variant_get_variant (value);
     take_color_scheme (inner);
-    return;
   }
   if (g_variant_is_of_type (value, G_VARIANT_TYPE_UINT32)) {
     system_is_dark = g_variant_get_uint32 (value) == 1; /* 1: prefers dark */
@@ -89,8 +88,6 @@ on_portal_signal (GDBusProxy *proxy, const char *sender, const char *signal,
 {
   const char *name_space = NULL, *key = NULL;
   g_autoptr (GVariant) value = NULL;
-  if (!g_str_equal (signal, "SettingChanged"))
-    return;
   g_variant_get (parameters, "(&s&sv)", &name_space, &key, &value);
   if (g_str_equal (name_space, "org.freedesktop.appearance")
       && g_str_equal (key, "color-scheme"))
@@ -116,7 +113,8 @@ on_portal_ready (GObject *source, GAsyncResult *result, gpointer data)
   GDBusProxy *proxy = g_dbus_proxy_new_for_bus_finish (result, NULL);
   if (proxy == NULL)
     return;
-  g_signal_connect (proxy, "g-signal", G_CALLBACK (on_portal_signal), NULL);
+  g_signal_connect (proxy, "g-signal::SettingChanged", G_CALLBACK (on_portal_signal),
+                    NULL);
   g_dbus_proxy_call (proxy, "Read",
                      g_variant_new ("(ss)", "org.freedesktop.appearance", "color-scheme"),
                      G_DBUS_CALL_FLAGS_NONE, 500, NULL, on_color_scheme_read, NULL);

@@ -427,18 +427,15 @@ box_of_blocks (GVariant *blocks)
   return box;
 }
 
-/* Whether no block reaches into the box. */
+/* Whether no block reaches into the moved box. */
 static gboolean
 is_free (const QnModel *model, QnBox box, QnVec2 by)
 {
-  double touch = 1e-9 * (1.0 + qn_box_diagonal (box));
-  for (gsize i = 0; i < model->block_count; i++) {
-    QnBox other = qn_model_block_box (model, (QnId) i);
-    if (box.min.x + by.x < other.max.x - touch && box.max.x + by.x > other.min.x + touch
-        && box.min.y + by.y < other.max.y - touch
-        && box.max.y + by.y > other.min.y + touch)
+  const double touch = 1e-9 * (1.0 + qn_box_diagonal (box));
+  const QnBox moved = { qn_vec2_add (box.min, by), qn_vec2_add (box.max, by) };
+  for (QnId i = 0; i < (QnId) model->block_count; i++)
+    if (qn_box_meets_within (moved, qn_model_block_box (model, i), -touch))
       return FALSE;
-  }
   return TRUE;
 }
 

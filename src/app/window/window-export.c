@@ -19,15 +19,6 @@
 /* ---- what is written ---- */
 
 static void
-tell (GtkWindow *window, const char *message, gboolean trouble)
-{
-  if (trouble)
-    qn_window_show_error (QN_WINDOW (window), message);
-  else
-    qn_window_show_message (QN_WINDOW (window), message);
-}
-
-static void
 tell_written (QnWindow *self, const char *path)
 {
   g_autofree char *message = g_strdup_printf (_ ("Written to %s"), path);
@@ -174,7 +165,8 @@ write_figure (GtkWindow *window, const char *path, QnRecipe *recipe)
 static void
 export_figure (QnWindow *self, GVariant *parameter)
 {
-  qn_export_dialog_show (GTK_WINDOW (self), self->state, write_figure, tell);
+  qn_export_dialog_show (GTK_WINDOW (self), self->state, write_figure,
+                         qn_window_show_message);
 }
 
 static void
@@ -188,7 +180,8 @@ export_result (QnWindow *self, GVariant *parameter)
 {
   const char *name = g_variant_get_string (parameter, NULL);
   if (g_str_equal (name, "animation")) {
-    qn_animation_dialog_show (GTK_WINDOW (self), self->state, tell, NULL);
+    qn_animation_dialog_show (GTK_WINDOW (self), self->state, qn_window_show_message,
+                              NULL);
     return;
   }
   if (g_str_equal (name, "report")) {
@@ -213,7 +206,8 @@ export_path (QnWindow *self, GVariant *parameter)
   const char *name, *path;
   g_variant_get (parameter, "(&s&s)", &name, &path);
   if (g_str_equal (name, "animation") && qn_document_get_run (self->document) != NULL)
-    qn_animation_dialog_show (GTK_WINDOW (self), self->state, tell, path);
+    qn_animation_dialog_show (GTK_WINDOW (self), self->state, qn_window_show_message,
+                              path);
   for (gsize i = 0; i < G_N_ELEMENTS (exports); i++)
     if (g_str_equal (exports[i].name, name))
       export_to (self, i, path);
