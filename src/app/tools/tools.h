@@ -18,25 +18,10 @@ void qn_tool_edge_load_choose (QnCanvas *canvas);
 extern const QnTool *const qn_tools[];
 const QnTool *qn_tool_find (const char *name);
 
-extern const QnTool qn_tool_select;
-extern const QnTool qn_tool_wall;
-extern const QnTool qn_tool_opening;
-extern const QnTool qn_tool_arch;
-extern const QnTool qn_tool_column;
-extern const QnTool qn_tool_rectangle;
-extern const QnTool qn_tool_polygon;
-extern const QnTool qn_tool_beam;
-extern const QnTool qn_tool_bar;
-extern const QnTool qn_tool_tie;
-extern const QnTool qn_tool_cut;
-extern const QnTool qn_tool_rotate;
-extern const QnTool qn_tool_mirror;
-extern const QnTool qn_tool_joint;
-extern const QnTool qn_tool_support;
-extern const QnTool qn_tool_force;
-extern const QnTool qn_tool_edge_load;
-extern const QnTool qn_tool_measure;
-extern const QnTool qn_tool_picture;
+extern const QnTool qn_tool_select, qn_tool_wall, qn_tool_opening, qn_tool_arch,
+  qn_tool_column, qn_tool_rectangle, qn_tool_polygon, qn_tool_beam, qn_tool_bar,
+  qn_tool_tie, qn_tool_cut, qn_tool_rotate, qn_tool_mirror, qn_tool_joint,
+  qn_tool_support, qn_tool_force, qn_tool_edge_load, qn_tool_measure, qn_tool_picture;
 
 /* Style of single blocks. */
 QnBlockStyle qn_tool_block_style (QnCanvas *canvas);
