@@ -3,7 +3,6 @@
 #include "app/canvas/gesture.h"
 #include "app/widgets/settings.h"
 #include "core/base/integer.h"
-#include "core/model/bar.h"
 #include "doc/edit/edit-dynamic.h"
 #include "render/backend/draw-cairo.h"
 #include "render/drawing/paint.h"

@@ -5,10 +5,8 @@
 #include "app/widgets/build-tree.h"
 #include "app/widgets/chooser.h"
 #include "core/base/integer.h"
-#include "doc/text/explain.h"
 #include "io/text/io-error.h"
 #include "study/cases/folder.h"
-#include "study/report/column.h"
 #include <glib/gi18n.h>
 #include <math.h>
 

@@ -4,7 +4,6 @@
 #include "app/canvas/handle.h"
 #include "app/tools/tools.h"
 
-#include "doc/edit/edit-tie.h"
 #include <glib/gi18n.h>
 
 /* px: a corner this near to the press is what a move carries. */

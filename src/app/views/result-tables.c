@@ -4,7 +4,6 @@
 #include "app/widgets/builder.h"
 #include "app/widgets/context-menu.h"
 #include "app/widgets/settings.h"
-#include "doc/text/beam-summary.h"
 #include "doc/text/explain.h"
 #include "io/text/outcome-text.h"
 #include "render/scene/reading.h"

@@ -4,10 +4,7 @@
 #include "app/window/window-private.h"
 
 #include "doc/edit/edit-masonry.h"
-#include "doc/edit/edit-place.h"
 #include "doc/edit/edit-shape.h"
-#include "doc/edit/edit-stage.h"
-#include "doc/edit/edit-tie.h"
 #include <glib/gi18n.h>
 
 /* px on the screen that an arrow key moves the selection by, when there is no grid. */

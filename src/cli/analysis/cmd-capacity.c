@@ -6,7 +6,6 @@
 #include "cli/base/subcommand.h"
 #include "doc/view/capacity-answer.h"
 #include "doc/view/capacity-settings.h"
-#include "doc/view/sheet.h"
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"
 

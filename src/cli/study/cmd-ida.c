@@ -1,7 +1,6 @@
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
-#include "cli/base/progress.h"
 #include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "cli/study/cmd-study.h"

@@ -6,7 +6,6 @@
  * slide that would not otherwise: it rests below the path, and Newton's method fails from there again.
  */
 #include "core/base/numbers.h"
-#include "core/base/tolerance.h"
 #include "core/path/path-trace.h"
 
 #include <string.h>

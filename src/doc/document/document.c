@@ -1,7 +1,6 @@
 #include "doc/document/document-private.h"
 
 #include "doc/edit/edit.h"
-#include "doc/text/explain.h"
 #include "io/project/number-path.h"
 #include "io/project/project.h"
 #include "io/text/file-read.h"

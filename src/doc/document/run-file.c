@@ -2,7 +2,6 @@
 
 #include "doc/document/document-private.h"
 #include "doc/edit/edit.h"
-#include "doc/text/explain.h"
 #include "io/project/project-members.h"
 #include "io/result/result-file.h"
 #include "io/text/file-writer.h"

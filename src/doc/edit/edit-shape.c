@@ -2,7 +2,6 @@
 
 #include "core/base/numbers.h"
 #include "core/base/polygon.h"
-#include "doc/text/explain.h"
 #include "stereotomy/polygon-ops.h"
 #include <glib/gi18n-lib.h>
 #include <math.h>

@@ -1,7 +1,6 @@
 #include "doc/edit/edit-tie.h"
 
 #include "core/base/numbers.h"
-#include "core/base/polygon.h"
 #include "core/model/bar.h"
 #include "doc/edit/edit-frame.h"
 #include "doc/text/law-text.h"

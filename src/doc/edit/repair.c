@@ -4,7 +4,6 @@
 #include "core/contact/plausible.h"
 #include "doc/edit/edit-face.h"
 #include "doc/edit/edit-shape.h"
-#include "doc/text/explain.h"
 #include "io/text/text-format.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/weld.h"

@@ -1,5 +1,4 @@
 #include "io/exchange/record.h"
-#include "io/exchange/record-heading.h"
 
 #include "core/dynamics/ground.h"
 #include "io/text/file-read.h"

@@ -1,7 +1,6 @@
 /* Sections, nodes and beams of a project file. */
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
-#include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
 

@@ -1,6 +1,5 @@
 #include "io/project/project-masonry.h"
 
-#include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "core/base/word.h"
 #include "io/project/project-members.h"

@@ -1,6 +1,5 @@
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
-#include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <string.h>

@@ -1,6 +1,5 @@
 /* Soil: what lies between the surface of a fill and the blocks below it; and what it presses beyond its
  * active pressure, as arrows on the blocks. */
-#include "core/base/integer.h"
 #include "core/model/outline.h"
 #include "render/scene/scene-builder.h"
 
