@@ -10,13 +10,16 @@
  * is left of an iteration. */
 #define TOUCH 1e-6
 
+/* The pattern is symmetric: a column says which columns have an entry in its row. */
 static void
 clear_settling_rows (QnAssembly *as)
 {
-  for (int32_t j = 0; j < as->unknown_count && as->settling_count > 0; j++)
-    for (int32_t k = as->ap[j]; k < as->ap[j + 1]; k++)
-      if (as->settles[as->ai[k]])
-        as->ax[k] = as->ai[k] == j ? as->stiffness : 0;
+  for (size_t s = 0; s < as->settling_count; s++) {
+    int32_t i = as->settling[s].unknown;
+    for (int32_t k = as->ap[i]; k < as->ap[i + 1]; k++)
+      as->ax[qn_sparse_find (as->ap, as->ai, i, as->ai[k])] =
+        as->ai[k] == i ? as->stiffness : 0;
+  }
 }
 
 void
