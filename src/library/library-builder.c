@@ -38,7 +38,7 @@ quoin_builder_new (const char *title)
   if (title != NULL)
     qn_file_writer_json (builder->parts[HEAD], ", \"title\": %s", title);
   add_weight (builder, DEAD, 0, -1);
-  builder->overrides = g_ptr_array_new_with_free_func (g_free);
+  builder->overrides = g_ptr_array_new_null_terminated (0, g_free, TRUE);
   return builder;
 }
 
@@ -126,10 +126,6 @@ quoin_builder_finish (const QuoinBuilder *builder, QuoinError **error)
     "%s,\n\"laws\": [%s],\n\"blocks\": [%s],\n\"loads\": { \"dead\": [%s], \"live\": "
     "[%s] } }\n",
     parts[HEAD], parts[LAWS], parts[BLOCKS], parts[DEAD], parts[LIVE]);
-  g_autoptr (GPtrArray) overrides = g_ptr_array_new ();
-  for (guint i = 0; i < builder->overrides->len; i++)
-    g_ptr_array_add (overrides, g_ptr_array_index (builder->overrides, i));
-  g_ptr_array_add (overrides, NULL);
   return quoin_model_parse (text, strlen (text), "model",
-                            (const char *const *) overrides->pdata, error);
+                            (const char *const *) builder->overrides->pdata, error);
 }

@@ -358,7 +358,7 @@ qn_canvas_pick (QnCanvas *self, QnVec2 screen, unsigned kinds)
 {
   const QnScene *scene = qn_canvas_get_scene (self);
   if (scene == NULL)
-    return (QnPick){ QN_PICK_NOTHING, QN_NONE, 0 };
+    return (QnPick){ QN_PICK_NOTHING, QN_NONE };
   return qn_pick_at (scene, &self->camera, screen, PICK_REACH_PX, kinds);
 }
 

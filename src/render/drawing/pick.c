@@ -55,9 +55,9 @@ qn_pick_at (const QnScene *scene, const QnCamera *camera, QnVec2 screen, double 
     if (!qn_command_is_visible (command, camera, visible))
       continue;
     if (command_hit (scene, command, camera, p, model_reach))
-      return (QnPick){ (QnPickKind) command->pick, command->id, i };
+      return (QnPick){ (QnPickKind) command->pick, command->id };
   }
-  return (QnPick){ QN_PICK_NOTHING, QN_NONE, 0 };
+  return (QnPick){ QN_PICK_NOTHING, QN_NONE };
 }
 
 void

@@ -6,7 +6,6 @@
 typedef struct QnPick {
   QnPickKind kind; /* QN_PICK_NOTHING: nothing there */
   QnId id;
-  size_t command; /* index into the scene's commands */
 } QnPick;
 
 /* The topmost visible command within `reach` px of the screen point. `kinds` is a set of

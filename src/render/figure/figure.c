@@ -155,10 +155,7 @@ qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool brief)
     append_multiplier (text, figure, brief);
   append_mechanism (text, figure, scene);
   if (figure->options.view == QN_VIEW_DEFORMED && scene->scale > 0) {
-    g_autofree char *number = qn_label_number ("%g", scene->scale);
-    g_autofree char *scale = scene->scale == 1
-                               ? g_strdup (_ ("displacements in true scale"))
-                               : g_strdup_printf (_ ("displacements × %s"), number);
+    g_autofree char *scale = qn_motion_dup_scale (scene->scale);
     append_part (text, scale);
   }
   return g_strdup (text->str);

@@ -1,6 +1,7 @@
 #include "render/scene/motion.h"
 
 #include "render/drawing/camera.h"
+#include "render/drawing/text.h"
 
 #include <glib/gi18n-lib.h>
 
@@ -148,6 +149,14 @@ qn_motion_result_scale (const QnModel *model, const QnResult *result)
   const QnMotion motion = qn_step_motion (model, result, step);
   double scale = qn_motion_auto_scale (&motion);
   return linear && result->history.width == 0 ? scale : fmax (scale, 1);
+}
+
+char *
+qn_motion_dup_scale (double scale)
+{
+  g_autofree char *number = qn_label_number ("%g", scale);
+  return scale == 1 ? g_strdup (_ ("displacements in true scale"))
+                    : g_strdup_printf (_ ("displacements × %s"), number);
 }
 
 QnJointMotion

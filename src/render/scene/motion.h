@@ -40,6 +40,9 @@ QnMotion qn_step_motion (const QnModel *model, const QnResult *result, size_t st
  * time, where displacements are large as they are. */
 double qn_motion_result_scale (const QnModel *model, const QnResult *result);
 
+/* By how much a picture says that displacements are enlarged; translated. */
+char *qn_motion_dup_scale (double scale);
+
 /* Largest length of a displacement over the vertices of one block and of all, m, not scaled. */
 double qn_motion_of_block (const QnMotion *motion, QnId block);
 double qn_motion_largest (const QnMotion *motion);

@@ -178,19 +178,6 @@ find_joints (QnSceneBuilder *b, GError **error)
   return true;
 }
 
-/* A picture without its caption says in the legend by how much displacements are enlarged. */
-static void
-tell_scale (QnSceneBuilder *b)
-{
-  g_autofree char *number = qn_label_number ("%g", b->scene->scale);
-  if (b->scene->scale == 1)
-    qn_scene_legend (b->scene, QN_COMMAND_TEXT, qn_builder_ink (b, QN_INK_LINE), "%s",
-                     _ ("displacements in true scale"));
-  else
-    qn_scene_legend (b->scene, QN_COMMAND_TEXT, qn_builder_ink (b, QN_INK_LINE),
-                     _ ("displacements × %s"), number);
-}
-
 static void
 build_view (QnSceneBuilder *b)
 {
@@ -199,8 +186,11 @@ build_view (QnSceneBuilder *b)
 
   qn_build_underlay (b);
   qn_build_soil (b);
-  if (options->view == QN_VIEW_DEFORMED && !options->titles)
-    tell_scale (b);
+  g_autofree char *scale = qn_motion_dup_scale (b->scene->scale);
+  if (options->view == QN_VIEW_DEFORMED
+      && !options->titles) /* what else the caption says */
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, qn_builder_ink (b, QN_INK_LINE), "%s",
+                     scale);
   if (moving && options->ghost)
     qn_build_ghost (b);
   g_autofree QnColor *fills = qn_build_field (b);

@@ -127,10 +127,6 @@ add_found_forces (QnSceneBuilder *b, double per_newton, double largest)
 
 /* ---- the line of thrust ---- */
 
-typedef struct CutTally {
-  bool any, places[QN_PLACE_COUNT];
-} CutTally;
-
 /* The touch that the force of a cut passes through, or NULL: a joint as drawn. */
 static const QnTouch *
 touch_of (const QnSceneBuilder *b, const QnCut *cut)
@@ -307,7 +303,7 @@ dup_strides (const QnThrust *thrust)
 
 /* From every joint to the next, each way once. */
 static void
-add_thrust (QnSceneBuilder *b, const QnThrust *thrust, CutTally *tally)
+add_thrust (QnSceneBuilder *b, const QnThrust *thrust, bool places[QN_PLACE_COUNT])
 {
   QnColor color = qn_builder_ink (b, QN_INK_THRUST);
   g_autofree uint8_t *strides = dup_strides (thrust);
@@ -330,8 +326,7 @@ add_thrust (QnSceneBuilder *b, const QnThrust *thrust, CutTally *tally)
     if (!isfinite (spacing))
       continue;
     add_cut (b, cut, spacing, MAX (strides[c], 1), way);
-    tally->any = true;
-    tally->places[cut->place] = true;
+    places[cut->place] = true;
   }
 }
 
@@ -367,7 +362,7 @@ add_face_values (QnSceneBuilder *b, const QnThrust *thrust, double least)
 }
 
 static void
-add_thrust_legend (QnSceneBuilder *b, const CutTally *tally)
+add_thrust_legend (QnSceneBuilder *b, const bool places[QN_PLACE_COUNT])
 {
   static const char *const words[QN_PLACE_COUNT] = {
     [QN_PLACE_KERN] = N_ ("resultant within the kern"),
@@ -375,7 +370,7 @@ add_thrust_legend (QnSceneBuilder *b, const CutTally *tally)
     [QN_PLACE_EDGE] = N_ ("resultant at the edge"),
   };
   QnColor color = qn_builder_ink (b, QN_INK_THRUST);
-  if (!tally->any)
+  if (!places[QN_PLACE_KERN] && !places[QN_PLACE_INSIDE] && !places[QN_PLACE_EDGE])
     return;
   qn_scene_legend (b->scene, QN_COMMAND_STROKE, color, "%s", _ ("line of thrust"))->size =
     2.2F;
@@ -383,7 +378,7 @@ add_thrust_legend (QnSceneBuilder *b, const CutTally *tally)
                    _ ("kern: middle third of a joint"))
     ->size = 1.6F;
   for (int place = QN_PLACE_KERN; place < QN_PLACE_COUNT; place++) {
-    if (!tally->places[place])
+    if (!places[place])
       continue;
     qn_scene_legend_marker (b->scene, place_marker ((QnPressurePlace) place),
                             place_size ((QnPressurePlace) place), color, "%s",
@@ -435,13 +430,13 @@ qn_build_forces (QnSceneBuilder *b)
                    _ ("resultant of a joint, largest %s kN"), number)
     ->size = 2;
   QnThrust thrust;
-  CutTally tally = { false, { false } };
+  bool places[QN_PLACE_COUNT] = { false };
   qn_thrust_find (&thrust, b->model, contacts, b->pairs, b->touches, b->touch_count);
-  add_thrust (b, &thrust, &tally);
+  add_thrust (b, &thrust, places);
   if (b->options->values)
     add_face_values (b, &thrust, LEAST_SHARE * largest);
   qn_thrust_clear (&thrust);
-  add_thrust_legend (b, &tally);
+  add_thrust_legend (b, places);
   if (b->options->symbols)
     qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, 0.6f,
                             qn_builder_ink (b, QN_INK_FAINT), "%s",
