@@ -468,8 +468,10 @@ static const char *
 step_of (const QnBoundForm *form, guint field)
 {
   const QnFormKind *kind = form->kind;
-  return field < kind->field_count ? kind->fields[field].step
-                                   : kind->row_step (field - kind->field_count);
+  if (field < kind->field_count)
+    return kind->fields[field].step;
+  const char *step = kind->row_info (field - kind->field_count).step;
+  return step != NULL ? step : N_ ("Change %s");
 }
 
 static guint
@@ -523,8 +525,6 @@ on_entered (GtkWidget *widget)
   GtkWidget *popover = gtk_widget_get_ancestor (widget, GTK_TYPE_POPOVER);
   if (popover != NULL && GTK_IS_BUTTON (widget))
     gtk_popover_popdown (GTK_POPOVER (popover));
-  const QnFormKind *kind = form->kind;
-  gboolean is_row = entered.field >= kind->field_count;
   const char *name = step_of (form, entered.field);
   gboolean done;
   g_rc_box_acquire (form); /* a button may close its dialog */
@@ -532,7 +532,7 @@ on_entered (GtkWidget *widget)
     select_item (form, (int) entered.value.number);
     done = TRUE;
   } else if (name != NULL) {
-    g_autofree char *step = dup_step (is_row ? name : _ (name), widget);
+    g_autofree char *step = dup_step (_ (name), widget);
     done = qn_document_edit (qn_canvas_get_document (form->canvas), step, NULL, edit,
                              &entered, &error);
   } else {

@@ -72,11 +72,9 @@ typedef struct QnFormKind {
   gsize size;       /* of the struct that begins with a QnBoundForm */
   const QnFormField *fields;
   guint field_count;
-  /* Numbers behind these fields, each with a row in the box "rows" of the file: how many, what they
-   * are, and the names of their steps, translated. */
+  /* Numbers behind these fields, each with a row in the box "rows" of the file: how many, and what they are. */
   guint row_count;
   QnFieldInfo (*row_info) (guint row);
-  const char *(*row_step) (guint row);
   const QnFormList *list;       /* or NULL */
   QnFollow follows;             /* besides the model */
   void (*init) (gpointer form); /* NULL, or fills the struct before anything is shown */

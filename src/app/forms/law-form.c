@@ -71,14 +71,9 @@ row_info (guint row)
 {
   static const char *const positive[] = { "elasticity", "kn", "ks", NULL };
   return (QnFieldInfo){ .label = qn_law_number_word (keys[row]),
+                        .step = CHANGE,
                         .least = g_strv_contains (positive, keys[row]) ? 1e-12 : 0.0,
                         .most = g_str_equal (keys[row], "poisson") ? 0.4999 : 1e18 };
-}
-
-static const char *
-row_step (guint row)
-{
-  return _ ("Change Law");
 }
 
 /* The number of a law, or NULL where its kind has none of this key. */
@@ -376,6 +371,6 @@ init (gpointer data)
   qn_plot_view_init (form->base.widgets[VIEW], &hand, form);
 }
 
-const QnFormKind qn_law_form = QN_FORM_KIND (
-  "law-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION, .row_info = row_info,
-  .row_step = row_step, .row_count = G_N_ELEMENTS (keys), .init = init);
+const QnFormKind qn_law_form =
+  QN_FORM_KIND ("law-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
+                .row_info = row_info, .row_count = G_N_ELEMENTS (keys), .init = init);

@@ -171,13 +171,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   return qn_edit_change_masonry (draft, form->object, change_masonry, &change, error);
 }
 
-static const char *
-row_step (guint row)
-{
-  return _ ("Change %s");
-}
-
 const QnFormKind qn_masonry_form =
   QN_FORM_KIND ("masonry-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
-                .row_info = qn_masonry_field_info, .row_step = row_step,
-                .row_count = QN_MASONRY_FIELDS);
+                .row_info = qn_masonry_field_info, .row_count = QN_MASONRY_FIELDS);

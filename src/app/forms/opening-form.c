@@ -37,7 +37,9 @@ look (gpointer data)
 static QnFieldInfo
 row_info (guint row)
 {
-  return qn_masonry_field_info (QN_MASONRY_FIELDS + row);
+  QnFieldInfo info = qn_masonry_field_info (QN_MASONRY_FIELDS + row);
+  info.step = row < QN_OPENING_PLACE_FIELDS ? N_ ("Move Opening") : CHANGE;
+  return info;
 }
 
 static gboolean
@@ -111,12 +113,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   return qn_edit_change_masonry (draft, form->object, change_opening, &change, error);
 }
 
-static const char *
-row_step (guint row)
-{
-  return row < QN_OPENING_PLACE_FIELDS ? _ ("Move Opening") : _ ("Change Opening");
-}
-
-const QnFormKind qn_opening_form = QN_FORM_KIND (
-  "opening-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
-  .row_info = row_info, .row_step = row_step, .row_count = QN_OPENING_FIELDS);
+const QnFormKind qn_opening_form =
+  QN_FORM_KIND ("opening-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
+                .row_info = row_info, .row_count = QN_OPENING_FIELDS);

@@ -271,11 +271,8 @@ qn_action_show_shortcuts (GtkWindow *parent)
       if ((int) qn_action_rows[i].group == group)
         add_shortcut (grid, row++, _ (qn_action_rows[i].label), qn_action_rows[i].keys);
   }
-  GtkEventController *keys = gtk_event_controller_key_new ();
-  gtk_event_controller_set_propagation_phase (keys, GTK_PHASE_CAPTURE);
-  g_signal_connect_object (keys, "key-pressed", G_CALLBACK (on_escape), entry,
-                           G_CONNECT_SWAPPED);
-  gtk_widget_add_controller (dialog, keys);
+  g_signal_connect_object (gtk_builder_get_object (builder, "keys"), "key-pressed",
+                           G_CALLBACK (on_escape), entry, G_CONNECT_SWAPPED);
   gtk_search_entry_set_key_capture_widget (GTK_SEARCH_ENTRY (entry), dialog);
   g_signal_connect (entry, "changed", G_CALLBACK (on_searched), columns);
   g_signal_connect_swapped (entry, "stop-search", G_CALLBACK (gtk_window_close), dialog);

@@ -43,7 +43,7 @@ enum { ALL = -1, OPENING = -2, LEAF = -3 /* of a wall */ };
 
 #define FIELD(text, quantity, least, most, kind, when, type, of, member)                 \
   {                                                                                      \
-    { text, quantity, least, most }, kind, when, TYPE_##type,                            \
+    { text, NULL, quantity, least, most }, kind, when, TYPE_##type,                      \
       G_STRUCT_OFFSET (of, member)                                                       \
   }
 #define LENGTH(text, least, kind, when, of, member)                                      \

@@ -10,7 +10,8 @@
 enum { QN_MASONRY_FIELDS = 53, QN_OPENING_FIELDS = 11, QN_OPENING_PLACE_FIELDS = 2 };
 
 typedef struct QnFieldInfo {
-  const char *label; /* to be translated */
+  const char *label; /* to be translated, as the next one */
+  const char *step;  /* that a new value is; NULL: "Change %s", with the label */
   QnQuantity quantity;
   double least, most;
 } QnFieldInfo;
