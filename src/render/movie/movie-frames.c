@@ -9,19 +9,10 @@
 #include <glib/gstdio.h>
 
 typedef struct FrameFolder {
-  char *folder;
-  char *generator;
+  const char *folder, *generator;
   bool made; /* the folder did not exist before */
   QnFileGroup pictures;
 } FrameFolder;
-
-static void
-frames_free (FrameFolder *movie)
-{
-  g_free (movie->folder);
-  g_free (movie->generator);
-  g_free (movie);
-}
 
 static void
 frames_abandon (void *state)
@@ -30,7 +21,7 @@ frames_abandon (void *state)
   qn_file_group_discard (&movie->pictures);
   if (movie->made)
     g_rmdir (movie->folder);
-  frames_free (movie);
+  g_free (movie);
 }
 
 static void *
@@ -46,8 +37,8 @@ frames_open (const char *path, const QnPage *page, double rate,
     return NULL;
   }
   FrameFolder *movie = g_new0 (FrameFolder, 1);
-  movie->folder = g_strdup (path);
-  movie->generator = g_strdup (metadata->generator);
+  movie->folder = path;
+  movie->generator = metadata->generator;
   movie->made = !exists;
   int trouble = qn_file_group_open (&movie->pictures, path);
   if (trouble == 0)
@@ -92,7 +83,7 @@ frames_finish (void *state, GError **error)
     frames_abandon (movie);
     return false;
   }
-  frames_free (movie);
+  g_free (movie);
   return true;
 }
 

@@ -17,16 +17,16 @@ typedef struct Cell {
   uint64_t count, sums[3];
 } Cell;
 
-typedef struct Palette {
-  int count;
-  uint8_t colors[MOST_COLORS][3];
-  Cell *cells;      /* of every colour of five bits a channel: what was looked at */
-  int16_t *nearest; /* index for the same, -1: not yet asked */
-} Palette;
-
 /* Colours are counted in cells of five bits a channel; each cell keeps the sum of its colours,
  * so that a flat area is met exactly. */
 enum { CELLS = 1 << 15 };
+
+typedef struct Palette {
+  int count;
+  uint8_t colors[MOST_COLORS][3];
+  Cell cells[CELLS];      /* of every colour of five bits a channel: what was looked at */
+  int16_t nearest[CELLS]; /* index for the same, -1: not yet asked */
+} Palette;
 
 typedef struct Box {
   int first, last; /* of the list of used cells */
@@ -96,16 +96,6 @@ cut_box (Box *box, int *used, const Cell *cells)
   return upper;
 }
 
-static Palette *
-palette_new (void)
-{
-  Palette *palette = g_new0 (Palette, 1);
-  palette->cells = g_new0 (Cell, CELLS);
-  palette->nearest = g_new (int16_t, CELLS);
-  memset (palette->nearest, -1, CELLS * sizeof *palette->nearest);
-  return palette;
-}
-
 /* Looks at an ARGB32 image, before colours are chosen. Large areas keep their exact colours. */
 static void
 palette_look (Palette *palette, cairo_surface_t *image)
@@ -159,14 +149,6 @@ palette_choose (Palette *palette)
   }
 }
 
-static void
-palette_free (Palette *palette)
-{
-  g_free (palette->cells);
-  g_free (palette->nearest);
-  g_free (palette);
-}
-
 /* Index of the nearest colour to an ARGB pixel. */
 static uint8_t
 palette_find (Palette *palette, uint32_t pixel)
@@ -194,11 +176,11 @@ palette_find (Palette *palette, uint32_t pixel)
 /* ---- the movie ---- */
 
 typedef struct GifMovie {
-  char *path;
-  GString *comment; /* who made it */
+  const char *path;
+  const QnMetadata *metadata;
   GByteArray *bytes;
   GifFileType *gif;
-  Palette *palette;
+  Palette palette;
   int width, height, delay; /* delay in hundredths of a second */
   uint8_t *previous, *current;
   bool first;
@@ -218,10 +200,7 @@ gif_free (void *state)
   int code;
   if (movie->gif != NULL)
     EGifCloseFile (movie->gif, &code);
-  palette_free (movie->palette);
   g_byte_array_unref (movie->bytes);
-  g_string_free (movie->comment, TRUE);
-  g_free (movie->path);
   g_free (movie->previous);
   g_free (movie->current);
   g_free (movie);
@@ -248,27 +227,6 @@ make_color_map (const Palette *palette)
   return GifMakeMapObject (size, colors);
 }
 
-/* Screen, endless loop, and who made it. */
-static bool
-put_header (GifMovie *movie)
-{
-  static const GifByteType loop[3] = { 1, 0, 0 };
-  GifFileType *gif = movie->gif;
-  palette_choose (movie->palette);
-  ColorMapObject *map = make_color_map (movie->palette);
-  EGifSetGifVersion (gif, true);
-  bool done = map != NULL
-              && EGifPutScreenDesc (gif, movie->width, movie->height, 8, 0, map) == GIF_OK
-              && EGifPutExtensionLeader (gif, APPLICATION_EXT_FUNC_CODE) == GIF_OK
-              && EGifPutExtensionBlock (gif, 11, "NETSCAPE2.0") == GIF_OK
-              && EGifPutExtensionBlock (gif, sizeof loop, loop) == GIF_OK
-              && EGifPutExtensionTrailer (gif) == GIF_OK;
-  GifFreeMapObject (map);
-  return done
-         && (movie->comment->len == 0
-             || EGifPutComment (gif, movie->comment->str) == GIF_OK);
-}
-
 static GString *
 describe (const QnMetadata *metadata)
 {
@@ -287,21 +245,41 @@ describe (const QnMetadata *metadata)
   return comment;
 }
 
+/* Screen, endless loop, and who made it. */
+static bool
+put_header (GifMovie *movie)
+{
+  static const GifByteType loop[3] = { 1, 0, 0 };
+  GifFileType *gif = movie->gif;
+  g_autoptr (GString) comment = describe (movie->metadata);
+  palette_choose (&movie->palette);
+  ColorMapObject *map = make_color_map (&movie->palette);
+  EGifSetGifVersion (gif, true);
+  bool done = map != NULL
+              && EGifPutScreenDesc (gif, movie->width, movie->height, 8, 0, map) == GIF_OK
+              && EGifPutExtensionLeader (gif, APPLICATION_EXT_FUNC_CODE) == GIF_OK
+              && EGifPutExtensionBlock (gif, 11, "NETSCAPE2.0") == GIF_OK
+              && EGifPutExtensionBlock (gif, sizeof loop, loop) == GIF_OK
+              && EGifPutExtensionTrailer (gif) == GIF_OK;
+  GifFreeMapObject (map);
+  return done && (comment->len == 0 || EGifPutComment (gif, comment->str) == GIF_OK);
+}
+
 static void *
 gif_open (const char *path, const QnPage *page, double rate, const QnMetadata *metadata,
           GError **error)
 {
   int code;
   GifMovie *movie = g_new0 (GifMovie, 1);
-  movie->path = g_strdup (path);
+  movie->path = path;
+  movie->metadata = metadata;
   movie->bytes = g_byte_array_new ();
   movie->width = (int) qn_to_integer (page->width, 1, G_MAXINT16);
   movie->height = (int) qn_to_integer (page->height, 1, G_MAXINT16);
   /* Viewers slow down what is faster than fifty frames a second. */
   movie->delay = (int) qn_to_integer (round (100 / rate), 2, G_MAXUINT16);
   movie->first = true;
-  movie->palette = palette_new ();
-  movie->comment = describe (metadata);
+  memset (movie->palette.nearest, -1, sizeof movie->palette.nearest);
   movie->previous = g_try_malloc ((gsize) movie->width * movie->height);
   movie->current = g_try_malloc ((gsize) movie->width * movie->height);
   movie->gif = EGifOpen (movie->bytes, append_bytes, &code);
@@ -316,7 +294,7 @@ gif_open (const char *path, const QnPage *page, double rate, const QnMetadata *m
 static void
 gif_look (void *state, cairo_surface_t *frame)
 {
-  palette_look (((GifMovie *) state)->palette, frame);
+  palette_look (&((GifMovie *) state)->palette, frame);
 }
 
 static void
@@ -326,7 +304,7 @@ index_frame (GifMovie *movie, cairo_surface_t *frame)
   for (int y = 0; y < movie->height; y++) {
     const uint32_t *row = qn_image_row (frame, y);
     for (int x = 0; x < movie->width; x++)
-      *out++ = palette_find (movie->palette, row[x]);
+      *out++ = palette_find (&movie->palette, row[x]);
   }
 }
 

@@ -20,7 +20,7 @@
 #define LEAST_SIDE 16
 
 typedef struct WebmMovie {
-  char *path;
+  const char *path;
   QnWholeFile file;
   GstElement *pipeline, *source;
   GstMessage *stopped; /* why the pipeline has, the first reason of several */
@@ -61,7 +61,6 @@ webm_free (WebmMovie *movie)
     gst_object_unref (movie->pipeline);
   }
   g_clear_pointer (&movie->stopped, gst_message_unref);
-  g_free (movie->path);
   g_free (movie);
 }
 
@@ -114,7 +113,7 @@ webm_open (const char *path, const QnPage *page, double rate, const QnMetadata *
     return NULL;
   }
   WebmMovie *movie = g_new0 (WebmMovie, 1);
-  movie->path = g_strdup (path);
+  movie->path = path;
   movie->width = (int) qn_to_integer (page->width, 1, G_MAXINT16);
   movie->height = (int) qn_to_integer (page->height, 1, G_MAXINT16);
   movie->frame_time = (GstClockTime) qn_to_integer ((double) GST_SECOND / rate, 1,

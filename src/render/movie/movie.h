@@ -5,7 +5,7 @@
 #include "render/backend/output.h"
 
 typedef struct QnMovieFormat {
-  /* Returns the state that the others take, or NULL. */
+  /* Returns the state that the others take, or NULL; path and metadata are borrowed as long as it lasts. */
   void *(*open) (const char *path, const QnPage *page, double rate,
                  const QnMetadata *metadata, GError **error);
   /* Is shown a few frames typical of the whole, before the first; or NULL. */
