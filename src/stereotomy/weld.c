@@ -337,20 +337,15 @@ qn_joint_length (const QnRing *a, const QnRing *b, double tolerance)
   return sum > tolerance ? sum : 0;
 }
 
-size_t
+void
 qn_drop_collapsed (QnRings *rings)
 {
   size_t kept = 0;
   for (size_t i = 0; i < rings->count; i++) {
-    if (rings->items[i].count >= 3) {
-      QnRing ring = rings->items[i];
-      rings->items[i] = (QnRing){ 0 };
-      rings->items[kept++] = ring;
-    } else {
+    if (rings->items[i].count >= 3)
+      rings->items[kept++] = rings->items[i];
+    else
       qn_ring_clear (&rings->items[i]);
-    }
   }
-  size_t dropped = rings->count - kept;
   rings->count = kept;
-  return dropped;
 }

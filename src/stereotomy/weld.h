@@ -32,8 +32,8 @@ QnStatus qn_weld_vertices (QnRings *rings, double least, double tolerance,
 QnStatus qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing,
                              QnDiag *diag);
 
-/* Removes rings with fewer than three points. Returns how many there were. */
-size_t qn_drop_collapsed (QnRings *rings);
+/* Removes rings with fewer than three points. */
+void qn_drop_collapsed (QnRings *rings);
 
 /* Length over which the boundaries of two counter-clockwise rings lie on each other, m. */
 double qn_joint_length (const QnRing *a, const QnRing *b, double tolerance);

@@ -86,7 +86,7 @@ test_collapse (void)
   add_box (&rings, 0, 0, 1, 1);
   add_box (&rings, 1, 0, 1.0001, 1);
   g_assert_cmpint (qn_weld_vertices (&rings, 0, 0.001, NULL, NULL, NULL), ==, QN_OK);
-  g_assert_cmpuint (qn_drop_collapsed (&rings), ==, 1);
+  qn_drop_collapsed (&rings);
   g_assert_cmpuint (rings.count, ==, 1);
 }
 

@@ -18,24 +18,6 @@
 
 /* --- XML ---------------------------------------------------------------------------------- */
 
-static void
-begin (QnFileWriter *writer, size_t points, size_t cells)
-{
-  qn_file_writer_printf (
-    writer,
-    "<?xml version=\"1.0\"?>\n"
-    "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-    "<UnstructuredGrid>\n<Piece NumberOfPoints=\"%zu\" NumberOfCells=\"%zu\">\n",
-    points, cells);
-}
-
-static gboolean
-finish (QnFileWriter *writer, GError **error)
-{
-  qn_file_writer_puts (writer, "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-  return qn_file_writer_commit (writer, error);
-}
-
 /* An array of `count` rows; type as VTK calls it: "Float64", "Int64", "UInt8". */
 static void
 put_array (QnFileWriter *writer, const char *type, const char *name, size_t components,
@@ -63,29 +45,48 @@ put_series (QnFileWriter *writer, const char *type, const char *name, size_t cou
   put_array (writer, type, name, 1, count, values);
 }
 
-/* x, y, 0 of a point; the rows are zeros before. */
+/* Rows of x, y, 0. */
 static void
-set_row (double *rows, size_t index, QnVec2 vector)
+put_vectors (QnFileWriter *writer, const char *name, size_t count, const QnVec2 *vectors)
 {
-  rows[3 * index] = vector.x;
-  rows[3 * index + 1] = vector.y;
+  g_autofree double *rows = g_new0 (double, 3 * count);
+  for (size_t i = 0; i < count; i++) {
+    rows[3 * i] = vectors[i].x;
+    rows[3 * i + 1] = vectors[i].y;
+  }
+  put_array (writer, "Float64", name, 3, count, rows);
 }
 
-/* The elements Points and Cells: each cell has points of its own, up to its end, or without `ends` two. */
+/* The head of a file, and Points and Cells: polygons whose points go up to their `ends`, or without
+ * these lines. */
 static void
-put_cells (QnFileWriter *writer, size_t points, const double *at, size_t cells,
-           const double *ends, int type)
+begin (QnFileWriter *writer, size_t points, const QnVec2 *at, size_t cells,
+       const double *ends)
 {
-  qn_file_writer_puts (writer, "<Points>\n");
-  put_array (writer, "Float64", "Points", 3, points, at);
+  qn_file_writer_printf (
+    writer,
+    "<?xml version=\"1.0\"?>\n"
+    "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+    "<UnstructuredGrid>\n<Piece NumberOfPoints=\"%zu\" "
+    "NumberOfCells=\"%zu\">\n<Points>\n",
+    points, cells);
+  put_vectors (writer, "Points", points, at);
   qn_file_writer_puts (writer, "</Points>\n<Cells>\n");
   put_series (writer, "Int64", "connectivity", points, 0, 1);
   if (ends != NULL)
     put_array (writer, "Int64", "offsets", 1, cells, ends);
   else
     put_series (writer, "Int64", "offsets", cells, 2, 2);
-  put_series (writer, "UInt8", "types", cells, type, 0);
+  put_series (writer, "UInt8", "types", cells, ends != NULL ? VTK_POLYGON : VTK_LINE, 0);
   qn_file_writer_puts (writer, "</Cells>\n");
+}
+
+static gboolean
+finish (QnFileWriter *writer, GError **error)
+{
+  qn_file_writer_puts (writer,
+                       "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  return qn_file_writer_commit (writer, error);
 }
 
 /* --- The files: each closes its writer ---------------------------------------------------- */
@@ -98,8 +99,7 @@ write_blocks (QnFileWriter *writer, const QnModel *model, const double *u, GErro
   size_t points = 0, n = 0;
   for (size_t i = 0; i < cells; i++)
     points += (size_t) model->blocks[i].vertex_count;
-  g_autofree double *at = g_new0 (double, 3 * points),
-                    *moved = g_new0 (double, 3 * points);
+  g_autofree QnVec2 *at = g_new (QnVec2, points), *moved = g_new0 (QnVec2, points);
   g_autofree double *ends = g_new (double, cells), *weights = g_new (double, cells);
   g_autofree double *supported = g_new (double, cells);
   g_autofree double *still = g_new0 (double, QN_DOF_COUNT *cells);
@@ -107,32 +107,29 @@ write_blocks (QnFileWriter *writer, const QnModel *model, const double *u, GErro
     const QnBlock *block = &model->blocks[i];
     const QnVec2 *vertices = qn_model_block_vertices (model, (QnId) i);
     for (QnId k = 0; k < block->vertex_count; k++, n++) {
-      set_row (at, n, vertices[k]);
+      at[n] = vertices[k];
       if (u == NULL)
         continue;
       const double *motion = u + i * QN_DOF_COUNT;
       QnVec2 arm = qn_vec2_sub (vertices[k], block->centroid);
       QnVec2 turned =
         qn_vec2_rotate (arm, cos (motion[QN_DOF_RZ]), sin (motion[QN_DOF_RZ]));
-      set_row (moved, n,
-               qn_vec2_add (qn_vec2 (motion[QN_DOF_UX], motion[QN_DOF_UY]),
-                            qn_vec2_sub (turned, arm)));
+      moved[n] = qn_vec2_add (qn_vec2 (motion[QN_DOF_UX], motion[QN_DOF_UY]),
+                              qn_vec2_sub (turned, arm));
     }
     ends[i] = (double) n;
     supported[i] = qn_support_is_any (block->support);
     weights[i] = block->weight;
   }
 
-  begin (writer, points, cells);
-  put_cells (writer, points, at, cells, ends, VTK_POLYGON);
+  begin (writer, points, at, cells, ends);
   qn_file_writer_puts (writer, "<PointData Vectors=\"displacement\">\n");
-  put_array (writer, "Float64", "displacement", 3, points, moved);
+  put_vectors (writer, "displacement", points, moved);
   qn_file_writer_puts (writer, "</PointData>\n<CellData Scalars=\"block\">\n");
   put_series (writer, "Int64", "block", cells, 0, 1);
   put_array (writer, "UInt8", "supported", 1, cells, supported);
   put_array (writer, "Float64", "motion", QN_DOF_COUNT, cells, u != NULL ? u : still);
   put_array (writer, "Float64", "weight", 1, cells, weights);
-  qn_file_writer_puts (writer, "</CellData>\n");
   return finish (writer, error);
 }
 
@@ -149,17 +146,16 @@ write_beam_lines (QnFileWriter *writer, const QnModel *model, const QnResult *re
     result != NULL ? qn_result_step_beam_forces (result, step) : NULL;
 
   const size_t cells = model->element_count, points = 2 * cells;
-  g_autofree double *at = g_new0 (double, 3 * points),
-                    *moved = g_new0 (double, 3 * points);
+  g_autofree QnVec2 *at = g_new (QnVec2, points), *moved = g_new0 (QnVec2, points);
   g_autofree double *nvm = g_new0 (double, 3 * points), *beams = g_new (double, cells);
   for (size_t i = 0; i < points; i++) {
     const QnBeamElement *element = &model->elements[i / 2];
     const size_t end = i % 2;
     const QnId node = element->nodes[end];
-    set_row (at, i, model->nodes[node].at);
+    at[i] = model->nodes[node].at;
     if (u != NULL) {
       const double *motion = u + (size_t) node * QN_DOF_COUNT;
-      set_row (moved, i, qn_vec2 (motion[QN_DOF_UX], motion[QN_DOF_UY]));
+      moved[i] = qn_vec2 (motion[QN_DOF_UX], motion[QN_DOF_UY]);
     }
     if (forces != NULL) {
       nvm[3 * i] = forces[i / 2].normal[end];
@@ -169,15 +165,13 @@ write_beam_lines (QnFileWriter *writer, const QnModel *model, const QnResult *re
     beams[i / 2] = element->beam;
   }
 
-  begin (writer, points, cells);
-  put_cells (writer, points, at, cells, NULL, VTK_LINE);
+  begin (writer, points, at, cells, NULL);
   qn_file_writer_puts (writer, "<PointData Vectors=\"displacement\">\n");
-  put_array (writer, "Float64", "displacement", 3, points, moved);
+  put_vectors (writer, "displacement", points, moved);
   if (forces != NULL)
     put_array (writer, "Float64", "normal_shear_moment", 3, points, nvm);
   qn_file_writer_puts (writer, "</PointData>\n<CellData Scalars=\"beam\">\n");
   put_array (writer, "Int64", "beam", 1, cells, beams);
-  qn_file_writer_puts (writer, "</CellData>\n");
   return finish (writer, error);
 }
 
@@ -206,28 +200,25 @@ write_forces (QnFileWriter *writer, const QnModel *model, const QnContacts *cont
   const double metres_per_newton =
     largest > 0 ? FORCE_LENGTH * qn_box_size (bounds) / largest : 0;
 
-  g_autofree double *points = g_new0 (double, 6 * cells);
+  g_autofree QnVec2 *points = g_new (QnVec2, 2 * cells);
   g_autofree double *states = g_new (double, cells), *faces = g_new (double, cells);
   g_autofree double *forces = g_new (double, 2 * cells);
   for (size_t i = 0; i < cells; i++) {
     const QnContactPair *pair = &contacts->pairs[i];
-    set_row (points, 2 * i, pair->point);
-    set_row (points, 2 * i + 1,
-             qn_vec2_add_scaled (pair->point, metres_per_newton,
-                                 force_on_b (contacts, result, i)));
+    points[2 * i] = pair->point;
+    points[2 * i + 1] = qn_vec2_add_scaled (pair->point, metres_per_newton,
+                                            force_on_b (contacts, result, i));
     states[i] = result->pairs[i].state;
     faces[i] = pair->face;
     forces[2 * i] = result->pairs[i].normal_force;
     forces[2 * i + 1] = result->pairs[i].shear_force;
   }
 
-  begin (writer, 2 * cells, cells);
-  put_cells (writer, 2 * cells, points, cells, NULL, VTK_LINE);
+  begin (writer, 2 * cells, points, cells, NULL);
   qn_file_writer_puts (writer, "<CellData Scalars=\"state\">\n");
   put_array (writer, "Int64", "state", 1, cells, states);
   put_array (writer, "Int64", "face", 1, cells, faces);
   put_array (writer, "Float64", "normal_shear_force", 2, cells, forces);
-  qn_file_writer_puts (writer, "</CellData>\n");
   return finish (writer, error);
 }
 

@@ -73,8 +73,12 @@ qn_json_path_parse (const char *text)
 }
 
 void
-qn_json_path_append_key (GString *path, const char *key)
+qn_json_path_append (GString *path, const char *key, gsize index)
 {
+  if (key == NULL) {
+    g_string_append_printf (path, "[%" G_GSIZE_FORMAT "]", index);
+    return;
+  }
   if (!is_plain (key)) {
     g_string_append_c (path, '[');
     qn_json_append_string (path, key);
@@ -86,22 +90,13 @@ qn_json_path_append_key (GString *path, const char *key)
   g_string_append (path, key);
 }
 
-void
-qn_json_path_append_index (GString *path, gsize index)
-{
-  g_string_append_printf (path, "[%" G_GSIZE_FORMAT "]", index);
-}
-
 char *
 qn_json_path_dup_text (const GArray *steps)
 {
   GString *path = g_string_new (NULL);
   for (guint i = 0; i < steps->len; i++) {
     const QnJsonStep *step = &g_array_index (steps, QnJsonStep, i);
-    if (step->key != NULL)
-      qn_json_path_append_key (path, step->key);
-    else
-      qn_json_path_append_index (path, step->index);
+    qn_json_path_append (path, step->key, step->index);
   }
   return g_string_free (path, FALSE);
 }

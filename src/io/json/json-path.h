@@ -15,16 +15,15 @@ typedef struct QnJsonStep {
  * document itself. Free with g_array_unref(). */
 GArray *qn_json_path_parse (const char *text);
 
-/* The one spelling of the steps of a path, as messages and the append functions write it. Free with
- * g_free(). */
+/* The one spelling of the steps of a path, as messages and qn_json_path_append() write it. Free
+ * with g_free(). */
 char *qn_json_path_dup_text (const GArray *steps);
 
-/* Append one step in that spelling. */
-void qn_json_path_append_key (GString *path, const char *key);
-void qn_json_path_append_index (GString *path, gsize index);
+/* Appends one step in that spelling: a key or, where it is NULL, an index. */
+void qn_json_path_append (GString *path, const char *key, gsize index);
 
-/* Whether `path` is `ancestor` or leads to something inside it; both as written by the
- * append functions. */
+/* Whether `path` is `ancestor` or leads to something inside it; both as
+ * qn_json_path_append() writes them. */
 gboolean qn_json_path_is_within (const char *path, const char *ancestor);
 
 /* Both from 1; the column counts characters. */

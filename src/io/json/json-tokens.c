@@ -23,11 +23,9 @@ append_path (const QnJson *json, gsize at, GString *path)
          index++)
       item = tokens[item].next;
     inside = !object || item < json->count; /* else: where a key would stand */
-    if (inside && object) {
-      g_autofree char *key = qn_json_dup_string (json, item);
-      qn_json_path_append_key (path, key);
-    } else if (inside) {
-      qn_json_path_append_index (path, index);
+    if (inside) {
+      g_autofree char *key = object ? qn_json_dup_string (json, item) : NULL;
+      qn_json_path_append (path, key, index);
     }
     outer = object ? item + 1 : item;
   }
@@ -50,7 +48,7 @@ fail_inside (QnJson *json, gsize at, const char *key, const char *message)
   g_autoptr (GString) path = g_string_new (NULL);
   append_path (json, at, path);
   if (key != NULL)
-    qn_json_path_append_key (path, key);
+    qn_json_path_append (path, key, 0);
   const QnJsonPlace place = qn_json_position (
     json->text, at < json->count ? json->tokens[at].start : json->trouble);
   json->error =

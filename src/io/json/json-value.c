@@ -59,10 +59,7 @@ append_place (const QnJsonValue *place, GString *path)
   if (place->parent == NULL)
     return;
   append_place (place->parent, path);
-  if (place->key != NULL)
-    qn_json_path_append_key (path, place->key);
-  else
-    qn_json_path_append_index (path, place->index);
+  qn_json_path_append (path, place->key, place->index);
 }
 
 static char *
@@ -649,10 +646,7 @@ apply (cJSON *root, const GArray *path, const char *override, const char *text,
     }
     parent = container;
     container = descend (parent, step);
-    if (step->key != NULL)
-      qn_json_path_append_key (before, step->key);
-    else
-      qn_json_path_append_index (before, step->index);
+    qn_json_path_append (before, step->key, step->index);
   }
   return TRUE;
 }

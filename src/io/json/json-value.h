@@ -127,6 +127,6 @@ const char *qn_nearest_word (const char *word, const char *const *words, gsize c
  * leads nowhere), their messages starting with the override. */
 gboolean qn_json_override (cJSON *root, const char *override, GError **error);
 
-/* The path part of a well-formed override as qn_json_path_append_ writes it, or NULL; free with
+/* The path part of a well-formed override as qn_json_path_append() writes it, or NULL; free with
  * g_free(). */
 char *qn_json_override_dup_path (const char *override);

@@ -282,7 +282,7 @@ qn_combination_add_overrides (const QnCombination *combination, const QnModel *m
   static const char *const bonds[] = { "cohesion", "tension", "compression", NULL };
   for (gsize i = 0; i < model->load_case_count; i++) {
     GString *path = g_string_new ("loads.cases");
-    qn_json_path_append_key (path, model->load_cases[i].name);
+    qn_json_path_append (path, model->load_cases[i].name, 0);
     add_override (overrides, path, combination->factors[i] * model->load_cases[i].factor);
   }
   for (gsize i = 0; i < model->law_count; i++) {
@@ -298,8 +298,8 @@ qn_combination_add_overrides (const QnCombination *combination, const QnModel *m
       if (factor == 1 || value == 0)
         continue;
       GString *path = g_string_new ("laws");
-      qn_json_path_append_index (path, i);
-      qn_json_path_append_key (path, key);
+      qn_json_path_append (path, NULL, i);
+      qn_json_path_append (path, key, 0);
       add_override (overrides, path, value / factor);
     }
   }

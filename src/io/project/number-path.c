@@ -29,7 +29,7 @@ compare_keys (Difference *difference, const cJSON *walked, const cJSON *before,
     const cJSON *b = cJSON_GetObjectItemCaseSensitive (before, member->string);
     if (new_keys && b != NULL)
       continue;
-    qn_json_path_append_key (difference->path, member->string);
+    qn_json_path_append (difference->path, member->string, 0);
     compare (difference, b, cJSON_GetObjectItemCaseSensitive (after, member->string));
     g_string_truncate (difference->path, length);
   }
@@ -41,7 +41,7 @@ compare_items (Difference *difference, const cJSON *before, const cJSON *after)
   const cJSON *b = before->child, *a = after->child;
   for (gsize i = 0; b != NULL && a != NULL; i++, b = b->next, a = a->next) {
     gsize length = difference->path->len;
-    qn_json_path_append_index (difference->path, i);
+    qn_json_path_append (difference->path, NULL, i);
     compare (difference, b, a);
     g_string_truncate (difference->path, length);
   }

@@ -147,12 +147,12 @@ qn_project_dup_key_path (const QnProject *project, QnEntity entity, QnId index)
     for (QnId i = 0; i < index; i++)
       place += model->live_loads[i].set == set;
     g_string_append (path, set == 0 ? "loads" : "loads.sets");
-    qn_json_path_append_key (path, qn_model_load_set_name (model, set));
-    qn_json_path_append_index (path, place);
+    qn_json_path_append (path, qn_model_load_set_name (model, set), 0);
+    qn_json_path_append (path, NULL, place);
   } else if (entity == QN_ENTITY_LOAD_CASE && index >= 0
              && (size_t) index < model->load_case_count) {
     g_string_append (path, containers[entity]);
-    qn_json_path_append_key (path, model->load_cases[index].name);
+    qn_json_path_append (path, model->load_cases[index].name, 0);
   } else {
     g_string_append (path, containers[entity]);
     gboolean is_list = entity != QN_ENTITY_MODEL && entity != QN_ENTITY_CONTACT

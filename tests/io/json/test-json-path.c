@@ -3,7 +3,7 @@
 
 #include <glib.h>
 
-/* Writes the steps back in the one spelling that the append functions use. */
+/* Writes the steps back in the one spelling. */
 static char *
 spell (const char *text)
 {
