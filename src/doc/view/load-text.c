@@ -65,11 +65,16 @@ dup_edge_text (const QnModel *model, const QnLoad *load, QnUnits units)
                           direction);
 }
 
-/* The number with its unit; NULL where a range has no end there. */
-static char *
-dup_limit (QnUnits units, double at)
+/* "; from x = 2 m; to x = 5 m", where the range has these ends. */
+static void
+append_span (GString *text, QnUnits units, char axis, const double span[2])
 {
-  return isfinite (at) ? in_full (units, QN_QUANTITY_LENGTH, at) : NULL;
+  for (int end = 0; end < 2; end++) {
+    g_autofree char *at = in_full (units, QN_QUANTITY_LENGTH, span[end]);
+    if (isfinite (span[end]))
+      g_string_append_printf (text, end == 0 ? _ ("; from %c = %s") : _ ("; to %c = %s"),
+                              axis, at);
+  }
 }
 
 static char *
@@ -78,8 +83,6 @@ dup_surcharge_text (const QnLoad *load, QnUnits units)
   g_autofree char *pressure = in_full (units, QN_QUANTITY_PRESSURE, load->pressure);
   g_autofree char *weight = in_full (units, QN_QUANTITY_UNIT_WEIGHT, load->unit_weight);
   g_autofree char *level = in_full (units, QN_QUANTITY_LENGTH, load->level);
-  g_autofree char *from = dup_limit (units, load->span[0]);
-  g_autofree char *to = dup_limit (units, load->span[1]);
   GString *text = g_string_new (NULL);
   if (load->unit_weight > 0)
     g_string_append_printf (text, _ ("Fill of %s up to y = %s"), weight, level);
@@ -87,10 +90,7 @@ dup_surcharge_text (const QnLoad *load, QnUnits units)
     g_string_append (text, "; ");
   if (load->pressure > 0 || load->unit_weight == 0)
     g_string_append_printf (text, _ ("Surcharge %s"), pressure);
-  if (from != NULL)
-    g_string_append_printf (text, _ ("; from x = %s"), from);
-  if (to != NULL)
-    g_string_append_printf (text, _ ("; to x = %s"), to);
+  append_span (text, units, 'x', load->span);
   return g_string_free (text, FALSE);
 }
 
@@ -101,8 +101,6 @@ dup_backfill_text (const QnLoad *load, QnUnits units)
   g_autofree char *pressure = in_full (units, QN_QUANTITY_PRESSURE, load->pressure);
   g_autofree char *k =
     qn_units_format (units, QN_QUANTITY_NUMBER, qn_load_earth_coefficient (load), 4);
-  g_autofree char *from = dup_limit (units, load->span[0]);
-  g_autofree char *to = dup_limit (units, load->span[1]);
   GString *text = g_string_new (NULL);
   g_string_append_printf (text,
                           load->side == QN_BLOCK_SIDE_LEFT
@@ -111,10 +109,7 @@ dup_backfill_text (const QnLoad *load, QnUnits units)
                           weight, k);
   if (load->pressure > 0)
     g_string_append_printf (text, _ ("; surcharge %s"), pressure);
-  if (from != NULL)
-    g_string_append_printf (text, _ ("; from y = %s"), from);
-  if (to != NULL)
-    g_string_append_printf (text, _ ("; to y = %s"), to);
+  append_span (text, units, 'y', load->span);
   return g_string_free (text, FALSE);
 }
 
