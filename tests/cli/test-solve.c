@@ -135,6 +135,33 @@ test_ends_behind_peak (void)
   cli_says ("no equilibrium above 0.5000", "limit", model, NULL);
 }
 
+/* A wall of rubble that moves on at a lower multiplier beyond a peak: collapse is the peak, at which load
+ * control ends. */
+static void
+test_peak (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *wall = g_build_filename (folder, "rubble.quoin", NULL);
+  cli_do ("generate", "rubble", "width=[1.4,1]", "height=2", "stone=0.4", "seed=12",
+          "--plain", "-o", wall, NULL);
+  CliRun work = cli_run ("solve", wall, "-q", "--set", "analysis.geometry=linear",
+                         "--set", "analysis.procedure=work", "-o", "-", NULL);
+  CliRun load =
+    cli_run ("solve", wall, "-q", "--set", "analysis.geometry=linear", "-o", "-", NULL);
+  cli_assert_done (&work);
+  cli_assert_done (&load);
+  double peak = number_of (work.out, "collapse_multiplier");
+  double held = number_of (load.out, "collapse_multiplier");
+  g_autofree char *last = g_strdup (g_strrstr (work.out, "\"multiplier\":"));
+  g_assert_cmpfloat (number_of (last, "multiplier"), <, 0.98 * peak);
+  g_assert_cmpfloat (held, >=, 0.99 * peak);
+  g_free (g_steal_pointer (&last));
+  last = g_strdup (g_strrstr (load.out, "\"multiplier\":"));
+  g_assert_cmpfloat (number_of (last, "multiplier"), ==, held);
+  cli_run_clear (&work);
+  cli_run_clear (&load);
+}
+
 /* Joints of five pairs open pair by pair, and the path creeps to its collapse. It gets there by its own
  * steps for less than a search for the collapse takes: 71 factorisations with it. */
 static void
@@ -467,6 +494,7 @@ QN_TESTS
   g_test_add_func ("/cli/solve/ends-at-target", test_ends_at_target);
   g_test_add_func ("/cli/solve/five-pairs", test_five_pairs);
   g_test_add_func ("/cli/solve/ends-behind-peak", test_ends_behind_peak);
+  g_test_add_func ("/cli/solve/peak", test_peak);
   g_test_add_func ("/cli/solve/bad-set", test_bad_set);
   g_test_add_func ("/cli/solve/quiet-warns", test_quiet_warns);
   g_test_add_func ("/cli/solve/outputs", test_outputs);

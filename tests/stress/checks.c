@@ -143,10 +143,12 @@ relative_power (const QnModel *model, double multiplier, const double *velocitie
   return size > 0 ? power / size : 0;
 }
 
-/* `forces` of the pairs at collapse; NULL where there was no equilibrium at all. */
+/* Forces of the pairs at collapse, and displacements: a pair without force that has parted may close again;
+ * NULL where there was no equilibrium at all. */
 static void
 check_mechanism (const QnModel *model, const QnContacts *contacts, const double *forces,
-                 double multiplier, const double *velocities, StressCheck *check)
+                 const double *displacements, double multiplier, const double *velocities,
+                 StressCheck *check)
 {
   double largest = 0, fastest = fastest_block (model, velocities), worst = 0, deepest = 0;
 
@@ -155,7 +157,11 @@ check_mechanism (const QnModel *model, const QnContacts *contacts, const double 
   for (size_t p = 0; p < contacts->pair_count; p++) {
     Strength strength = pair_strength (model, contacts, p);
     QnVec2 rate = test_pair_rate (model, contacts, p, velocities);
-    deepest = fmax (deepest, -rate.x);
+    bool parted = forces != NULL
+                  && hypot (forces[2 * p], forces[2 * p + 1]) <= 1e-5 * largest
+                  && test_pair_rate (model, contacts, p, displacements).x > 0;
+    if (!parted)
+      deepest = fmax (deepest, -rate.x);
     if (forces != NULL)
       worst = fmax (worst, pair_misfit (&strength, forces + 2 * p, rate, 1e-5 * largest));
   }
@@ -195,11 +201,13 @@ stress_check_result (const QnModel *model, const QnContacts *contacts,
     check.excess = fmax (check.excess, excess (model, contacts, forces));
   }
   check.uncertain = result->mechanism_uncertain;
+  check.by_work = result->mechanism_by_work;
   if (result->mechanism != NULL && result->outcome == QN_OUTCOME_COLLAPSE)
-    check_mechanism (model, contacts, forces, result->collapse_multiplier,
-                     result->mechanism, &check);
+    check_mechanism (model, contacts, forces,
+                     qn_result_step_displacements (result, result->step_count - 1),
+                     result->collapse_multiplier, result->mechanism, &check);
   if (result->mechanism != NULL && result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
-    check_mechanism (model, contacts, NULL, 0, result->mechanism, &check);
+    check_mechanism (model, contacts, NULL, NULL, 0, result->mechanism, &check);
   return check;
 }
 
@@ -213,7 +221,7 @@ stress_check_faults (const StressCheck *check)
   if (!(check->excess <= STRESS_STRENGTH_TOLERANCE))
     faults |= STRESS_STRENGTH;
   if (check->moves && !check->uncertain
-      && !(check->penetration <= STRESS_MOTION_TOLERANCE
+      && !((check->by_work || check->penetration <= STRESS_MOTION_TOLERANCE)
            && check->power >= -STRESS_MOTION_TOLERANCE))
     faults |= STRESS_MECHANISM;
   return faults;
@@ -227,9 +235,8 @@ stress_path_is_consistent (const QnResult *result)
   bool collapses = result->outcome == QN_OUTCOME_COLLAPSE;
 
   for (size_t i = 0; i < result->step_count; i++) {
-    bool ends = collapses && i + 1 == result->step_count; /* on a plateau, perhaps */
     last = result->steps[i].multiplier;
-    if (!(last >= highest) && !ends)
+    if (!(last >= highest))
       return false;
     highest = fmax (highest, last);
   }

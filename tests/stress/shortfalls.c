@@ -11,9 +11,6 @@
   "1e-6."
 #define ROUNDING                                                                         \
   "Rounding ends the approach before what is left to gain is within the tolerance."
-#define WIDE                                                                             \
-  "The motion closes a joint, but one that stands so far open that it does not close "   \
-  "before the structure has run away."
 #define WEDGES                                                                           \
   "Joints wedge and let go by turns: the path is given up while it still climbs."
 #define BONDS                                                                            \
@@ -27,12 +24,11 @@ static const StressShortfall shortfalls[] = {
   { "contrast=1e+0?-*", STRESS_NO_ANSWER, STIFFNESSES },
   { "ks/kn=10000-*", STRESS_NO_ANSWER, STIFFNESSES },
   { "aspect=1e-?", STRESS_NO_ANSWER, WEDGES },
-  { "friction=4-wall2", STRESS_NO_ANSWER, WEDGES },
+  { "friction=3-wall6", STRESS_NO_ANSWER, WEDGES },
+  { "friction=4-wall2", STRESS_NO_ANSWER | STRESS_BUDGET, WEDGES },
   { "friction=4-wall6", STRESS_NO_ANSWER, WEDGES },
   { "friction=5-wall2", STRESS_NO_ANSWER, WEDGES },
   { "friction=5-wall6", STRESS_NO_ANSWER, WEDGES },
-  { "friction=1-wall5", STRESS_MECHANISM,
-    "Steady viscous motion closes joints that stood open." },
   { "hanging-1e-06", STRESS_NO_ANSWER, MILLIONTH },
   { "hanging-1e-09", STRESS_MECHANISM,
     "A thousand-millionth beside the verge the force that drives the motion is no more "
@@ -40,10 +36,6 @@ static const StressShortfall shortfalls[] = {
   { "random-246", STRESS_NO_ANSWER, ROUNDING },
   { "random-403", STRESS_NO_ANSWER, ROUNDING },
   { "random-581", STRESS_LIMIT, STALLS },
-  { "uplift-wall3", STRESS_MECHANISM, WIDE },
-  { "random-168", STRESS_MECHANISM, WIDE },
-  { "random-813", STRESS_MECHANISM, WIDE },
-  { "random-914", STRESS_MECHANISM, WIDE },
   { "residual=1e-12-*", STRESS_NO_ANSWER, "Forces cannot be summed up to 1e-12." },
 };
 

@@ -85,6 +85,7 @@ typedef struct StressCheck {
   double excess;    /* worst of all steps: of a pair's strength, over the largest force */
   bool moves;       /* there is a mechanism: */
   bool uncertain; /* by its own account the last motion only, of which nothing is asked */
+  bool by_work;   /* or a motion in which elastic joints give, too */
   double penetration; /* how fast joints close on it, over the fastest block */
   double
     power; /* of the loads at collapse, over what it would be if every load went along

@@ -169,9 +169,7 @@ is_highest (const QnCheck *check, double multiplier, double *peak)
              && gain <= check->model->analysis.residual_tolerance * fabs (*peak));
 }
 
-/* In linear geometry a structure that moves on for good collapses at its last multiplier, unless that has
- * fallen to nothing; in large displacements, and where joints lose strength, at the highest. Where its
- * mechanism is not known, either may be told. */
+/* Collapse is at the highest multiplier. */
 static void
 check_collapse (QnCheck *check)
 {
@@ -181,20 +179,9 @@ check_collapse (QnCheck *check)
   if (r->outcome == QN_OUTCOME_COLLAPSE && !r->has_collapse_multiplier
       && r->history.width == 0)
     tell (check, QN_CLAIM_COLLAPSE);
-  if (!r->has_collapse_multiplier || r->step_count == 0)
-    return;
-  QnCheckStage stage = qn_check_stage (check, r->steps[r->step_count - 1].stage);
-  double sense = stage.number > 0 ? stage.sense : 1;
-  double last = r->steps[r->step_count - 1].multiplier;
-  bool is_peak = is_highest (check, r->collapse_multiplier, &peak);
-  bool is_last = r->outcome == QN_OUTCOME_COLLAPSE && sense * last > 0
-                 && check->model->analysis.geometry == QN_GEOMETRY_LINEAR
-                 && !qn_assembly_may_soften (&check->assembly);
-  if (!(is_last ? same (r->collapse_multiplier, last)
-                    || (r->mechanism_uncertain && same (r->collapse_multiplier, peak))
-                : is_peak))
-    qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, r->collapse_multiplier,
-                         is_last ? last : peak);
+  if (r->has_collapse_multiplier && r->step_count > 0
+      && !is_highest (check, r->collapse_multiplier, &peak))
+    qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, r->collapse_multiplier, peak);
 }
 
 /* The first snap of the last stage is the first limit point; where the analysis stops there, its highest

@@ -286,7 +286,7 @@ qn_check_mechanism (QnCheck *check)
   check_work (check);
   if (result->mechanism_uncertain)
     return;
-  if (result->mechanism_by_work && as->nonlinear) {
+  if (result->mechanism_by_work) {
     check_second_order_work (check);
     return;
   }

@@ -323,7 +323,7 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
       return QN_SOLVE_MECHANISM;
     if (eq->out_of_balance <= eq->tolerance && relaxation.elapsed >= relaxation.duration)
       return come_straight (eq, target);
-    if (far == INFINITY && is_mechanism (eq, &relaxation))
+    if ((far == INFINITY || !eq->assembly.nonlinear) && is_mechanism (eq, &relaxation))
       return QN_SOLVE_MECHANISM;
     double longer =
       by_central ? LONGER : growth (&relaxation, eq->statistics.iterations - before);

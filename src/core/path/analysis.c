@@ -91,9 +91,10 @@ prove_by_work (const QnModel *model, const QnContacts *contacts, QnResult *resul
   result->mechanism_by_work = true;
   QnStatus status =
     qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
-  for (int i = 0; status == QN_OK && i < faults.count; i++)
+  for (int i = 0; status == QN_OK && i < faults.count; i++) {
     if (faults.items[i].claim != QN_CLAIM_FIRST_LIMIT)
       result->mechanism_uncertain = true;
+  }
   result->mechanism_by_work = !result->mechanism_uncertain;
   return status;
 }
@@ -125,8 +126,7 @@ qn_result_prove (const QnModel *model, const QnContacts *contacts, QnResult *res
       stands = false;
   }
   if (status == QN_OK && stands && result->mechanism_uncertain
-      && result->outcome == QN_OUTCOME_COLLAPSE && result->history.width == 0
-      && model->analysis.geometry == QN_GEOMETRY_NONLINEAR)
+      && result->outcome == QN_OUTCOME_COLLAPSE && result->history.width == 0)
     return prove_by_work (model, contacts, result, diag);
   if (status != QN_OK || stands)
     return status;

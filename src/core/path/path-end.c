@@ -153,7 +153,8 @@ qn_path_end_give_up (QnPathTrace *trace, QnSolveStatus status)
   case QN_SOLVE_FAILED:
   case QN_SOLVE_NO_MEMORY:
     if (may_end_on_plateau (trace)
-        && (motion > eq->runaway || qn_path_end_gain (trace) <= QN_PATH_SETTLES)) {
+        && (motion > eq->runaway || trace->moved_on
+            || qn_path_end_gain (trace) <= QN_PATH_SETTLES)) {
       qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);
       trace->path->result->mechanism_uncertain = motion <= eq->runaway;
     } else

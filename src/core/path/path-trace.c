@@ -68,7 +68,8 @@ largest_next_step (const QnPathTrace *trace)
   return fmin (most, fmax (far / trace->pace, is_displacement ? first : 0));
 }
 
-/* Whether collapse is at the highest multiplier of the path, not on a plateau beyond it. */
+/* Whether steps that pass the highest multiplier are cut until they meet it. In linear geometry without softening
+ * load control holds the load above it, and other procedures meet it to the length of their steps. */
 static bool
 ends_at_peak (const QnPathTrace *trace)
 {
@@ -127,12 +128,6 @@ take_work (QnPathTrace *trace)
 
 /* --- One step ---------------------------------------------------------------------------- */
 
-static bool
-holds_still (double multiplier, double before)
-{
-  return fabs (multiplier - before) <= QN_PATH_PLATEAU * fabs (multiplier);
-}
-
 /* Accepts the current state. Load control records the equilibria that it meets, which lie above all
  * multipliers before. */
 bool
@@ -150,9 +145,6 @@ qn_path_trace_accept (QnPathTrace *trace)
     return false;
   if (trace->load_control && !climbs) {
     qn_equilibrium_commit (eq);
-    if (qn_path_trace_is_linear (trace)
-        && !holds_still (eq->multiplier, trace->lower.multiplier))
-      qn_equilibrium_save (eq, &trace->lower);
     return true;
   }
   snap = trace->load_control ? snap : trace->jumped;
@@ -396,34 +388,6 @@ settle_velocity (QnPathTrace *trace)
   qn_equilibrium_restore (eq);
 }
 
-/* Whether the structure moves on for good at the last multiplier, in linear geometry: its forces and its
- * motion are a collapse that is proved, although joints without dilatancy may have carried more before. */
-static bool
-moves_on (const QnPathTrace *trace)
-{
-  const QnResult *result = trace->path->result;
-
-  return result->outcome == QN_OUTCOME_COLLAPSE && !ends_at_peak (trace)
-         && !result->mechanism_uncertain && trace->stop != QN_STOP_ZERO;
-}
-
-/* Load control ends at its highest multiplier, or where the structure moves on below it. */
-static bool
-take_last_state (QnPathTrace *trace)
-{
-  QnEquilibrium *eq = &trace->path->equilibrium;
-
-  if (trace->may_jump && isfinite (trace->lower.multiplier) && moves_on (trace)
-      && trace->lower.multiplier > trace->events.least
-      && !holds_still (trace->lower.multiplier, trace->highest.multiplier)) {
-    qn_equilibrium_set_state (eq, &trace->lower);
-    return qn_path_accept (trace->path, eq->multiplier, QN_EVENT_NONE);
-  }
-  qn_equilibrium_set_state (eq, &trace->highest);
-  qn_equilibrium_save (eq, &eq->committed);
-  return true;
-}
-
 /* What the path as a whole says of the structure. */
 static bool
 conclude (QnPathTrace *trace)
@@ -450,30 +414,31 @@ conclude (QnPathTrace *trace)
                                path->origin + path->scale * trace->events.highest);
   if (!trace->load_control)
     result->stop = trace->stop;
-  else if (!take_last_state (trace))
-    return false;
+  else {
+    qn_equilibrium_set_state (eq, &trace->highest);
+    qn_equilibrium_save (eq, &eq->committed);
+  }
   if (result->outcome == QN_OUTCOME_SNAP)
     result->steps[result->step_count - 1].event = QN_EVENT_SNAP;
   if (result->outcome == QN_OUTCOME_COLLAPSE)
     result->steps[result->step_count - 1].event = QN_EVENT_COLLAPSE;
   if (!collapses)
     return true;
-  double multiplier = moves_on (trace) ? eq->committed.multiplier : trace->events.highest;
   result->has_collapse_multiplier = true;
-  result->collapse_multiplier = multiplier;
+  result->collapse_multiplier = trace->events.highest;
   qn_path_add_solution (path, trace->measure.procedure,
-                        path->origin + path->scale * multiplier);
-  if (trace->load_control && !qn_path_trace_is_linear (trace)
-      && trace->stop == QN_STOP_FALL)
+                        path->origin + path->scale * trace->events.highest);
+  if (trace->load_control && trace->stop == QN_STOP_FALL)
     settle_velocity (trace);
   if (trace->load_control)
     qn_path_events_take_mechanism (&trace->events, velocity);
   return qn_path_record_mechanism (path, velocity, NULL) == QN_OK;
 }
 
-/* Load control in large displacements, after the path has turned down or no step converges: relaxes the
- * structure under a load slightly above the highest multiplier. If it comes to rest, load control goes on
- * from there; if it falls, that is collapse; if neither is certain, the path is followed to its end. */
+/* Load control, after the path has turned down or no step converges; in linear geometry, where it has ended on a
+ * plateau below its peak. Relaxes the structure under a load slightly above the highest multiplier. If it comes
+ * to rest, load control goes on from there; if it falls, that is collapse; if neither is certain, the path is
+ * followed to its end. */
 static bool
 hold_load (QnPathTrace *trace)
 {
@@ -481,6 +446,7 @@ hold_load (QnPathTrace *trace)
   QnEquilibrium *eq = &path->equilibrium;
   double more = trace->above * path->settings->multiplier_tolerance
                 * fmax (trace->events.highest, trace->unit);
+  bool linear = qn_path_trace_is_linear (trace);
   double far = QN_PATH_COLLAPSED * eq->assembly.length;
   const QnTarget target =
     qn_target_multiplier (fmin (trace->events.highest + more, trace->end));
@@ -488,8 +454,8 @@ hold_load (QnPathTrace *trace)
   qn_equilibrium_save (eq, &trace->lower);
   qn_equilibrium_set_state (eq, &trace->highest);
   qn_equilibrium_commit (eq);
-  QnSolveStatus status = qn_equilibrium_relax (eq, trace->central, &target, far,
-                                               &trace->fall, QN_RELAX_BUDGET);
+  QnSolveStatus status = qn_equilibrium_relax (
+    eq, trace->central, &target, far, &trace->fall, linear ? QN_TRIED : QN_RELAX_BUDGET);
 
   if (status == QN_SOLVE_CONVERGED)
     status = qn_path_stay (path, far);
@@ -504,6 +470,7 @@ hold_load (QnPathTrace *trace)
       || (path->settings->snap == QN_SNAP_THROUGH_STOP
           && qn_path_events_has_snapped (&trace->events)))
     return qn_path_end_give_up (trace, status);
+  trace->moved_on = linear;
   trace->stop = QN_STOP_UNKNOWN;
   trace->means = QN_FOUND_BY_RELAXATION;
   trace->jumped = true;
@@ -519,19 +486,23 @@ hold_load (QnPathTrace *trace)
 }
 
 /* One step of the path, by what leads on from where it has come. The load is held once at each highest
- * multiplier. */
+ * multiplier, but not by a path that has spent its effort. */
 static bool
 go_on (QnPathTrace *trace)
 {
+  bool linear = qn_path_trace_is_linear (trace);
   bool holds =
-    trace->load_control && !qn_path_trace_is_linear (trace) && !trace->events.below;
+    trace->load_control
+    && (linear ? trace->may_jump && !trace->may_soften && !qn_path_end_is_spent (trace)
+               : !trace->events.below);
   bool ok = trace->measure.procedure == QN_PROCEDURE_LOAD ? advance_by_load (trace)
                                                           : advance (trace);
   bool goes_on = trace->stop == QN_STOP_UNKNOWN;
   bool turns = (goes_on && trace->events.below) || trace->stop == QN_STOP_ZERO
-               || trace->stop == QN_STOP_FALL;
+               || trace->stop == QN_STOP_FALL || trace->stop == QN_STOP_STEP_TOO_SMALL;
 
-  return ok && holds && (turns || trace->stop == QN_STOP_STEP_TOO_SMALL)
+  return ok && holds
+             && (linear ? trace->stop == QN_STOP_PLATEAU && trace->events.below : turns)
            ? hold_load (trace)
            : ok;
 }

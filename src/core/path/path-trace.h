@@ -41,13 +41,15 @@ typedef struct QnPathTrace {
   int orientation;  /* QnEquilibrium.orientation at the start; 0: unknown */
   QnFoundBy means;
   double above; /* the load held next exceeds the highest one by so many tolerances */
-  bool sought;  /* `direct` has been computed */
+  bool
+    moved_on; /* linear geometry: a plateau was met, but the load held above its peak rested */
+  bool sought; /* `direct` has been computed */
   QnLimitSolution direct;
   double last_multiplier;                    /* before the last accepted step */
   double plateau_multiplier, plateau_motion; /* at the begin of the present plateau */
   QnStop stop;                               /* UNKNOWN while the path goes on */
-  /* Load control: the state with the highest multiplier; a state with a lower one: linear geometry, the start
-   * of the plateau; large displacements, the first lower state. */
+  /* Load control: the state with the highest multiplier, and the lower one that the path had come to when the
+   * load was held. */
   QnEquilibriumState highest, lower;
   /* The highest equilibrium reached under a slowly growing load; the last step while the load is held. */
   QnEquilibriumState sure, ahead;

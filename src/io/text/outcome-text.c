@@ -243,14 +243,9 @@ qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
 {
   QnProcedure found_by = QN_PROCEDURE_LOAD;
   double least, bound, greatest = -HUGE_VAL;
-  double carried = -HUGE_VAL; /* what the path does not climb above */
   qn_result_collapse_interval (result, &least, &found_by, &bound);
   if (isnan (least))
     return NULL;
-  for (gsize i = 0; i < result->event_count; i++)
-    if (result->events[i].kind == QN_EVENT_KIND_COLLAPSE
-        && result->events[i].stage == result->stage)
-      carried = result->events[i].multiplier;
   for (gint32 i = 0; i < result->solution_count; i++)
     greatest = MAX (greatest, result->solutions[i].multiplier);
   /* Of a path, one that it passes. */
@@ -267,10 +262,14 @@ qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
     found_by = result->solutions[0].found_by;
   }
   const char *found = found_by_words (model, found_by);
+  const double last = result->stop == QN_STOP_PLATEAU && result->step_count > 0
+                        ? result->steps[result->step_count - 1].multiplier
+                        : INFINITY;
 
   g_autofree char *from =
-    carried > (1 + QN_SETTLED) * least ? qn_text_printf (
-      _ ("The multiplier was %s: the plateau beyond a peak of %.4f;"), found, carried)
+    last < (1 - QN_SETTLED) * result->collapse_multiplier ? qn_text_printf (
+      _ ("The multiplier was %s: a peak, beyond which the structure moves on at %.4f;"),
+      found, last)
     : passes || result->solution_count == 1
       ? qn_text_printf (_ ("The multiplier was %s;"), found)
       : qn_text_printf (

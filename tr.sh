@@ -1,0 +1,1 @@
+# tr.sh OUT FILES
