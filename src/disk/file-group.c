@@ -14,7 +14,7 @@
 #define PATTERN PREFIX "XXXXXX"
 
 static void
-clear (QnFileGroup *group)
+clear_group (QnFileGroup *group)
 {
   g_free (group->folder);
   g_free (group->hidden);
@@ -85,7 +85,7 @@ qn_file_group_open (QnFileGroup *group, const char *folder)
   remove_all_left (group->folder);
   int trouble = make_hidden (group);
   if (trouble != 0)
-    clear (group);
+    clear_group (group);
   return trouble;
 }
 
@@ -133,7 +133,7 @@ qn_file_group_discard (QnFileGroup *group)
   }
   rmdir (group->hidden);
   close (group->lock);
-  clear (group);
+  clear_group (group);
 }
 
 int

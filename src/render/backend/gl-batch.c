@@ -5,7 +5,7 @@
 #include "render/drawing/triangulate.h"
 
 /* Distance from an edge that is not there, m or pt. */
-#define FAR 1e9f
+#define FAR_AWAY 1e9f
 
 /* Corners sharper than this many half widths are cut: 29 degrees. */
 #define MITRE_LIMIT 4.0
@@ -41,7 +41,7 @@ make_vertex (const QnGlBrush *brush, QnVec2 point, QnVec2 grow)
     .place = { (float) (place.x - brush->batch->origin.x),
                (float) (place.y - brush->batch->origin.y) },
     .offset = { (float) offset.x, (float) offset.y },
-    .reach = { FAR, FAR, FAR, FAR },
+    .reach = { FAR_AWAY, FAR_AWAY, FAR_AWAY, FAR_AWAY },
     .color = { c.r, c.g, c.b, c.a },
     .flags = { brush->thin ? 255 : 0, brush->in_points ? 255 : 0,
                brush->in_points ? 255 : 0, 0 },
