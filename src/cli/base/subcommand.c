@@ -88,8 +88,9 @@ end_by_help (GOptionContext *context, int argc, char **argv)
   for (int i = 1; i < argc && strcmp (argv[i], "--") != 0; i++)
     if (strcmp (argv[i], "--help") == 0 || strcmp (argv[i], "-h") == 0
         || strcmp (argv[i], "-?") == 0) {
-      g_autofree char *help = g_option_context_get_help (context, TRUE, NULL);
+      char *help = g_option_context_get_help (context, TRUE, NULL);
       qn_print_text (help);
+      g_free (help);
       qn_cli_stop (QN_EXIT_DONE);
     }
 }

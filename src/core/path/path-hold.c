@@ -93,6 +93,7 @@ find_fall (QnPathTrace *trace, double high)
   }
   trace->events.below = false;
   trace->lower.multiplier = INFINITY;
+  trace->fall.first = QN_FALL_STATES; /* no states of these falls are kept */
   qn_path_end_give_up (trace, status == QN_SOLVE_CANCELLED ? status : QN_SOLVE_MECHANISM);
   if (trace->stop == QN_STOP_FALL)
     trace->path->result->stop = QN_STOP_FALL;
