@@ -82,25 +82,25 @@ time_to_run_away (const QnEquilibrium *eq)
          / qn_assembly_elastic_displacements (&eq->assembly, eq->motion, NULL);
 }
 
+/* Joints, then ties. */
 static size_t
-tie_count (const QnEquilibrium *eq)
+gap_count (const QnAssembly *as)
 {
-  return eq->assembly.beams.count - eq->assembly.model->element_count;
+  return as->pair_count + as->beams.count - as->model->element_count;
+}
+
+static double
+present_gap (const QnAssembly *as, size_t i)
+{
+  return i < as->pair_count ? qn_assembly_gap (as, i)
+                            : qn_beam_assembly_tie_gap (as, i - as->pair_count);
 }
 
 void
 qn_equilibrium_note_gaps (QnEquilibrium *eq)
 {
-  for (size_t p = 0; p < eq->assembly.pair_count; p++)
-    eq->gaps[p] = qn_assembly_gap (&eq->assembly, p);
-  for (size_t t = 0; t < tie_count (eq); t++)
-    eq->gaps[eq->assembly.pair_count + t] = qn_beam_assembly_tie_gap (&eq->assembly, t);
-}
-
-static bool
-closes (double before, double gap, double time_step, double horizon)
-{
-  return gap > 0 && gap * time_step < (before - gap) * horizon;
+  for (size_t i = 0; i < gap_count (&eq->assembly); i++)
+    eq->gaps[i] = present_gap (&eq->assembly, i);
 }
 
 bool
@@ -108,14 +108,12 @@ qn_equilibrium_will_close (const QnEquilibrium *eq, double time_step, double hor
 {
   const QnAssembly *as = &eq->assembly;
 
-  for (size_t p = 0; p < as->pair_count; p++)
-    if (!as->inactive[p]
-        && closes (eq->gaps[p], qn_assembly_gap (as, p), time_step, horizon))
+  for (size_t i = 0; i < gap_count (as); i++) {
+    double gap = present_gap (as, i);
+    if (!(i < as->pair_count && as->inactive[i]) && gap > 0
+        && gap * time_step < (eq->gaps[i] - gap) * horizon)
       return true;
-  for (size_t t = 0; t < tie_count (eq); t++)
-    if (closes (eq->gaps[as->pair_count + t], qn_beam_assembly_tie_gap (as, t), time_step,
-                horizon))
-      return true;
+  }
   return false;
 }
 
