@@ -5,23 +5,6 @@
 
 #include <string.h>
 
-/* direction = K \ F_live, of unit length. A singular tangent leaves it zero. */
-static QnSolveStatus
-take_tangent (QnPathMeasure *measure, double *rate_length)
-{
-  QnEquilibrium *eq = &measure->path->equilibrium;
-  int32_t n = eq->assembly.unknown_count;
-  double *rate = eq->trial;
-
-  QnSolveStatus status = qn_equilibrium_rate (eq, rate);
-  if (status != QN_SOLVE_CONVERGED)
-    return status;
-  *rate_length = sqrt (qn_dot (rate, rate, (size_t) n));
-  for (int32_t i = 0; i<n && * rate_length> 0; i++)
-    measure->direction[i] = rate[i] / *rate_length;
-  return QN_SOLVE_CONVERGED;
-}
-
 /* Work or arc length, with a first step that moves the structure as far as an increment of the
  * multiplier would. */
 static bool
@@ -29,18 +12,22 @@ take_motion (QnPathMeasure *measure, double increment)
 {
   QnEquilibrium *eq = &measure->path->equilibrium;
   int32_t n = eq->assembly.unknown_count;
-  double rate_length = 0;
+  const double *motion = eq->trial;
+  QnSolveStatus status = qn_equilibrium_rate (eq, eq->trial);
 
-  if (take_tangent (measure, &rate_length) == QN_SOLVE_NO_MEMORY)
+  if (status == QN_SOLVE_NO_MEMORY)
     return false;
+  double length =
+    status == QN_SOLVE_CONVERGED ? sqrt (qn_dot (motion, motion, (size_t) n)) : 0;
+  double rate_length = length;
   /* Blocks that nothing holds before there is a live load: as if equally stiff everywhere. */
-  if (rate_length == 0) {
-    const double *live = eq->assembly.live;
-    double length = sqrt (qn_dot (live, live, (size_t) n));
+  if (length == 0) {
+    motion = eq->assembly.live;
+    length = sqrt (qn_dot (motion, motion, (size_t) n));
     rate_length = length / eq->assembly.stiffness;
-    for (int32_t i = 0; i < n && length > 0; i++)
-      measure->direction[i] = live[i] / length;
   }
+  for (int32_t i = 0; i < n && length > 0; i++)
+    measure->direction[i] = motion[i] / length;
   /* Joints that soften give way against a load that goes back; they close instead. */
   if (measure->procedure == QN_PROCEDURE_ARC_LENGTH && measure->unknown == QN_NONE
       && qn_dot (measure->direction, eq->assembly.live, (size_t) n) < 0)

@@ -34,22 +34,15 @@ try_state (Search *search, double target, bool *found, bool *stable, QnDiag *dia
   QnEquilibrium *eq = &search->path.equilibrium;
   const QnTarget goal = qn_target_multiplier (target);
 
-  *found = *stable = false;
-  switch (qn_equilibrium_newton (eq, &goal, 0, QN_NEWTON_BUDGET)) {
-  case QN_SOLVE_CONVERGED:
-    *found = true;
+  QnSolveStatus solved = qn_equilibrium_newton (eq, &goal, 0, QN_NEWTON_BUDGET);
+  *stable = false;
+  *found = solved == QN_SOLVE_CONVERGED;
+  search->finished = solved == QN_SOLVE_CANCELLED;
+  if (*found)
     return check_state (search, stable, diag);
-  case QN_SOLVE_FAILED:
-  case QN_SOLVE_MECHANISM:
-    return QN_OK;
-  case QN_SOLVE_CANCELLED:
+  if (search->finished)
     search->path.result->outcome = QN_OUTCOME_CANCELLED;
-    search->finished = true;
-    return QN_OK;
-  case QN_SOLVE_NO_MEMORY:
-    break;
-  }
-  return qn_diag_no_memory (diag);
+  return solved == QN_SOLVE_NO_MEMORY ? qn_diag_no_memory (diag) : QN_OK;
 }
 
 /* The buckling mode is that of the last stable state: next to the critical multiplier its eigenvalue is much
