@@ -1,9 +1,6 @@
 #include "core/limit/limit-sensitivity.h"
 
-#include "core/base/memory.h"
-
 #include <math.h>
-#include <stdlib.h>
 
 /* What a pair does in the mechanism; elongation rates by which the live load does unit power. */
 typedef struct Rates {
@@ -176,18 +173,18 @@ qn_limit_sensitivity (const QnModel *model, const QnContacts *contacts,
   QN_ASSERT (result->outcome == QN_OUTCOME_COLLAPSE && result->limit.given
              && result->limit.flow == QN_FLOW_ASSOCIATIVE);
   size_t count = model->block_count * QN_DOF_COUNT;
-  double *v = qn_alloc (count, sizeof *v), power = 0.0;
-  bool *grows = qn_alloc (model->block_count, sizeof *grows);
+  QnPool pool = { 0 };
+  double *v = qn_pool_alloc (&pool, count, sizeof *v), power = 0.0;
+  bool *grows = qn_pool_alloc (&pool, model->block_count, sizeof *grows);
 
   *out = (QnLimitSensitivity){
     .multiplier = result->collapse_multiplier,
-    .laws = qn_alloc (model->law_count, sizeof *out->laws),
-    .dead_loads = qn_alloc (model->dead_load_count, sizeof (double)),
-    .live_loads = qn_alloc (model->live_load_count, sizeof (double)),
+    .laws = qn_pool_alloc (&pool, model->law_count, sizeof *out->laws),
+    .dead_loads = qn_pool_alloc (&pool, model->dead_load_count, sizeof (double)),
+    .live_loads = qn_pool_alloc (&pool, model->live_load_count, sizeof (double)),
   };
-  if (!v || !grows || !out->laws || !out->dead_loads || !out->live_loads) {
-    free (v);
-    free (grows);
+  out->pool = pool;
+  if (pool.failed) {
     qn_limit_sensitivity_clear (out);
     return qn_diag_no_memory (diag);
   }
@@ -224,16 +221,12 @@ qn_limit_sensitivity (const QnModel *model, const QnContacts *contacts,
   for (size_t i = 0; i < model->dead_load_count && model->soil_tie_count > 0; i++)
     if (model->dead_loads[i].kind == QN_LOAD_FILL)
       out->dead_loads[i] = NAN;
-  free (v);
-  free (grows);
   return QN_OK;
 }
 
 void
 qn_limit_sensitivity_clear (QnLimitSensitivity *sensitivity)
 {
-  free (sensitivity->laws);
-  free (sensitivity->dead_loads);
-  free (sensitivity->live_loads);
+  qn_pool_clear (&sensitivity->pool);
   *sensitivity = (QnLimitSensitivity){ 0 };
 }

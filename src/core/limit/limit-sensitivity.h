@@ -16,6 +16,7 @@
  */
 #pragma once
 
+#include "core/base/memory.h"
 #include "core/result/result.h"
 
 /* Derivatives by the numbers of one law, and by factors 1 on weight and thickness of the blocks
@@ -31,6 +32,7 @@ typedef struct QnLawSensitivity {
 } QnLawSensitivity;
 
 typedef struct QnLimitSensitivity {
+  QnPool pool;            /* of the arrays */
   double multiplier;      /* the associative multiplier */
   QnLawSensitivity *laws; /* law_count */
   double *dead_loads;     /* dead_load_count: by a factor 1 on each */
