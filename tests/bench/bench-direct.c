@@ -33,7 +33,7 @@ tell_large (gboolean facade, char **sizes)
 {
   for (; *sizes != NULL; sizes++) {
     ScalingCase c;
-    QnLimitInterval interval;
+    QnLimitSolution interval;
     const ScalingLimits limits = { .limit = INFINITY };
     scaling_case_init (&c, atoi (*sizes), facade);
     scaling_case_detect (&c);
@@ -46,12 +46,12 @@ tell_large (gboolean facade, char **sizes)
                      ==, QN_OK);
     printf (
       "%s %zu %s %.6f factorisations %d %.2f s %.0f MB associative %.6f %d %.2f s\n",
-      c.kind, c.blocks, qn_outcome_names[interval.solution.outcome],
-      interval.solution.lower_bound, interval.solution.effort.factorizations,
-      bench_cpu_seconds () - start, bench_peak_megabytes (), c.limit.multiplier,
-      c.limit.factorizations, c.limit.seconds);
+      c.kind, c.blocks, qn_outcome_names[interval.outcome], interval.lower_bound,
+      interval.effort.factorizations, bench_cpu_seconds () - start,
+      bench_peak_megabytes (), c.limit.multiplier, c.limit.factorizations,
+      c.limit.seconds);
     fflush (stdout);
-    qn_limit_interval_clear (&interval);
+    qn_limit_solution_clear (&interval);
     scaling_case_clear (&c);
   }
   return 0;
@@ -75,7 +75,7 @@ main (int argc, char **argv)
   for (int seed = first; seed <= last; seed++) {
     g_auto (QnProject) project;
     g_auto (QnContacts) contacts;
-    QnLimitInterval interval;
+    QnLimitSolution interval;
     seeded_wall_init (&project, (guint32) seed, least, most);
     g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
     double start = bench_cpu_seconds ();
@@ -83,20 +83,19 @@ main (int argc, char **argv)
                                                NULL, &interval, NULL),
                      ==, QN_OK);
     walls++;
-    found += interval.solution.outcome == QN_OUTCOME_COLLAPSE;
-    work += interval.solution.effort.factorizations;
+    found += interval.outcome == QN_OUTCOME_COLLAPSE;
+    work += interval.effort.factorizations;
     double took = bench_cpu_seconds () - start;
     seconds += took;
     printf ("%4d %-8s %5zu %-20s %.6f bound %.6f count %d factorisations %4d %.2f s",
             seed, seeded_wall_family ((guint32) seed), project.model.block_count,
-            qn_outcome_names[interval.solution.outcome], interval.solution.lower_bound,
-            interval.associative, interval.count, interval.solution.effort.factorizations,
-            took);
+            qn_outcome_names[interval.outcome], interval.lower_bound,
+            interval.associative, interval.count, interval.effort.factorizations, took);
     if (argc > 4)
       tell_path (&project.model, &contacts, &path_work, &path_seconds);
     printf ("\n");
     fflush (stdout);
-    qn_limit_interval_clear (&interval);
+    qn_limit_solution_clear (&interval);
   }
   printf ("%d of %d found, %.1f factorisations and %.3f s in the mean\n", found, walls,
           (double) work / walls, seconds / walls);

@@ -155,17 +155,17 @@ test_found_directly (void)
 {
   g_auto (QnProject) project;
   g_auto (QnContacts) contacts;
-  QnLimitInterval interval;
+  QnLimitSolution interval;
 
   seeded_wall_init (&project, 207, 20, 600);
   g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_limit_non_associative (&project.model, &contacts, INFINITY, NULL,
                                              NULL, &interval, NULL),
                    ==, QN_OK);
-  g_assert_cmpint (interval.solution.outcome, ==, QN_OUTCOME_COLLAPSE);
-  g_assert_cmpfloat (interval.lowest, >, 0);
-  g_assert_cmpfloat (interval.highest, <=, interval.associative);
-  qn_limit_interval_clear (&interval);
+  g_assert_cmpint (interval.outcome, ==, QN_OUTCOME_COLLAPSE);
+  g_assert_cmpfloat (interval.lower_bound, >, 0);
+  g_assert_cmpfloat (interval.upper_bound, <=, interval.associative);
+  qn_limit_solution_clear (&interval);
 }
 
 /* A collapse found directly below that of the path, which passes it by, stands in the solutions. */

@@ -16,7 +16,7 @@ takes_part (const QnAssembly *as, size_t p)
   return qn_pair_is_plastic (&as->springs[p], &as->committed[p]) && !as->inactive[p];
 }
 
-bool
+void
 qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as, const QnIpTuning *tuning)
 {
   size_t count = as->pair_count;
@@ -25,29 +25,19 @@ qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as, const QnIpTuning *
   *pairs = (QnCentralPairs){ .assembly = as };
   pairs->force = as->force_scale > 0 ? as->force_scale : 1;
   pairs->length = pairs->force / as->stiffness;
-  pairs->cells = qn_pool_alloc (pool, count, sizeof *pairs->cells);
-  pairs->bounds = qn_pool_alloc (pool, MOST_ROWS * count, sizeof *pairs->bounds);
-  pairs->problem = (QnIpProblem){ .row_count = as->unknown_count,
-                                  .cell_count = (int32_t) count,
-                                  .bound_count = (int32_t) (MOST_ROWS * count),
-                                  .cells = pairs->cells,
-                                  .bounds = pairs->bounds };
+  pairs->problem = (QnIpProblem){
+    .row_count = as->unknown_count,
+    .cell_count = (int32_t) count,
+    .bound_count = (int32_t) (MOST_ROWS * count),
+    .cells = qn_pool_alloc (pool, count, sizeof (QnIpCell)),
+    .bounds = qn_pool_alloc (pool, MOST_ROWS * count, sizeof (QnIpBound)),
+  };
   qn_ip_step_init (&pairs->ip, &pairs->problem, tuning, pool);
-  pairs->w = qn_pool_alloc (pool, MOST_ROWS * count, sizeof *pairs->w);
   pairs->slips = qn_pool_alloc (pool, count, sizeof *pairs->slips);
   pairs->plastic = qn_pool_alloc (pool, 2 * count, sizeof *pairs->plastic);
   pairs->rates = qn_pool_alloc (pool, 2 * count, sizeof *pairs->rates);
   pairs->forces = qn_pool_alloc (pool, 2 * count, sizeof *pairs->forces);
-  qn_ip_inverse_init (&pairs->inverse, &pairs->problem, pool);
   pairs->tangents = qn_pool_alloc (pool, 4 * count, sizeof *pairs->tangents);
-  return !pool->failed;
-}
-
-void
-qn_central_pairs_clear (QnCentralPairs *pairs)
-{
-  qn_pool_clear (&pairs->pool);
-  *pairs = (QnCentralPairs){ 0 };
 }
 
 /* Rates of dilation by slip in the positive sense and in the negative. At first a slip dilates
@@ -87,7 +77,7 @@ start_pair (QnCentralPairs *pairs, size_t p, double size)
   const QnSpring *whole = &as->springs[p].a;
   const QnSpringMemory *memory = &as->committed[p].a;
   const QnSpring now = qn_spring_now (whole, memory);
-  QnIpCell *cell = &pairs->cells[p];
+  QnIpCell *cell = &pairs->problem.cells[p];
   double unit = pairs->length / pairs->force, *y = pairs->ip.at.y + 2 * p;
   double *plastic = pairs->plastic + 2 * p, dilation[2];
   double beyond = take_dilation (pairs, p, dilation);
@@ -111,12 +101,12 @@ start_pair (QnCentralPairs *pairs, size_t p, double size)
     for (int way = 0; way < (row->shear > 0 ? 2 : 1); way++) {
       double flow = row->shear > 0 ? 0 : fmax (row->normal * opening, 0);
       int32_t i = cell->first_bound + cell->bound_count++;
-      pairs->bounds[i] =
+      pairs->problem.bounds[i] =
         (QnIpBound){ .normal = row->normal,
                      .shear = way == 0 ? row->shear : -row->shear,
                      .limit = limit,
                      .opening = row->shear > 0 ? dilation[way] : row->normal };
-      double left = limit - (row->normal * y[0] + pairs->bounds[i].shear * y[1]);
+      double left = limit - (row->normal * y[0] + pairs->problem.bounds[i].shear * y[1]);
       pairs->ip.at.s[i] = positive_root (fmax (left, 0) - flow / size, 1);
       pairs->ip.at.z[i] = size / pairs->ip.at.s[i];
     }
@@ -134,10 +124,10 @@ qn_central_pairs_start (QnCentralPairs *pairs, double size, bool again)
   pairs->turned = false;
   pairs->others = false;
   memset (pairs->ip.at.y, 0, 2 * count * sizeof (double));
-  memset (pairs->inverse.cells, 0, 4 * count * sizeof (double));
+  memset (pairs->ip.inverse.cells, 0, 4 * count * sizeof (double));
   pairs->problem.bound_count = 0;
   for (size_t p = 0; p < count; p++) {
-    pairs->cells[p] = (QnIpCell){ .first_bound = pairs->problem.bound_count };
+    pairs->problem.cells[p] = (QnIpCell){ .first_bound = pairs->problem.bound_count };
     if (takes_part (pairs->assembly, p))
       start_pair (pairs, p, size);
     else
@@ -153,7 +143,7 @@ evaluate_others (QnCentralPairs *pairs)
 
   for (size_t p = 0; p < as->pair_count; p++) {
     QnPairResponse *response = &as->responses[p];
-    if (pairs->cells[p].bound_count > 0 || as->inactive[p])
+    if (pairs->problem.cells[p].bound_count > 0 || as->inactive[p])
       continue;
     if (!qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
                            response))
@@ -161,7 +151,7 @@ evaluate_others (QnCentralPairs *pairs)
     for (int i = 0; i < 2; i++) {
       pairs->ip.at.y[2 * p + i] = response->force[i] / pairs->force;
       for (int j = 0; j < 2; j++)
-        pairs->inverse.cells[4 * p + 2 * i + j] =
+        pairs->ip.inverse.cells[4 * p + 2 * i + j] =
           response->tangent[i][j] * pairs->length / pairs->force;
     }
   }
@@ -169,19 +159,19 @@ evaluate_others (QnCentralPairs *pairs)
 }
 
 bool
-qn_central_pairs_prepare (QnCentralPairs *pairs, QnCentralResiduals *residuals)
+qn_central_pairs_prepare (QnCentralPairs *pairs)
 {
   QnIpStep *ip = &pairs->ip;
   double shrink = 1 / pairs->length;
 
-  *residuals = (QnCentralResiduals){ 0 };
+  pairs->elongation = pairs->largest_force = 0;
   if (pairs->others && !evaluate_others (pairs))
     return false;
   qn_ip_step_measure (ip);
-  residuals->strength = qn_largest (ip->rz, (size_t) pairs->problem.bound_count);
-  qn_ip_step_weights (ip, pairs->w);
+  pairs->strength = qn_largest (ip->rz, (size_t) pairs->problem.bound_count);
+  qn_ip_step_weights (ip);
   for (size_t p = 0; p < pairs->assembly->pair_count; p++) {
-    const QnIpCell *cell = &pairs->cells[p];
+    const QnIpCell *cell = &pairs->problem.cells[p];
     for (size_t i = 0; i < 2; i++) {
       size_t at = 2 * p + i;
       double beyond = pairs->assembly->elongations[at] * shrink - pairs->plastic[at];
@@ -190,15 +180,15 @@ qn_central_pairs_prepare (QnCentralPairs *pairs, QnCentralResiduals *residuals)
                      ? beyond - cell->quadratic[i] * ip->at.y[at]
                      : 0;
       if (counts) {
-        residuals->elongation = qn_max (fabs (beyond), residuals->elongation);
-        residuals->force = qn_max (fabs (ip->at.y[at]), residuals->force);
+        pairs->elongation = qn_max (fabs (beyond), pairs->elongation);
+        pairs->largest_force = qn_max (fabs (ip->at.y[at]), pairs->largest_force);
       }
     }
     if (cell->bound_count > 0)
-      qn_ip_invert_cell (&pairs->inverse, &pairs->problem, (int32_t) p, pairs->w);
+      qn_ip_step_invert (ip, (int32_t) p);
   }
   qn_ip_add_flows (&pairs->problem, ip->at.z, -1, ip->ry);
-  residuals->strain = qn_largest (ip->ry, 2 * pairs->assembly->pair_count);
+  pairs->strain = qn_largest (ip->ry, 2 * pairs->assembly->pair_count);
   return true;
 }
 
@@ -213,7 +203,7 @@ void
 qn_central_pairs_aim (QnCentralPairs *pairs)
 {
   for (size_t i = 0; i < 2 * pairs->assembly->pair_count; i++) {
-    const double *row = pairs->inverse.cells + 2 * i,
+    const double *row = pairs->ip.inverse.cells + 2 * i,
                  *right = pairs->ip.right + (i & ~1UL);
     pairs->forces[i] =
       pairs->force * (pairs->ip.at.y[i] + (row[0] * right[0] + row[1] * right[1]));
@@ -228,11 +218,10 @@ qn_central_pairs_complete (const QnCentralPairs *pairs, QnIpVector *step)
   memset (step->y, 0, 2 * pairs->assembly->pair_count * sizeof (double));
   memset (step->s, 0, (size_t) pairs->problem.bound_count * sizeof (double));
   for (size_t p = 0; p < pairs->assembly->pair_count; p++)
-    if (pairs->cells[p].bound_count > 0)
-      qn_ip_answer_cell (&pairs->inverse, &pairs->problem, (int32_t) p,
-                         pairs->rates[2 * p] * shrink + pairs->ip.right[2 * p],
-                         pairs->rates[2 * p + 1] * shrink + pairs->ip.right[2 * p + 1],
-                         step);
+    if (pairs->problem.cells[p].bound_count > 0)
+      qn_ip_step_answer (
+        &pairs->ip, (int32_t) p, pairs->rates[2 * p] * shrink + pairs->ip.right[2 * p],
+        pairs->rates[2 * p + 1] * shrink + pairs->ip.right[2 * p + 1], step);
 }
 
 /* Part of the largest force that dilation beyond a corner may cause. */
@@ -261,14 +250,14 @@ static bool
 take_flow_of_pair (QnCentralPairs *pairs, size_t p)
 {
   QnAssembly *as = pairs->assembly;
-  const QnIpCell *cell = &pairs->cells[p];
+  const QnIpCell *cell = &pairs->problem.cells[p];
   QnPairResponse *response = &as->responses[p];
   const double *y = pairs->ip.at.y + 2 * p;
   double flow[2] = { 0 }, q[2];
 
   for (int32_t i = cell->first_bound; i < cell->first_bound + cell->bound_count; i++) {
-    flow[0] += pairs->bounds[i].opening * pairs->ip.at.z[i];
-    flow[1] += pairs->bounds[i].shear * pairs->ip.at.z[i];
+    flow[0] += pairs->problem.bounds[i].opening * pairs->ip.at.z[i];
+    flow[1] += pairs->problem.bounds[i].shear * pairs->ip.at.z[i];
   }
   for (int k = 0; k < 2; k++)
     q[k] =
@@ -292,7 +281,7 @@ qn_central_pairs_take_flow (QnCentralPairs *pairs)
   bool ok = true;
 
   for (size_t p = 0; p < as->pair_count; p++)
-    if (pairs->cells[p].bound_count > 0)
+    if (pairs->problem.cells[p].bound_count > 0)
       ok &= take_flow_of_pair (pairs, p);
     else if (!as->inactive[p])
       ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,

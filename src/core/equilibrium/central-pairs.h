@@ -7,35 +7,28 @@
 
 typedef struct QnCentralPairs {
   QnIpStep ip;          /* without residuals of balance, which are the caller's */
-  QnPool pool;          /* of all that follows */
+  QnPool pool;          /* of all arrays, and of the caller's */
   QnAssembly *assembly; /* borrowed */
   double force, length; /* units, N and m */
   bool others;          /* some pairs have other laws */
   bool turned;          /* some slip has passed a corner of the law's dilation */
   double *slips;        /* by pair: slip about which dilation is linearised, m */
-  QnIpProblem problem;
-  QnIpCell *cells;
-  QnIpBound *bounds; /* of a pair by rows: tension, friction both ways, compression */
-  double *plastic;   /* pairs x 2: plastic elongations q_p */
-  double *w;         /* z / s */
-  QnIpInverse inverse;
-  double *rates;  /* pairs x 2: elongations by a step, m */
-  double *forces; /* pairs x 2, N; tangents: x 4, N/m */
+  QnIpProblem
+    problem; /* bounds of a pair by rows: tension, friction both ways, compression */
+  double *plastic; /* pairs x 2: plastic elongations q_p */
+  double *rates;   /* pairs x 2: elongations by a step, m */
+  double *forces;  /* pairs x 2, N; tangents: x 4, N/m */
   double *tangents;
-} QnCentralPairs;
 
-/* Maxima over all pairs in units of the path. */
-typedef struct QnCentralResiduals {
+  /* Maxima over all pairs in units of the path. */
   double strain, strength; /* residuals: q - q_p - flow z - y / k; h - G y - s */
   double elongation;       /* q - q_p */
-  double force;
-} QnCentralResiduals;
+  double largest_force;
+} QnCentralPairs;
 
-/* False when memory runs out; _clear is legal then. */
-bool qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *assembly,
+/* The pool has failed when memory runs out. */
+void qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *assembly,
                             const QnIpTuning *tuning);
-
-void qn_central_pairs_clear (QnCentralPairs *pairs);
 
 /* Starts all pairs from the last evaluation inside their strength: s z = size, s - z the remaining strength
  * or minus the opening. Dilation is linear about the committed slip; `again`: about the slip at which the
@@ -43,7 +36,7 @@ void qn_central_pairs_clear (QnCentralPairs *pairs);
 void qn_central_pairs_start (QnCentralPairs *pairs, double size, bool again);
 
 /* Residuals and tangents at the last elongations; evaluates pairs of other laws, false if that failed. */
-bool qn_central_pairs_prepare (QnCentralPairs *pairs, QnCentralResiduals *residuals);
+bool qn_central_pairs_prepare (QnCentralPairs *pairs);
 
 /* Sets `forces` to the present ones; or to those that a step leads to if no block moves. */
 void qn_central_pairs_get_forces (QnCentralPairs *pairs);

@@ -36,17 +36,23 @@ static const QnIpTuning tuning = { .exponent = 3,
 
 struct QnCentralPath {
   QnCentralPairs pairs;
-  QnPool pool; /* of vectors */
   QnEquilibrium *eq;
-  bool may_jump;    /* and then the path may turn back */
-  bool together;    /* residuals go down with complementarity where a measure advances */
-  double viscosity; /* of the step; 0: static */
+  bool may_jump;   /* and then the path may turn back */
+  bool together;   /* residuals go down with complementarity where a measure advances */
+  QnIpVector near; /* the best iterate that may stand if no better one comes */
+  double *kept;    /* from where Newton's method sets out */
+  double *lack;    /* out of balance at the iterate, where a part of it is to stay */
+
+  /* Of the solution in progress. */
+  double viscosity; /* 0: static */
   const QnTarget *target;
-  double target_gap; /* what the target lacks */
-  QnIpVector near;   /* the best iterate that may stand if no better one comes */
-  double *begun;     /* where the last central path began, */
-  double *kept;      /* and from where Newton's method sets out */
-  double *lack;      /* out of balance at the iterate, where a part of it is to stay */
+  double target_gap;      /* what the target lacks */
+  double gap;             /* mean of s z */
+  double elongation;      /* the largest, at least 1 */
+  double complementarity; /* asked for */
+  double watched_gap;     /* when it had last halved, */
+  int watched_since;      /* and that iteration */
+  double near_gap;        /* complementarity of `near`, INFINITY without */
 };
 
 static bool
@@ -59,31 +65,18 @@ has_joints (const QnAssembly *as)
   return false;
 }
 
-/* One solution in progress. */
-typedef struct {
-  QnCentralPath *path;
-  QnCentralResiduals residuals;
-  double gap;             /* mean of s z */
-  double elongation;      /* the largest, at least 1 */
-  double complementarity; /* asked for */
-  double watched_gap;     /* when it had last halved, */
-  int watched_since;      /* and that iteration */
-  double near_gap;        /* complementarity of path->near, INFINITY without */
-} Increment;
-
 /* Everything at eq->u: residuals, tangents, the pairs of other laws. */
 static bool
-prepare_path (Increment *increment)
+prepare_path (QnCentralPath *path)
 {
-  QnCentralPath *path = increment->path;
   QnAssembly *as = &path->eq->assembly;
 
   qn_assembly_update_kinematics (as, path->eq->u);
   qn_beam_assembly_evaluate (as);
-  if (!qn_central_pairs_prepare (&path->pairs, &increment->residuals))
+  if (!qn_central_pairs_prepare (&path->pairs))
     return false;
-  increment->elongation = fmax (1, increment->residuals.elongation);
-  increment->gap = path->pairs.ip.power / path->pairs.problem.bound_count;
+  path->elongation = fmax (1, path->pairs.elongation);
+  path->gap = path->pairs.ip.power / path->pairs.problem.bound_count;
   return true;
 }
 
@@ -115,7 +108,7 @@ factorize_path (QnCentralPath *path)
     for (size_t k = 0; k < 2; k++)
       as->responses[p].force[k] = pairs->force * pairs->ip.at.y[2 * p + k];
   for (size_t i = 0; i < 4 * as->pair_count; i++)
-    pairs->tangents[i] = stiffness * pairs->inverse.cells[i];
+    pairs->tangents[i] = stiffness * pairs->ip.inverse.cells[i];
   qn_assembly_tangent_of (as, eq->multiplier, fmax (HOLDING_VISCOSITY, path->viscosity),
                           pairs->tangents, 4);
   eq->statistics.assembly_seconds += qn_clock_seconds () - start;
@@ -164,14 +157,14 @@ qn_central_path_new (QnEquilibrium *eq, bool together, QnCentralPath **made)
   path->eq = eq;
   path->may_jump = qn_assembly_may_jump (as);
   path->together = path->may_jump && (together || !as->nonlinear);
-  path->kept = qn_pool_alloc (&path->pool, n, sizeof *path->kept);
-  path->begun = qn_pool_alloc (&path->pool, n, sizeof *path->begun);
-  path->lack = qn_pool_alloc (&path->pool, n, sizeof *path->lack);
-  bool ok = qn_central_pairs_init (&path->pairs, &eq->assembly, &tuning);
-  qn_ip_vector_init (&path->near, &path->pairs.problem, &path->pool);
+  qn_central_pairs_init (&path->pairs, &eq->assembly, &tuning);
+  QnPool *pool = &path->pairs.pool;
+  path->kept = qn_pool_alloc (pool, n, sizeof *path->kept);
+  path->lack = qn_pool_alloc (pool, n, sizeof *path->lack);
+  qn_ip_vector_init (&path->near, &path->pairs.problem, pool);
   path->pairs.ip.at.v = eq->u;
   path->pairs.ip.solve = solve_system;
-  if (ok && !path->pool.failed)
+  if (!pool->failed)
     *made = path;
   else
     qn_central_path_free (path);
@@ -183,25 +176,23 @@ qn_central_path_free (QnCentralPath *path)
 {
   if (path == NULL)
     return;
-  qn_central_pairs_clear (&path->pairs);
-  qn_pool_clear (&path->pool);
+  qn_pool_clear (&path->pairs.pool);
   free (path);
 }
 
 /* Whether the iterate is an equilibrium but for this complementarity and lack of balance.
  * Balance, the most expensive one, is asked last. */
 static bool
-is_within (Increment *increment, double complementarity, double out_of_balance)
+is_within (QnCentralPath *path, double complementarity, double out_of_balance)
 {
-  QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
 
-  if (!(increment->residuals.strength
-          <= fmax (EXACT, QN_TOLERANCE_FORCE * increment->residuals.force)
-        && increment->residuals.strain <= STRAIN * increment->elongation
-        && increment->gap <= complementarity * increment->elongation
-        && fabs (increment->path->target_gap)
-             <= 0.5 * QN_TOLERANCE_TARGET * fabs (increment->path->target->advance)))
+  if (!(path->pairs.strength
+          <= fmax (EXACT, QN_TOLERANCE_FORCE * path->pairs.largest_force)
+        && path->pairs.strain <= STRAIN * path->elongation
+        && path->gap <= complementarity * path->elongation
+        && fabs (path->target_gap)
+             <= 0.5 * QN_TOLERANCE_TARGET * fabs (path->target->advance)))
     return false;
 
   qn_central_pairs_get_forces (&path->pairs);
@@ -213,45 +204,43 @@ is_within (Increment *increment, double complementarity, double out_of_balance)
 /* Keeps the best iterate that may stand if no better one comes: where the path cannot turn back
  * there is one as good as one likes, and what is in the way is rounding. */
 static void
-keep_near (Increment *increment)
+keep_near (QnCentralPath *path)
 {
-  QnCentralPath *path = increment->path;
   QnIpVector *at = &path->pairs.ip.at;
 
-  if (path->may_jump || increment->gap >= increment->near_gap
-      || !is_within (increment, NEARLY, path->eq->tolerance))
+  if (path->may_jump || path->gap >= path->near_gap
+      || !is_within (path, NEARLY, path->eq->tolerance))
     return;
-  increment->near_gap = increment->gap;
+  path->near_gap = path->gap;
   at->lambda = path->eq->multiplier;
   qn_ip_vector_copy (&path->near, at, &path->pairs.problem);
 }
 
 /* Whether the iterate is good enough for Newton's method to finish. */
 static bool
-has_converged (Increment *increment)
+has_converged (QnCentralPath *path)
 {
-  const QnEquilibrium *eq = increment->path->eq;
+  const QnEquilibrium *eq = path->eq;
 
-  increment->path->target_gap = qn_equilibrium_target_lack (eq, increment->path->target);
-  keep_near (increment);
-  return is_within (increment, increment->complementarity, EXACT);
+  path->target_gap = qn_equilibrium_target_lack (eq, path->target);
+  keep_near (path);
+  return is_within (path, path->complementarity, EXACT);
 }
 
 /* Newton's method from where the iteration stands; FAILED leaves it there. */
 static QnSolveStatus
-finish (Increment *increment)
+finish (QnCentralPath *path)
 {
-  QnEquilibrium *eq = increment->path->eq;
+  QnEquilibrium *eq = path->eq;
   size_t bytes = (size_t) eq->assembly.unknown_count * sizeof (double);
   double multiplier = eq->multiplier;
   QnSolveStatus status = QN_SOLVE_FAILED;
 
-  memcpy (increment->path->kept, eq->u, bytes);
+  memcpy (path->kept, eq->u, bytes);
   if (qn_assembly_evaluate (&eq->assembly, eq->u))
-    status = qn_equilibrium_newton (eq, increment->path->target,
-                                    increment->path->viscosity, QN_NEWTON_BUDGET);
+    status = qn_equilibrium_newton (eq, path->target, path->viscosity, QN_NEWTON_BUDGET);
   if (status == QN_SOLVE_FAILED) {
-    memcpy (eq->u, increment->path->kept, bytes);
+    memcpy (eq->u, path->kept, bytes);
     eq->multiplier = multiplier;
     qn_assembly_update_kinematics (&eq->assembly, eq->u);
   }
@@ -261,48 +250,45 @@ finish (Increment *increment)
 /* Accepts what was reached, in balance and within all strengths: where many pairs are neither
  * sliding nor stuck, Newton's method has nothing to hold on to. */
 static QnSolveStatus
-adopt (Increment *increment)
+adopt (QnCentralPath *path)
 {
-  QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
 
   if (!qn_central_pairs_take_flow (&path->pairs))
     return QN_SOLVE_FAILED;
   eq->keeps_forces = true;
-  QnSolveStatus status =
-    qn_equilibrium_newton (eq, increment->path->target, path->viscosity, 0);
+  QnSolveStatus status = qn_equilibrium_newton (eq, path->target, path->viscosity, 0);
   if (status != QN_SOLVE_CONVERGED || eq->out_of_balance <= eq->tolerance)
     return status;
   /* The laws by themselves do not find these forces again. */
-  return qn_central_pairs_take_flow (&path->pairs) ? qn_equilibrium_newton (
-           eq, increment->path->target, path->viscosity, QN_MEASURE_ONLY)
-                                                   : QN_SOLVE_FAILED;
+  return qn_central_pairs_take_flow (&path->pairs)
+           ? qn_equilibrium_newton (eq, path->target, path->viscosity, QN_MEASURE_ONLY)
+           : QN_SOLVE_FAILED;
 }
 
 /* The best iterate, if there is one that may stand. */
 static QnSolveStatus
-fall_back (Increment *increment)
+fall_back (QnCentralPath *path)
 {
-  QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
 
-  if (isinf (increment->near_gap))
+  if (isinf (path->near_gap))
     return QN_SOLVE_FAILED;
   qn_ip_vector_copy (&path->pairs.ip.at, &path->near, &path->pairs.problem);
   eq->multiplier = path->near.lambda;
   qn_assembly_update_kinematics (&eq->assembly, eq->u);
-  return adopt (increment);
+  return adopt (path);
 }
 
 /* Whether complementarity still improves. */
 static bool
-makes_headway (Increment *increment, int iteration)
+makes_headway (QnCentralPath *path, int iteration)
 {
-  if (increment->gap <= 0.5 * increment->watched_gap || iteration == 0) {
-    increment->watched_gap = increment->gap;
-    increment->watched_since = iteration;
+  if (path->gap <= 0.5 * path->watched_gap || iteration == 0) {
+    path->watched_gap = path->gap;
+    path->watched_since = iteration;
   }
-  return iteration - increment->watched_since < PATIENCE;
+  return iteration - path->watched_since < PATIENCE;
 }
 
 /* One iteration. Where a measure advances, or time, and the path may turn back, residuals go down with the mean
@@ -310,9 +296,8 @@ makes_headway (Increment *increment, int iteration)
  * not turn back at all. Where the multiplier is prescribed, fewer increments get through like that. In nonlinear
  * geometry it is for the caller to say. */
 static QnSolveStatus
-improve (Increment *increment)
+improve (QnCentralPath *path)
 {
-  QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
   QnIpStep *ip = &path->pairs.ip;
   double part;
@@ -336,28 +321,28 @@ improve (Increment *increment)
 }
 
 static QnSolveStatus
-iterate_path (Increment *increment)
+iterate_path (QnCentralPath *path)
 {
   int finishes = 0;
 
   for (int iteration = 0;; iteration++) {
-    if (!prepare_path (increment) || !isfinite (increment->gap))
-      return fall_back (increment);
-    if (has_converged (increment)) {
-      QnSolveStatus status = finish (increment);
+    if (!prepare_path (path) || !isfinite (path->gap))
+      return fall_back (path);
+    if (has_converged (path)) {
+      QnSolveStatus status = finish (path);
       if (status != QN_SOLVE_FAILED)
         return status;
       if (++finishes == MOST_FINISHES)
-        return adopt (increment);
-      increment->complementarity *= TIGHTER;
-      prepare_path (increment);
-      has_converged (increment);
+        return adopt (path);
+      path->complementarity *= TIGHTER;
+      prepare_path (path);
+      has_converged (path);
     }
-    if (iteration == QN_TRIED || !makes_headway (increment, iteration))
-      return fall_back (increment);
-    QnSolveStatus status = improve (increment);
+    if (iteration == QN_TRIED || !makes_headway (path, iteration))
+      return fall_back (path);
+    QnSolveStatus status = improve (path);
     if (status == QN_SOLVE_FAILED)
-      return fall_back (increment);
+      return fall_back (path);
     if (status != QN_SOLVE_CONVERGED)
       return status;
   }
@@ -377,22 +362,20 @@ expected_elongation (const QnCentralPath *path, const QnTarget *target)
 /* One central path from the current displacements and forces, from mean products of `size`; another one from
  * there where the dilation of joints has turned on the way. */
 static QnSolveStatus
-follow_path (Increment *increment, double size)
+follow_path (QnCentralPath *path, double size)
 {
-  QnCentralPath *path = increment->path;
   QnEquilibrium *eq = path->eq;
-  size_t bytes = (size_t) eq->assembly.unknown_count * sizeof *eq->u;
+  const double *begun = path->viscosity > 0 ? eq->anchor.u : eq->committed.u;
   double multiplier = eq->multiplier;
 
-  memcpy (path->begun, eq->u, bytes);
   for (int turn = 0;; turn++) {
-    increment->complementarity = EXACT;
-    increment->near_gap = INFINITY;
+    path->complementarity = EXACT;
+    path->near_gap = INFINITY;
     qn_central_pairs_start (&path->pairs, size, turn > 0);
-    QnSolveStatus status = iterate_path (increment);
+    QnSolveStatus status = iterate_path (path);
     if (status != QN_SOLVE_FAILED || !path->pairs.turned || turn == MOST_TURNS)
       return status;
-    memcpy (eq->u, path->begun, bytes);
+    memcpy (eq->u, begun, (size_t) eq->assembly.unknown_count * sizeof *eq->u);
     eq->multiplier = multiplier;
     if (!qn_assembly_evaluate (&eq->assembly, eq->u))
       return QN_SOLVE_FAILED;
@@ -403,7 +386,6 @@ QnSolveStatus
 qn_central_path_solve (QnCentralPath *path, const QnTarget *target, double viscosity)
 {
   QnEquilibrium *eq = path->eq;
-  Increment increment = { .path = path };
   double size = expected_elongation (path, target);
 
   if (viscosity > 0)
@@ -416,5 +398,5 @@ qn_central_path_solve (QnCentralPath *path, const QnTarget *target, double visco
     eq->multiplier = target->multiplier;
   path->viscosity = viscosity;
   path->target = target;
-  return follow_path (&increment, fmax (1, size));
+  return follow_path (path, fmax (1, size));
 }

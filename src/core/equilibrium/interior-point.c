@@ -92,25 +92,6 @@ qn_ip_add_multiple (double *values, double factor, const double *step, int32_t c
 }
 
 double
-qn_ip_quadratic_term (const QnIpProblem *p, const double *y)
-{
-  double sum = 0.0;
-  for (int32_t c = 0; c < p->cell_count; c++)
-    sum += p->cells[c].quadratic[0] * y[2 * c] * y[2 * c]
-           + p->cells[c].quadratic[1] * y[2 * c + 1] * y[2 * c + 1];
-  return sum;
-}
-
-double
-qn_ip_limit_term (const QnIpProblem *p, const double *z)
-{
-  double sum = 0.0;
-  for (int32_t i = 0; i < p->bound_count; i++)
-    sum += p->bounds[i].limit * z[i];
-  return sum;
-}
-
-double
 qn_ip_largest (const double *values, int32_t count)
 {
   double most = 0.0;
@@ -138,26 +119,26 @@ qn_ip_add_forces (const QnIpProblem *p, const double *y, double scale, double *o
 }
 
 void
-qn_ip_balance (const QnIpProblem *p, const double *y, double lambda, double *out)
-{
-  for (int32_t r = 0; r < p->row_count; r++)
-    out[r] = p->constant[r] + (p->load ? lambda * p->load[r] : 0.0);
-  qn_ip_add_forces (p, y, 1, out);
-}
-
-void
 qn_ip_step_init (QnIpStep *ip, const QnIpProblem *p, const QnIpTuning *tuning,
                  QnPool *pool)
 {
+  size_t cells = (size_t) p->cell_count, bounds = (size_t) p->bound_count;
+
   ip->problem = p;
   ip->tuning = tuning;
   qn_ip_vector_init (&ip->at, p, pool);
   qn_ip_vector_init (&ip->step, p, pool);
   qn_ip_vector_init (&ip->trial, p, pool);
-  ip->ry = qn_pool_alloc (pool, 2 * (size_t) p->cell_count, sizeof (double));
-  ip->right = qn_pool_alloc (pool, 2 * (size_t) p->cell_count, sizeof (double));
-  ip->rz = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof (double));
-  ip->products = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof (double));
+  ip->ry = qn_pool_alloc (pool, 2 * cells, sizeof (double));
+  ip->right = qn_pool_alloc (pool, 2 * cells, sizeof (double));
+  ip->rz = qn_pool_alloc (pool, bounds, sizeof (double));
+  ip->products = qn_pool_alloc (pool, bounds, sizeof (double));
+  ip->w = qn_pool_alloc (pool, bounds, sizeof (double));
+  ip->inverse = (QnIpInverse){ .cells = qn_pool_alloc (pool, 4 * cells, sizeof (double)),
+                               .axes = qn_pool_alloc (pool, 2 * cells, sizeof (double)),
+                               .turns = qn_pool_alloc (pool, bounds, sizeof (double)),
+                               .normals = qn_pool_alloc (pool, bounds, sizeof (double)),
+                               .coupling = 1 };
 }
 
 void
@@ -172,10 +153,10 @@ qn_ip_step_measure (QnIpStep *ip)
 }
 
 void
-qn_ip_step_weights (const QnIpStep *ip, double *w)
+qn_ip_step_weights (QnIpStep *ip)
 {
   for (int32_t i = 0; i < ip->problem->bound_count; i++)
-    w[i] = ip->at.z[i] / (ip->at.s[i] + ip->proximal * ip->at.z[i]);
+    ip->w[i] = ip->at.z[i] / (ip->at.s[i] + ip->proximal * ip->at.z[i]);
 }
 
 /* The direction that takes `share` off the residuals and has ip->products as s dz + z ds. */
@@ -224,15 +205,6 @@ centre (double product, double target, double spread)
   return product > high ? fmax (high - product, -high) : 0;
 }
 
-static void
-exchange (QnIpVector *a, QnIpVector *b)
-{
-  QnIpVector swap = *a;
-
-  *a = *b;
-  *b = swap;
-}
-
 double
 qn_ip_step_find (QnIpStep *ip, double *part)
 {
@@ -266,32 +238,24 @@ qn_ip_step_find (QnIpStep *ip, double *part)
     double reached = way_to_boundary (ip, &ip->trial);
     if (reached < length + tuning->gain)
       break;
-    exchange (step, &ip->trial);
+    QnIpVector found = ip->trial;
+    ip->trial = *step;
+    *step = found;
     length = reached;
   }
   return length;
-}
-
-void
-qn_ip_inverse_init (QnIpInverse *inverse, const QnIpProblem *p, QnPool *pool)
-{
-  size_t cells = (size_t) p->cell_count;
-
-  inverse->cells = qn_pool_alloc (pool, 4 * cells, sizeof (double));
-  inverse->axes = qn_pool_alloc (pool, 2 * cells, sizeof (double));
-  inverse->normals = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof (double));
-  inverse->turns = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof (double));
-  inverse->coupling = 1;
 }
 
 /* Every term a sum without cancellation however different the weights: the determinant by Cauchy and Binet,
  * det = sum_{i<j} w_i w_j (f_i x f_j) (g_i x g_j), the adjugate by turning rows and flows by a right
  * angle, adj H = sum_j w_j g_j^ f_j^'. Q and the regularisation count as rows along the axes. */
 void
-qn_ip_invert_cell (QnIpInverse *inverse, const QnIpProblem *p, int32_t c, const double *w)
+qn_ip_step_invert (QnIpStep *ip, int32_t c)
 {
-  const QnIpCell *cell = &p->cells[c];
-  const QnIpBound *bounds = p->bounds + cell->first_bound;
+  const QnIpInverse *inverse = &ip->inverse;
+  const QnIpCell *cell = &ip->problem->cells[c];
+  const QnIpBound *bounds = ip->problem->bounds + cell->first_bound;
+  const double *w = ip->w + cell->first_bound;
   double axis_n = cell->quadratic[0] + inverse->regularization;
   double axis_t = cell->quadratic[1] + inverse->regularization;
   double nn = axis_n, nt = 0.0, tn = 0.0, tt = axis_t, determinant = axis_n * axis_t;
@@ -299,7 +263,6 @@ qn_ip_invert_cell (QnIpInverse *inverse, const QnIpProblem *p, int32_t c, const 
   double *turns = inverse->turns + cell->first_bound;
   double *normals = inverse->normals + cell->first_bound;
 
-  w += cell->first_bound;
   for (int32_t i = 0; i < cell->bound_count; i++) {
     const QnIpBound *b = &bounds[i];
     double normal = b->opening + inverse->coupling * (b->normal - b->opening);
@@ -324,11 +287,12 @@ qn_ip_invert_cell (QnIpInverse *inverse, const QnIpProblem *p, int32_t c, const 
 }
 
 void
-qn_ip_answer_cell (const QnIpInverse *inverse, const QnIpProblem *p, int32_t c,
-                   double normal, double shear, QnIpVector *out)
+qn_ip_step_answer (const QnIpStep *ip, int32_t c, double normal, double shear,
+                   QnIpVector *out)
 {
-  const QnIpCell *cell = &p->cells[c];
-  const QnIpBound *bounds = p->bounds + cell->first_bound;
+  const QnIpInverse *inverse = &ip->inverse;
+  const QnIpCell *cell = &ip->problem->cells[c];
+  const QnIpBound *bounds = ip->problem->bounds + cell->first_bound;
   const double *turns = inverse->turns + cell->first_bound;
   const double *normals = inverse->normals + cell->first_bound;
   double *g = out->s + cell->first_bound;

@@ -63,12 +63,12 @@ typedef struct QnIpBound {
 /* The numbers may change between solves; counts, rows and first_ indices may not. */
 typedef struct QnIpProblem {
   int32_t row_count, group_count, cell_count, bound_count;
-  const QnIpGroup *groups;
-  const QnIpCell *cells;
-  const QnIpBound *bounds; /* cell by cell */
-  const double *constant;  /* d, row_count */
-  const double *load; /* f, row_count; NULL: no multiplier, lambda = 0, load_gain = 0 */
-  double load_gain;   /* > 0 with a load */
+  QnIpGroup *groups;
+  QnIpCell *cells;
+  QnIpBound *bounds; /* cell by cell */
+  double *constant;  /* d, row_count */
+  double *load;      /* f, row_count; NULL: no multiplier, lambda = 0, load_gain = 0 */
+  double load_gain;  /* > 0 with a load */
   const QnWorkers *workers; /* borrowed; may be NULL */
 } QnIpProblem;
 
@@ -92,36 +92,6 @@ typedef struct QnIpTuning {
   double gain;   /* of length, by a corrector that is worth another */
 } QnIpTuning;
 
-/* An iterate with what the next step is found from. */
-typedef struct QnIpStep QnIpStep;
-struct QnIpStep {
-  const QnIpProblem *problem; /* borrowed */
-  const QnIpTuning *tuning;
-  bool together;   /* residuals are lowered at the rate of the products */
-  double proximal; /* term of flows in their strengths: G y + s - term dz = h */
-  QnIpVector at, step, trial;
-  double *ry, *rz;  /* residuals, minus the left-hand sides */
-  double *products; /* right-hand side of s dz + z ds */
-  double *right;    /* that of the rates: share x ry less the flows of unchanged forces */
-  double power;     /* s'z */
-  /* Sets y, v, lambda of a step that takes `share` off the residuals, from `right`, and s = G y. */
-  void (*solve) (QnIpStep *, double share, QnIpVector *out);
-};
-
-/* Allocates the vectors, for the counts that the problem has now. */
-void qn_ip_step_init (QnIpStep *ip, const QnIpProblem *problem, const QnIpTuning *tuning,
-                      QnPool *pool);
-
-/* rz and the power of the iterate. */
-void qn_ip_step_measure (QnIpStep *ip);
-
-/* w (bound_count) = z / s, less with a proximal term. */
-void qn_ip_step_weights (const QnIpStep *ip, double *w);
-
-/* ip->step: lowers the products as far as the predictor says. Returns how much of it may be gone until some s
- * or z vanishes; *part: what it leaves of the products. */
-double qn_ip_step_find (QnIpStep *ip, double *part);
-
 /* The inverse of H, cell by cell. */
 typedef struct QnIpInverse {
   double *cells; /* cell_count x 4: by rows and … */
@@ -134,16 +104,43 @@ typedef struct QnIpInverse {
   double coupling;       /* G in it is F' + coupling (G - F'); 1: exact */
 } QnIpInverse;
 
-void qn_ip_inverse_init (QnIpInverse *inverse, const QnIpProblem *problem, QnPool *pool);
+/* An iterate with what the next step is found from. */
+typedef struct QnIpStep QnIpStep;
+struct QnIpStep {
+  const QnIpProblem *problem; /* borrowed */
+  const QnIpTuning *tuning;
+  bool together;   /* residuals are lowered at the rate of the products */
+  double proximal; /* term of flows in their strengths: G y + s - term dz = h */
+  QnIpVector at, step, trial;
+  double *ry, *rz;  /* residuals, minus the left-hand sides */
+  double *products; /* right-hand side of s dz + z ds */
+  double *right;    /* that of the rates: share x ry less the flows of unchanged forces */
+  double power;     /* s'z */
+  double *w;        /* bound_count: z / s, less with a proximal term */
+  QnIpInverse inverse;
+  /* Sets y, v, lambda of a step that takes `share` off the residuals, from `right`, and s = G y. */
+  void (*solve) (QnIpStep *, double share, QnIpVector *out);
+};
 
-/* For the weights w (bound_count). */
-void qn_ip_invert_cell (QnIpInverse *inverse, const QnIpProblem *problem, int32_t cell,
-                        const double *w);
+/* Allocates the vectors, for the counts that the problem has now. */
+void qn_ip_step_init (QnIpStep *ip, const QnIpProblem *problem, const QnIpTuning *tuning,
+                      QnPool *pool);
+
+/* rz and the power of the iterate. */
+void qn_ip_step_measure (QnIpStep *ip);
+
+/* The weights of the iterate; and the inverse of one cell for these. */
+void qn_ip_step_weights (QnIpStep *ip);
+void qn_ip_step_invert (QnIpStep *ip, int32_t cell);
 
 /* y += dy = (H+r)^-1 (normal, shear), s += G dy for one cell. A row's own part of dy is at right
  * angles to it and left out of its s. */
-void qn_ip_answer_cell (const QnIpInverse *inverse, const QnIpProblem *problem,
-                        int32_t cell, double normal, double shear, QnIpVector *out);
+void qn_ip_step_answer (const QnIpStep *ip, int32_t cell, double normal, double shear,
+                        QnIpVector *out);
+
+/* ip->step: lowers the products as far as the predictor says. Returns how much of it may be gone until some s
+ * or z vanishes; *part: what it leaves of the products. */
+double qn_ip_step_find (QnIpStep *ip, double *part);
 
 /* From a pool. */
 void qn_ip_vector_init (QnIpVector *vector, const QnIpProblem *problem, QnPool *pool);
@@ -154,10 +151,6 @@ void qn_ip_vector_copy (QnIpVector *to, const QnIpVector *from,
 /* to += part * step */
 void qn_ip_vector_add (QnIpVector *to, double part, const QnIpVector *step,
                        const QnIpProblem *problem);
-
-/* out (row_count) = B y + lambda f + d */
-void qn_ip_balance (const QnIpProblem *problem, const double *y, double lambda,
-                    double *out);
 
 /* out (row_count) += scale * B y */
 void qn_ip_add_forces (const QnIpProblem *problem, const double *y, double scale,
@@ -178,6 +171,4 @@ void qn_ip_add_flows (const QnIpProblem *problem, const double *z, double scale,
 void qn_ip_add_multiple (double *values, double factor, const double *step,
                          int32_t count);
 
-double qn_ip_quadratic_term (const QnIpProblem *problem, const double *y); /* y'Qy */
-double qn_ip_limit_term (const QnIpProblem *problem, const double *z);     /* h'z */
 double qn_ip_largest (const double *values, int32_t count); /* largest |value|, or NaN */

@@ -75,13 +75,12 @@ qn_collapse_init (QnCollapse *c, const QnIpProblem *p, QnDiag *diag)
 
   *c = (QnCollapse){ .ip = { .together = true, .solve = solve_iteration } };
   qn_ip_step_init (&c->ip, p, &collapse_tuning.steps, pool);
-  c->w = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof (double));
   c->given = qn_pool_alloc (pool, 2 * (size_t) p->cell_count, sizeof (double));
   c->bounds = qn_pool_alloc (pool, (size_t) p->bound_count, sizeof *c->bounds);
   qn_ip_vector_init (&c->kept, p, pool);
   c->rv = qn_pool_alloc (pool, rows, sizeof (double));
   c->right_v = qn_pool_alloc (pool, rows, sizeof (double));
-  if (qn_ip_kkt_init (&c->kkt, p) && !pool->failed)
+  if (qn_ip_kkt_init (&c->kkt, &c->ip, &c->effort) && !pool->failed)
     return QN_OK;
   qn_collapse_clear (c);
   return qn_diag_no_memory (diag);
@@ -130,19 +129,39 @@ void
 qn_collapse_start_elastic (QnCollapse *c)
 {
   const QnIpProblem *p = c->ip.problem;
-  double lambda = 0, residual, slack, *y = c->ip.step.y;
+  QnCollapseForces forces = { .y = c->ip.step.y };
 
   qn_collapse_start (c, NULL, 0, 1, 1);
   for (int32_t i = 0; i < p->bound_count; i++) {
-    c->w[i] = 1;
+    c->ip.w[i] = 1;
     c->ip.rz[i] = 0;
   }
-  c->kkt.inverse.regularization = collapse_tuning.least_proximal;
-  if (!qn_ip_kkt_factorize (&c->kkt, c->w))
+  c->ip.inverse.regularization = collapse_tuning.least_proximal;
+  if (!qn_ip_kkt_factorize (&c->kkt))
     return;
-  qn_collapse_project (c, true, &lambda, y, &residual, &slack);
+  qn_collapse_project (c, true, &forces);
   qn_collapse_centre (
-    c, fmax (1, collapse_tuning.elastic * qn_ip_largest (y, 2 * p->cell_count)));
+    c, fmax (1, collapse_tuning.elastic * qn_ip_largest (forces.y, 2 * p->cell_count)));
+}
+
+/* out (row_count) = B y + lambda f + d */
+static void
+find_balance (const QnIpProblem *p, const double *y, double lambda, double *out)
+{
+  for (int32_t r = 0; r < p->row_count; r++)
+    out[r] = p->constant[r] + (p->load ? lambda * p->load[r] : 0.0);
+  qn_ip_add_forces (p, y, 1, out);
+}
+
+/* y'Qy */
+static double
+stored_work (const QnIpProblem *p, const double *y)
+{
+  double sum = 0.0;
+  for (int32_t c = 0; c < p->cell_count; c++)
+    sum += p->cells[c].quadratic[0] * y[2 * c] * y[2 * c]
+           + p->cells[c].quadratic[1] * y[2 * c + 1] * y[2 * c + 1];
+  return sum;
 }
 
 static void
@@ -156,7 +175,7 @@ find_residuals (QnCollapse *c)
                     : c->given[i] - p->cells[i / 2].quadratic[i % 2] * c->ip.at.y[i];
   qn_ip_add_rates (p, c->ip.at.v, -1, c->ip.ry);
   qn_ip_add_flows (p, c->ip.at.z, -1, c->ip.ry);
-  qn_ip_balance (p, c->ip.at.y, c->ip.at.lambda, c->rv);
+  find_balance (p, c->ip.at.y, c->ip.at.lambda, c->rv);
   for (int32_t r = 0; r < p->row_count; r++)
     c->rv[r] = -c->rv[r];
   qn_ip_step_measure (&c->ip);
@@ -169,14 +188,16 @@ bool
 qn_collapse_proves_infeasible (const QnCollapse *c, const QnIpProblem *p)
 {
   double power = qn_dot (p->constant, c->ip.at.v, (size_t) p->row_count);
-  double proof = power - qn_ip_limit_term (p, c->ip.at.z), worst = 0;
+  double dissipated = 0, worst = 0;
 
+  for (int32_t i = 0; i < p->bound_count; i++)
+    dissipated += p->bounds[i].limit * c->ip.at.z[i];
   if (c->ip.problem->load != NULL)
     worst = fabs (p->load_gain - c->r_lambda);
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
     worst = qn_worse (
       worst, fabs (c->ip.ry[i] + p->cells[i / 2].quadratic[i % 2] * c->ip.at.y[i]));
-  return worst <= collapse_tuning.proof * proof;
+  return worst <= collapse_tuning.proof * (power - dissipated);
 }
 
 /* Whether y and lambda prove that the multiplier has no bound: forces that balance the live load alone,
@@ -207,7 +228,7 @@ find_misfit (const QnCollapse *c, double tolerance)
   const QnIpProblem *p = c->ip.problem;
   double work = p->load != NULL
                   ? p->load_gain * fmax (fabs (c->ip.at.lambda), c->least_multiplier)
-                  : 1 + qn_ip_quadratic_term (p, c->ip.at.y);
+                  : 1 + stored_work (p, c->ip.at.y);
   double forces =
     collapse_tuning.balance * fmax (1, qn_ip_largest (c->ip.at.y, 2 * p->cell_count));
   double speed =
@@ -225,8 +246,8 @@ find_misfit (const QnCollapse *c, double tolerance)
 static bool
 factorize_collapse (QnCollapse *c)
 {
-  qn_ip_step_weights (&c->ip, c->w);
-  return qn_ip_kkt_factorize (&c->kkt, c->w);
+  qn_ip_step_weights (&c->ip);
+  return qn_ip_kkt_factorize (&c->kkt);
 }
 
 /* Whether the matrix has as many negative eigenvalues as one of associative flow, or by an even number
@@ -248,8 +269,8 @@ find_growth (QnCollapse *c)
     c->ip.right[i] = p->cells[i / 2].quadratic[i % 2] * c->ip.at.y[i];
   memset (c->right_v, 0, (size_t) p->row_count * sizeof (double));
   c->ip.step.lambda = INFINITY;
-  bool exact = c->kkt.inverse.coupling == 1;
-  c->kkt.inverse.coupling = 1;
+  bool exact = c->ip.inverse.coupling == 1;
+  c->ip.inverse.coupling = 1;
   if (exact || factorize_collapse (c))
     qn_ip_kkt_solve (&c->kkt, &right, &c->ip.step);
   c->growth = c->ip.step.lambda;
@@ -280,19 +301,33 @@ step_on (QnCollapse *c, bool *ok)
                       fmin (1, fmax (collapse_tuning.to_boundary, reach) * length),
                       &c->ip.step, c->ip.problem);
   } else {
-    *ok = c->kkt.inverse.regularization < collapse_tuning.most_proximal;
-    c->kkt.inverse.regularization *= collapse_tuning.more_proximal;
+    *ok = c->ip.inverse.regularization < collapse_tuning.most_proximal;
+    c->ip.inverse.regularization *= collapse_tuning.more_proximal;
     length = collapse_tuning.short_step;
   }
   return length;
 }
 
+/* Counts an iteration, and reports it; false when it is to be cancelled. */
+static bool
+count_iteration (QnCollapse *c)
+{
+  const QnProgress report = {
+    .iterations = ++c->effort.iterations,
+    .factorizations = c->effort.factorizations,
+    .rigid = true,
+  };
+
+  c->cancelled = c->progress != NULL && !c->progress (&report, c->user_data);
+  return !c->cancelled;
+}
+
 QnOutcome
 qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
-                    bool (*go_on) (void *), void *data)
+                    bool (*is_enough) (void *), void *data)
 {
   const QnIpProblem *p = c->ip.problem;
-  double *coupling = &c->kkt.inverse.coupling, least = c->least_coupling, best = INFINITY;
+  double *coupling = &c->ip.inverse.coupling, least = c->least_coupling, best = INFINITY;
   int32_t idle = 0;
   bool ok = true;
 
@@ -305,7 +340,7 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
    * flow in the strength of its row, and that vanishes as steps do. The end of a path is found without: of 12
    * ends of seeded walls one had a state then that its forces do not have. */
   c->ip.proximal = c->own_flow && c->holds_flows ? collapse_tuning.flow : 0;
-  c->kkt.inverse.regularization = collapse_tuning.least_proximal;
+  c->ip.inverse.regularization = collapse_tuning.least_proximal;
   *coupling = 1;
   for (int32_t iteration = 0; ok; iteration++) {
     find_residuals (c);
@@ -319,7 +354,8 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
     if (state != QN_OUTCOME_NOT_CONVERGED || iteration == budget || isnan (misfit)
         || (!c->own_flow && idle == collapse_tuning.idle))
       return state;
-    if (!go_on (data))
+    bool enough = is_enough != NULL && is_enough (data);
+    if (!count_iteration (c) || enough)
       return QN_OUTCOME_CANCELLED;
     ok = factorize_collapse (c);
     if (ok && is_stable (c))
@@ -337,7 +373,7 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
 /* One of two programs: `fixed_flow`, or fixed normal forces. */
 static QnOutcome
 take_turn (QnCollapse *c, const QnIpProblem *whole, bool fixed_flow, double tolerance,
-           int32_t end, bool (*go_on) (void *), void *data)
+           int32_t end)
 {
   for (int32_t i = 0; i < whole->cell_count; i++)
     for (int32_t k = 0, j = whole->cells[i].first_bound; k < whole->cells[i].bound_count;
@@ -355,7 +391,7 @@ take_turn (QnCollapse *c, const QnIpProblem *whole, bool fixed_flow, double tole
     }
   qn_collapse_centre (c, 1); /* at 0.1 steps are short: 63 iterations instead of 29 */
   QnOutcome state =
-    qn_collapse_follow (c, tolerance, end - c->kkt.factorizations, go_on, data);
+    qn_collapse_follow (c, tolerance, end - c->effort.factorizations, NULL, NULL);
   memset (c->given, 0, 2 * (size_t) whole->cell_count * sizeof (double));
   return state;
 }
@@ -377,31 +413,30 @@ find_gap (const QnCollapse *c, const QnIpProblem *whole)
 }
 
 QnOutcome
-qn_collapse_alternate (QnCollapse *c, double tolerance, int32_t budget,
-                       bool (*go_on) (void *), void *data)
+qn_collapse_alternate (QnCollapse *c, double tolerance, int32_t budget)
 {
   const QnIpProblem *whole = c->ip.problem;
   QnIpProblem program = *whole;
-  int32_t end = c->kkt.factorizations + budget;
+  int32_t end = c->effort.factorizations + budget;
   double gap = INFINITY, before, enough;
   QnOutcome state;
 
   program.bounds = c->bounds;
-  c->ip.problem = c->kkt.problem = &program;
+  c->ip.problem = &program;
   do {
-    state = take_turn (c, whole, false, 0.1 * tolerance, end, go_on, data);
+    state = take_turn (c, whole, false, 0.1 * tolerance, end);
     qn_ip_vector_copy (&c->kept, &c->ip.at, whole);
     if (state == QN_OUTCOME_COLLAPSE)
-      state = take_turn (c, whole, true, 0.1 * tolerance, end, go_on, data);
+      state = take_turn (c, whole, true, 0.1 * tolerance, end);
     double least = fmax (fabs (c->ip.at.lambda), c->least_multiplier);
     before = gap;
     gap = find_gap (c, whole) / (whole->load_gain * least);
-    c->growth = 0.5 * qn_ip_quadratic_term (whole, c->ip.at.y) / whole->load_gain;
+    c->growth = 0.5 * stored_work (whole, c->ip.at.y) / whole->load_gain;
     c->gap = gap * least;
     enough = fmax (tolerance, sqrt (tolerance * c->growth / least));
   } while (state == QN_OUTCOME_COLLAPSE && !(gap <= enough)
            && gap < collapse_tuning.closer * before);
-  c->ip.problem = c->kkt.problem = whole;
+  c->ip.problem = whole;
   memcpy (c->ip.at.v, c->kept.v, (size_t) whole->row_count * sizeof (double));
   memcpy (c->ip.at.z, c->kept.z, (size_t) whole->bound_count * sizeof (double));
   return state == QN_OUTCOME_COLLAPSE && !(gap <= enough) ? QN_OUTCOME_NOT_CONVERGED
@@ -409,39 +444,40 @@ qn_collapse_alternate (QnCollapse *c, double tolerance, int32_t budget,
 }
 
 void
-qn_collapse_project (QnCollapse *c, bool fixed, double *lambda, double *y,
-                     double *residual, double *slack)
+qn_collapse_project (QnCollapse *c, bool fixed, QnCollapseForces *forces)
 {
   const QnIpProblem *p = c->ip.problem;
   const QnIpVector right = { .y = c->ip.right, .v = c->right_v };
   QnIpVector *step = &c->ip.trial;
+  double *y = forces->y;
 
   memcpy (y, c->ip.at.y, 2 * (size_t) p->cell_count * sizeof *y);
-  *residual = INFINITY;
-  *slack = -INFINITY;
+  forces->residual = INFINITY;
+  forces->slack = -INFINITY;
   if (!isfinite (c->kkt.error))
     return;
   memset (c->ip.right, 0, 2 * (size_t) p->cell_count * sizeof (double));
   for (int32_t i = 0; i < p->bound_count; i++)
-    c->ip.products[i] = c->w[i] * c->ip.rz[i];
+    c->ip.products[i] = c->ip.w[i] * c->ip.rz[i];
   qn_ip_add_flows (p, c->ip.products, 1, c->ip.right);
   c->kkt.bordered = p->load != NULL && !fixed;
   for (int round = 0;; round++) {
-    qn_ip_balance (p, y, *lambda, c->right_v);
-    *residual = qn_ip_largest (c->right_v, p->row_count);
+    find_balance (p, y, forces->lambda, c->right_v);
+    forces->residual = qn_ip_largest (c->right_v, p->row_count);
     if (round > 0
-        && (*residual <= collapse_tuning.restored || round == collapse_tuning.rounds))
+        && (forces->residual <= collapse_tuning.restored
+            || round == collapse_tuning.rounds))
       break;
     for (int32_t r = 0; r < p->row_count; r++)
       c->right_v[r] = -c->right_v[r];
     qn_ip_kkt_solve (&c->kkt, &right, step);
     qn_ip_add_multiple (y, 1, step->y, 2 * p->cell_count);
-    *lambda += step->lambda;
+    forces->lambda += step->lambda;
     memset (c->ip.right, 0, 2 * (size_t) p->cell_count * sizeof (double));
   }
   c->kkt.bordered = p->load != NULL;
   qn_ip_apply_bounds (p, y, step->s);
-  *slack = INFINITY;
+  forces->slack = INFINITY;
   for (int32_t i = 0; i < p->bound_count; i++)
-    *slack = fmin (*slack, p->bounds[i].limit - step->s[i]);
+    forces->slack = fmin (forces->slack, p->bounds[i].limit - step->s[i]);
 }

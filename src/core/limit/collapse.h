@@ -1,22 +1,11 @@
-/* The engine of limit analysis: collapse of rigid blocks, by interior-point steps.
+/* The engine of limit analysis: collapse of rigid blocks, the problem of interior-point.h, by its steps, which
+ * lower all products s z and residuals together. v is the motion, Q the compliance of joints, z their flow.
+ * Pairs are eliminated, each iteration has one factorisation of the size of the blocks.
  *
- * Unknowns are the motion v, the pair forces y, what strength they leave s, the flow z, and the
- * multiplier (interior-point.h):
- *
- *     B y + lambda f + d = 0         balance
- *     Q y + B'v + F z = 0            the motion is that of joints which flow, and of their compliance Q
- *     G y + s = h
- *     s z = 0,  s >= 0,  z >= 0      flow only at the strength
- *     f'v = load_gain                work of the live load
- *
- * Steps (Mehrotra's predictor and corrector, Gondzio's centrality correctors) lower all products s z
- * and residuals together. Pairs are eliminated, each iteration has one factorisation of the size of the
- * blocks.
- *
- * Associative flow, F = G', is a convex program, without compliance a linear one; a step goes as near
- * to the boundary as the predictor leaves of mu. Where there is no solution the iterate grows without end,
- * in the direction that proves it: v and z where no forces keep equilibrium under any multiplier, y and
- * lambda where the multiplier has no bound.
+ * Associative flow, without compliance a linear program: a step goes as near to the boundary as the predictor
+ * leaves of the mean product. Where there is no solution the iterate grows without end, in the direction that
+ * proves it: v and z where no forces keep equilibrium under any multiplier, y and lambda where the multiplier
+ * has no bound.
  *
  * With a flow of its own a small compliance decides which of many force states that reach a strength
  * is taken: the one that elastic joints of one stiffness reach. Without it blocks wedge each other. The
@@ -31,8 +20,8 @@
  */
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/limit/interior-point-kkt.h"
-#include "core/result/result.h"
 
 typedef struct QnCollapse {
   QnIpStep ip; /* its iterate: collapse, or certificate */
@@ -43,9 +32,13 @@ typedef struct QnCollapse {
   double least_coupling;
   double least_multiplier; /* relative tolerances refer to at least this multiplier */
   bool own_flow;           /* some strength row is not associative */
-  bool holds_flows; /* set by who starts: whether such flows have a proximal term */
+  bool holds_flows;    /* set by who starts: whether such flows have a proximal term */
+  QnStatistics effort; /* iterations, factorisations and factor_seconds alone */
+  QnProgressFunc
+    progress; /* set by who starts, nullable, with its data: told of iterations */
+  void *user_data;
+  bool cancelled; /* by it */
 
-  double *w;     /* z / s, less where a flow is large */
   double *given; /* rates of the cells besides those of the unknowns, cell_count x 2 */
   QnIpBound *bounds; /* of one of two programs, */
   QnIpVector kept;   /* and what the other one found */
@@ -83,9 +76,10 @@ void qn_collapse_start_elastic (QnCollapse *collapse);
 /* Iterates to a collapse with the compliance of the problem's cells and at most `budget` factorisations.
  * COLLAPSE: relative error of the multiplier <= `tolerance`. Associative: DEAD_LOAD_UNSTABLE where v and z prove
  * that no forces keep equilibrium, UNBOUNDED where y over lambda balances the live load alone. NOT_CONVERGED:
- * the budget is spent, or rounding ended the progress. go_on (data) is called once per iteration; false cancels. */
+ * the budget is spent, or rounding ended the progress. is_enough (data), nullable, is called once per iteration;
+ * true cancels, as `progress` does. */
 QnOutcome qn_collapse_follow (QnCollapse *collapse, double tolerance, int32_t budget,
-                              bool (*go_on) (void *), void *data);
+                              bool (*is_enough) (void *), void *data);
 
 /* From an iterate that was lost, by two convex programs in turn:
  *
@@ -97,8 +91,7 @@ QnOutcome qn_collapse_follow (QnCollapse *collapse, double tolerance, int32_t bu
  * rates, and COLLAPSE is told where the gap is at most `tolerance` of the work of the live load; or, while joints
  * still give so much that the multiplier is not known as well, the geometric mean of that and of the work that they
  * store. */
-QnOutcome qn_collapse_alternate (QnCollapse *collapse, double tolerance, int32_t budget,
-                                 bool (*go_on) (void *), void *data);
+QnOutcome qn_collapse_alternate (QnCollapse *collapse, double tolerance, int32_t budget);
 
 /* Whether v and z of the iterate prove that no forces keep equilibrium under any multiplier: the dead
  * load does more power along v than the joints can dissipate, and the live load none. `problem`: that of
@@ -106,12 +99,16 @@ QnOutcome qn_collapse_alternate (QnCollapse *collapse, double tolerance, int32_t
 bool qn_collapse_proves_infeasible (const QnCollapse *collapse,
                                     const QnIpProblem *problem);
 
-/* Forces in equilibrium nearest to those of the iterate, in the metric of its barrier: a by-product of
- * the last factorisation, at the price of a few solves.
- *
- * *lambda in: the required multiplier; out: unchanged where `fixed`, else the nearest one in the
- * metric. *residual is the largest remaining |By + lambda f + d|, *slack the smallest h - Gy
- * (INFINITY without bounds); slack >= 0 proves that this multiplier can be carried. Towards the
- * optimum the metric becomes flat: request a fixed multiplier early. */
-void qn_collapse_project (QnCollapse *collapse, bool fixed, double *lambda, double *y,
-                          double *residual, double *slack);
+/* Forces in equilibrium. */
+typedef struct QnCollapseForces {
+  double *y; /* cell_count x 2 */
+  double lambda;
+  double residual; /* the largest |By + lambda f + d| */
+  double slack;    /* the smallest h - Gy, INFINITY without bounds */
+} QnCollapseForces;
+
+/* Those nearest to the forces of the iterate, in the metric of its barrier: a by-product of the last
+ * factorisation, at the price of a few solves. forces->lambda in: the required multiplier; out: unchanged where
+ * `fixed`, else the nearest one in the metric. Where nothing is left out of balance, slack >= 0 proves that this
+ * multiplier can be carried. Towards the optimum the metric becomes flat: request a fixed multiplier early. */
+void qn_collapse_project (QnCollapse *collapse, bool fixed, QnCollapseForces *forces);

@@ -15,20 +15,21 @@
 static bool
 schur_factorize (QnIpKkt *kkt)
 {
+  const QnIpProblem *p = kkt->ip->problem;
   double start = qn_clock_seconds ();
 
-  memset (kkt->values, 0,
-          (size_t) kkt->columns[kkt->problem->row_count] * sizeof *kkt->values);
-  for (int32_t r = 0; r < kkt->problem->row_count; r++)
-    kkt->values[kkt->diagonal[r]] = kkt->inverse.regularization;
-  for (int32_t g = 0; g < kkt->problem->group_count; g++) {
-    const QnIpGroup *group = &kkt->problem->groups[g];
+  memset (kkt->values, 0, (size_t) kkt->columns[p->row_count] * sizeof *kkt->values);
+  for (int32_t r = 0; r < p->row_count; r++)
+    kkt->values[kkt->diagonal[r]] = kkt->ip->inverse.regularization;
+  for (int32_t g = 0; g < p->group_count; g++) {
+    const QnIpGroup *group = &p->groups[g];
     const int32_t *slots = kkt->slots + (size_t) g * GROUP_ENTRIES;
     double sum[QN_IP_GROUP_ROWS][QN_IP_GROUP_ROWS] = { { 0 } };
 
     for (int32_t c = group->first_cell; c < group->first_cell + group->cell_count; c++) {
-      const double (*map)[2] = kkt->problem->cells[c].map;
-      const double *inverse = kkt->inverse.cells + 4 * c;
+      const QnIpCell *cell = &p->cells[c];
+      const double (*map)[2] = cell->map;
+      const double *inverse = kkt->ip->inverse.cells + 4 * c;
 
       for (int i = 0; i < QN_IP_GROUP_ROWS; i++) {
         double n = map[i][0] * inverse[0] + map[i][1] * inverse[2];
@@ -43,8 +44,8 @@ schur_factorize (QnIpKkt *kkt)
           kkt->values[slots[QN_IP_GROUP_ROWS * i + j]] += sum[i][j];
   }
   bool ok = qn_block_lu_factor (kkt->lu, kkt->values) > 0;
-  kkt->factorizations++;
-  kkt->seconds += qn_clock_seconds () - start;
+  kkt->effort->factorizations++;
+  kkt->effort->factor_seconds += qn_clock_seconds () - start;
   return ok;
 }
 
@@ -55,7 +56,7 @@ schur_solve (QnIpKkt *kkt, double *x)
   double start = qn_clock_seconds ();
 
   qn_block_lu_solve (kkt->lu, x);
-  kkt->seconds += qn_clock_seconds () - start;
+  kkt->effort->factor_seconds += qn_clock_seconds () - start;
 }
 
 /* A direction need not be more exact than this: the next iteration sees what is left. */
@@ -63,15 +64,15 @@ schur_solve (QnIpKkt *kkt, double *x)
 #define MOST_REFINEMENTS  4
 
 bool
-qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *p)
+qn_ip_kkt_init (QnIpKkt *kkt, QnIpStep *ip, QnStatistics *effort)
 {
+  const QnIpProblem *p = ip->problem;
   size_t rows = (size_t) p->row_count;
   size_t entries = (size_t) p->group_count * GROUP_ENTRIES;
   QnPool *pool = &kkt->pool;
   QnSparsePattern pattern;
 
-  *kkt = (QnIpKkt){ .problem = p, .error = INFINITY };
-  qn_ip_inverse_init (&kkt->inverse, p, pool);
+  *kkt = (QnIpKkt){ .ip = ip, .effort = effort, .error = INFINITY };
   kkt->rates = qn_pool_alloc (pool, 2 * (size_t) p->cell_count, sizeof (double));
   kkt->residual_v = qn_pool_alloc (pool, rows, sizeof (double));
   kkt->border = qn_pool_alloc (pool, rows, sizeof (double));
@@ -108,12 +109,12 @@ qn_ip_kkt_clear (QnIpKkt *kkt)
 }
 
 bool
-qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w)
+qn_ip_kkt_factorize (QnIpKkt *kkt)
 {
-  const QnIpProblem *p = kkt->problem;
+  const QnIpProblem *p = kkt->ip->problem;
 
   for (int32_t c = 0; c < p->cell_count; c++)
-    qn_ip_invert_cell (&kkt->inverse, p, c, w);
+    qn_ip_step_invert (kkt->ip, c);
   kkt->error = INFINITY;
   if (!schur_factorize (kkt))
     return false;
@@ -132,7 +133,7 @@ qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w)
 static double
 relative_error (QnIpKkt *kkt, const QnIpVector *right, const QnIpVector *out)
 {
-  const QnIpProblem *p = kkt->problem;
+  const QnIpProblem *p = kkt->ip->problem;
   double error = 0.0;
   double scale = fmax (qn_ip_largest (right->v, p->row_count), fabs (out->lambda));
 
@@ -155,17 +156,17 @@ static double
 follow_rates (QnIpKkt *kkt, const QnIpVector *right, const double *ry, double sign,
               QnIpVector *out)
 {
-  const QnIpProblem *p = kkt->problem;
+  const QnIpProblem *p = kkt->ip->problem;
   double *e = kkt->residual_v, *rates = kkt->rates;
 
   for (int32_t i = 0; i < 2 * p->cell_count; i++)
     rates[i] = ry != NULL && !(p->cells[i / 2].no_shear && i % 2 == 1) ? ry[i] : 0.0;
   qn_ip_add_rates (p, kkt->step_v, -sign, rates);
   for (int32_t c = 0; c < p->cell_count; c++)
-    qn_ip_answer_cell (&kkt->inverse, p, c, rates[2 * c], rates[2 * c + 1], out);
+    qn_ip_step_answer (kkt->ip, c, rates[2 * c], rates[2 * c + 1], out);
   for (int32_t r = 0; r < p->row_count; r++)
     e[r] = right->v[r] - (kkt->bordered ? p->load[r] * out->lambda : 0.0)
-           + kkt->inverse.regularization * out->v[r];
+           + kkt->ip->inverse.regularization * out->v[r];
   qn_ip_add_forces (p, out->y, -1, e);
   return relative_error (kkt, right, out);
 }
@@ -174,12 +175,12 @@ follow_rates (QnIpKkt *kkt, const QnIpVector *right, const double *ry, double si
 static void
 condense (QnIpKkt *kkt, const QnIpVector *right)
 {
-  const QnIpProblem *p = kkt->problem;
+  const QnIpProblem *p = kkt->ip->problem;
 
   memcpy (kkt->residual_v, right->v, (size_t) p->row_count * sizeof (double));
   kkt->residual_lambda = right->lambda;
   for (int32_t c = 0; c < p->cell_count; c++) {
-    const double *h = kkt->inverse.cells + 4 * (size_t) c,
+    const double *h = kkt->ip->inverse.cells + 4 * (size_t) c,
                  *ry = right->y + 2 * (size_t) c;
     double shear = p->cells[c].no_shear ? 0.0 : ry[1];
     kkt->rates[2 * c] = h[0] * ry[0] + h[1] * shear;
@@ -192,7 +193,7 @@ condense (QnIpKkt *kkt, const QnIpVector *right)
 static void
 correct (QnIpKkt *kkt, QnIpVector *out)
 {
-  const QnIpProblem *p = kkt->problem;
+  const QnIpProblem *p = kkt->ip->problem;
   double *step = kkt->step_v;
 
   for (int32_t r = 0; r < p->row_count; r++)
@@ -213,7 +214,7 @@ correct (QnIpKkt *kkt, QnIpVector *out)
 static double
 undo (QnIpKkt *kkt, const QnIpVector *right, QnIpVector *out)
 {
-  qn_ip_add_multiple (out->v, -1, kkt->step_v, kkt->problem->row_count);
+  qn_ip_add_multiple (out->v, -1, kkt->step_v, kkt->ip->problem->row_count);
   out->lambda -= kkt->step_lambda;
   return follow_rates (kkt, right, NULL, -1.0, out);
 }
@@ -223,9 +224,9 @@ qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpVector *right, QnIpVector *out)
 {
   double last = INFINITY;
 
-  memset (out->y, 0, 2 * (size_t) kkt->problem->cell_count * sizeof (double));
-  memset (out->s, 0, (size_t) kkt->problem->bound_count * sizeof (double));
-  memset (out->v, 0, (size_t) kkt->problem->row_count * sizeof (double));
+  memset (out->y, 0, 2 * (size_t) kkt->ip->problem->cell_count * sizeof (double));
+  memset (out->s, 0, (size_t) kkt->ip->problem->bound_count * sizeof (double));
+  memset (out->v, 0, (size_t) kkt->ip->problem->row_count * sizeof (double));
   out->lambda = 0.0;
   condense (kkt, right);
   for (int round = 0; round <= MOST_REFINEMENTS; round++) {

@@ -21,6 +21,7 @@
 
 #include "core/equilibrium/interior-point.h"
 #include "core/linalg/block-lu.h"
+#include "core/result/result.h"
 
 /* The one matrix that is factorised,
  *
@@ -32,17 +33,15 @@
  * Cholesky's, of which the processor does far more at a time than of the sparse one's.
  */
 typedef struct QnIpKkt {
-  QnPool pool;                /* of all arrays */
-  const QnIpProblem *problem; /* borrowed */
-  int32_t *columns, *rows;    /* pattern of M, both halves */
+  QnPool pool;  /* of all arrays */
+  QnIpStep *ip; /* borrowed, with its problem, weights and the inverse of H+r */
+  int32_t *columns, *rows; /* pattern of M, both halves */
   double *values;
   QnBlockLu *lu;
-  int32_t *slots;    /* group_count x 36: place of each entry in values, or -1 */
-  int32_t *diagonal; /* row_count: place of the diagonal entry */
-  int32_t factorizations;
-  double seconds;      /* spent in factorising and solving */
-  QnIpInverse inverse; /* of H+r */
-  double *rates;       /* scratch, cell_count x 2 */
+  int32_t *slots;       /* group_count x 36: place of each entry in values, or -1 */
+  int32_t *diagonal;    /* row_count: place of the diagonal entry */
+  QnStatistics *effort; /* borrowed: factorisations and factor_seconds count there */
+  double *rates;        /* scratch, cell_count x 2 */
   double *residual_v;
   double residual_lambda;
   double *step_v; /* the last correction */
@@ -54,10 +53,10 @@ typedef struct QnIpKkt {
 } QnIpKkt;
 
 /* `kkt` is overwritten without being cleared. False when memory runs out; to be cleared all the same. */
-bool qn_ip_kkt_init (QnIpKkt *kkt, const QnIpProblem *problem);
+bool qn_ip_kkt_init (QnIpKkt *kkt, QnIpStep *ip, QnStatistics *effort);
 
-/* Factorises for the weights w (bound_count); false where the matrix is singular. */
-bool qn_ip_kkt_factorize (QnIpKkt *kkt, const double *w);
+/* Factorises for the weights; false where the matrix is singular. */
+bool qn_ip_kkt_factorize (QnIpKkt *kkt);
 
 /* Solves for y (shear of cells without shear is ignored), v and lambda (ignored without a load) of a right-hand
  * side; `out`, whose s becomes G y, must not overlap it. */

@@ -1,4 +1,3 @@
-#include "core/limit/collapse.h"
 #include "core/limit/limit.h"
 
 #include "core/base/memory.h"
@@ -67,8 +66,7 @@ typedef struct Search {
   bool elastic;       /* joints have their own stiffness, velocities are displacements, */
   double flexibility; /* and this in the mean, m/N */
   QnLimitProblem limit;
-  QnCollapse collapse;
-  QnLimitInterval *interval;
+  QnLimitSolution *solution;
   double *forces;    /* then: cell_count x 2, those that a collapse is sought from, */
   double multiplier; /* and their scaled multiplier */
   Collapse found[QN_LIMIT_STARTS];
@@ -78,19 +76,7 @@ typedef struct Search {
   double
     known; /* what is not below it is of no interest, and one start tells enough; or INFINITY */
   bool lost; /* the last start */
-  bool cancelled;
-  QnProgressFunc progress;
-  void *user_data;
 } Search;
-
-static bool
-go_on_search (void *data)
-{
-  Search *search = data;
-
-  return qn_limit_count_iteration (&search->collapse, search->progress, search->user_data,
-                                   &search->interval->solution.effort);
-}
 
 static bool
 stands_still (const Search *search, const Collapse *collapse)
@@ -99,10 +85,10 @@ stands_still (const Search *search, const Collapse *collapse)
          <= search->model->analysis.multiplier_tolerance * fabs (collapse->multiplier);
 }
 
-static const Collapse *
-find_least (const Search *search)
+static Collapse *
+find_least (Search *search)
 {
-  const Collapse *least = &search->found[0];
+  Collapse *least = &search->found[0];
 
   for (int32_t i = 1; i < search->count; i++)
     if (search->found[i].multiplier < least->multiplier)
@@ -140,10 +126,10 @@ static QnStatus
 keep (Search *search, double compliance, QnDiag *diag)
 {
   const QnLimitProblem *limit = &search->limit;
-  const QnCollapse *c = &search->collapse;
+  const QnCollapse *c = &limit->engine;
   Collapse new = { .multiplier =
                      fmin (qn_limit_problem_multiplier (limit, c->ip.at.lambda),
-                           search->interval->associative),
+                           search->solution->associative),
                    .growth = qn_limit_problem_multiplier (limit, c->growth),
                    .gap = qn_limit_problem_multiplier (limit, c->gap) };
   int32_t place = 0;
@@ -192,7 +178,7 @@ set_compliance (Search *search, double compliance)
       k[1] *= search->flexibility;
     }
     for (int i = 0; i < 2; i++)
-      limit->cells[c].quadratic[i] = compliance / k[i];
+      limit->ip.cells[c].quadratic[i] = compliance / k[i];
   }
 }
 
@@ -202,7 +188,7 @@ static QnStatus
 seek (Search *search, Start start, double compliance, int32_t budget, bool *found,
       QnDiag *diag)
 {
-  QnCollapse *c = &search->collapse;
+  QnCollapse *c = &search->limit.engine;
   double tolerance = search->model->analysis.multiplier_tolerance;
   bool exact = search->known < INFINITY;
   QnOutcome state = QN_OUTCOME_NOT_CONVERGED;
@@ -216,15 +202,11 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
                        search_tuning.strength[start],
                        search_tuning.coupled[search->elastic]);
   if (start != GO_ON || !search->lost)
-    state =
-      qn_collapse_follow (c, search_tuning.tolerance * tolerance,
-                          exact ? budget : search_tuning.budget, go_on_search, search);
+    state = qn_collapse_follow (c, search_tuning.tolerance * tolerance,
+                                exact ? budget : search_tuning.budget, NULL, NULL);
   search->lost = state == QN_OUTCOME_NOT_CONVERGED && !exact;
   if (search->lost)
-    state = qn_collapse_alternate (c, fmax (tolerance, search_tuning.gap), budget,
-                                   go_on_search, search);
-  qn_limit_take_effort (c, &search->interval->solution.effort);
-  search->cancelled = state == QN_OUTCOME_CANCELLED;
+    state = qn_collapse_alternate (c, fmax (tolerance, search_tuning.gap), budget);
   search->gives = 0;
   *found = false;
   if (state != QN_OUTCOME_COLLAPSE)
@@ -243,19 +225,19 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
 static QnStatus
 seek_all (Search *search, QnDiag *diag)
 {
-  const QnStatistics *effort = &search->interval->solution.effort;
+  const QnCollapse *c = &search->limit.engine;
   double compliance = fmin (search_tuning.softest,
                             search_tuning.compliance
                               / (search->limit.ip.row_count / (double) QN_DOF_COUNT));
-  int32_t before = effort->factorizations;
+  int32_t before = c->effort.factorizations;
   bool found = false, once = search->known < INFINITY;
   QnStatus status = QN_OK;
   Start start = search->elastic ? FORCES : REST, next = search->elastic ? REST : GO_ON;
   int left = once ? 1 : 2, stiffenings = search_tuning.stiffenings;
 
-  while (left > 0 && !found && !status && !search->cancelled) {
+  while (left > 0 && !found && !status && !c->cancelled) {
     status = seek (search, start, compliance, search_tuning.turns, &found, diag);
-    if (search->lost && search->gives == 0 && !status && !search->cancelled) {
+    if (search->lost && search->gives == 0 && !status && !c->cancelled) {
       search->lost = false;
       status = seek (search, GO_ON, compliance, search_tuning.turns, &found, diag);
     }
@@ -270,9 +252,9 @@ seek_all (Search *search, QnDiag *diag)
     start = REST;
   }
   bool at_once = true;
-  while (search->count > 0 && !search->elastic && !status && !search->cancelled
+  while (search->count > 0 && !search->elastic && !status && !c->cancelled
          && is_of_interest (search, find_least (search))) {
-    int32_t spent = effort->factorizations - before;
+    int32_t spent = c->effort.factorizations - before;
     bool still = stands_still (search, find_least (search)), lost = search->lost;
     if ((spent >= search_tuning.more / 2 && (still || !at_once || !lost))
         || (still && (!at_once || once)))
@@ -293,27 +275,28 @@ seek_all (Search *search, QnDiag *diag)
 static void
 conclude (Search *search)
 {
-  QnLimitInterval *interval = search->interval;
-  QnLimitSolution *solution = &interval->solution;
+  QnLimitSolution *solution = search->solution;
+  bool cancelled = search->limit.engine.cancelled;
 
-  solution->outcome = search->cancelled ? QN_OUTCOME_CANCELLED : QN_OUTCOME_NOT_CONVERGED;
-  if (search->cancelled || search->count == 0
-      || !is_of_interest (search, find_least (search)))
+  solution->effort = search->limit.engine.effort;
+  solution->outcome = cancelled ? QN_OUTCOME_CANCELLED : QN_OUTCOME_NOT_CONVERGED;
+  solution->count = 0;
+  if (cancelled || search->count == 0 || !is_of_interest (search, find_least (search)))
     return;
-  Collapse *least = &search->found[find_least (search) - search->found];
+  Collapse *least = find_least (search);
   double *forces = solution->forces, *velocities = solution->velocities;
   solution->forces = least->forces;
   solution->velocities = least->velocities;
   least->forces = forces;
   least->velocities = velocities;
-  solution->lower_bound = solution->upper_bound = interval->lowest = least->multiplier;
-  interval->uncertainty = fabs (least->growth) + least->gap;
-  interval->highest = -INFINITY;
+  solution->lower_bound = least->multiplier;
+  solution->upper_bound = -INFINITY;
+  solution->uncertainty = fabs (least->growth) + least->gap;
   for (int32_t i = 0; i < search->count; i++) {
-    interval->multipliers[i] = search->found[i].multiplier;
-    interval->highest = fmax (interval->highest, interval->multipliers[i]);
+    solution->multipliers[i] = search->found[i].multiplier;
+    solution->upper_bound = fmax (solution->upper_bound, solution->multipliers[i]);
   }
-  interval->count = search->count;
+  solution->count = search->count;
   /* Below zero the mechanism moves on without live load. */
   solution->outcome =
     least->multiplier < 0 ? QN_OUTCOME_DEAD_LOAD_UNSTABLE : QN_OUTCOME_COLLAPSE;
@@ -322,7 +305,6 @@ conclude (Search *search)
 static void
 search_clear (Search *search)
 {
-  qn_collapse_clear (&search->collapse);
   qn_limit_problem_clear (&search->limit);
   free (search->forces);
   for (int32_t i = 0; i < QN_LIMIT_STARTS; i++) {
@@ -331,9 +313,11 @@ search_clear (Search *search)
   }
 }
 
-/* `forces` of pairs and then ties, at a multiplier: what a collapse is sought from; NULL: from rest. */
+/* From the effort of the solution on. `forces` of pairs and then ties, at a multiplier: what a collapse is sought
+ * from; NULL: from rest. */
 static QnStatus
-search_init (Search *search, const double *forces, double multiplier, QnDiag *diag)
+search_init (Search *search, const double *forces, double multiplier,
+             QnProgressFunc progress, void *user_data, QnDiag *diag)
 {
   QnLimitProblem *limit = &search->limit;
   QnStatus status =
@@ -348,43 +332,33 @@ search_init (Search *search, const double *forces, double multiplier, QnDiag *di
   for (int32_t i = 0; i < count; i++)
     search->forces[i] = forces[2 * limit->cell_pairs[i / 2] + i % 2] / limit->force_unit;
   search->multiplier = multiplier / qn_limit_problem_multiplier (limit, 1);
-  status = qn_collapse_init (&search->collapse, &limit->ip, diag);
-  search->collapse.holds_flows = !search->elastic;
-  return status;
-}
-
-void
-qn_limit_interval_clear (QnLimitInterval *interval)
-{
-  qn_limit_solution_clear (&interval->solution);
-  *interval = (QnLimitInterval){ 0 };
+  limit->engine.holds_flows = !search->elastic;
+  limit->engine.effort = search->solution->effort;
+  limit->engine.progress = progress;
+  limit->engine.user_data = user_data;
+  return QN_OK;
 }
 
 QnStatus
 qn_limit_non_associative (const QnModel *model, const QnContacts *contacts, double known,
                           QnProgressFunc progress, void *user_data,
-                          QnLimitInterval *interval, QnDiag *diag)
+                          QnLimitSolution *solution, QnDiag *diag)
 {
-  Search search = { .model = model,
-                    .contacts = contacts,
-                    .known = known,
-                    .interval = interval,
-                    .progress = progress,
-                    .user_data = user_data };
+  Search search = {
+    .model = model, .contacts = contacts, .known = known, .solution = solution
+  };
+  QnStatus status =
+    qn_limit_associative (model, contacts, progress, user_data, solution, diag);
 
-  *interval = (QnLimitInterval){ 0 };
-  QnStatus status = qn_limit_associative (model, contacts, progress, user_data,
-                                          &interval->solution, diag);
-  if (status || interval->solution.outcome != QN_OUTCOME_COLLAPSE)
+  if (status || solution->outcome != QN_OUTCOME_COLLAPSE)
     return status;
-  interval->associative = interval->solution.upper_bound;
-  status = search_init (&search, NULL, 0, diag);
+  status = search_init (&search, NULL, 0, progress, user_data, diag);
   if (!status)
     status = seek_all (&search, diag);
   conclude (&search);
   search_clear (&search);
   if (status)
-    qn_limit_interval_clear (interval);
+    qn_limit_solution_clear (solution);
   return status;
 }
 
@@ -393,16 +367,14 @@ qn_limit_go_on (const QnModel *model, const QnContacts *contacts, const double *
                 double multiplier, QnProgressFunc progress, void *user_data,
                 QnLimitSolution *solution)
 {
-  QnLimitInterval interval = { .associative = INFINITY,
-                               .solution.effort = solution->effort };
   Search search = { .model = model,
                     .contacts = contacts,
                     .elastic = true,
                     .known = INFINITY,
-                    .interval = &interval,
-                    .progress = progress,
-                    .user_data = user_data };
-  QnStatus status = search_init (&search, forces, multiplier, NULL);
+                    .solution = solution };
+
+  *solution = (QnLimitSolution){ .associative = INFINITY, .effort = solution->effort };
+  QnStatus status = search_init (&search, forces, multiplier, progress, user_data, NULL);
 
   for (size_t p = 0; p < contacts->pair_count; p++) {
     QnPairSprings springs = qn_contacts_pair_springs (model, contacts, p);
@@ -413,7 +385,6 @@ qn_limit_go_on (const QnModel *model, const QnContacts *contacts, const double *
   if (!status)
     status = seek_all (&search, NULL);
   conclude (&search);
-  *solution = interval.solution;
   search_clear (&search);
   if (status)
     qn_limit_solution_clear (solution);
@@ -425,8 +396,7 @@ qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
                          const QnPairResult *pairs, double multiplier,
                          QnProgressFunc progress, void *user_data, double **velocities)
 {
-  QnLimitSolution solution = { 0 };
-  QnCollapse engine = { 0 };
+  QnLimitSolution solution;
   QnLimitProblem limit;
   QnStatus status = qn_limit_problem_init (&limit, model, contacts, true, NULL);
 
@@ -434,21 +404,20 @@ qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
   if (status)
     return status;
   for (int32_t c = 0; c < limit.ip.cell_count; c++) {
-    const QnIpCell *cell = &limit.cells[c];
+    const QnIpCell *cell = &limit.ip.cells[c];
     if ((size_t) limit.cell_pairs[c] >= contacts->pair_count)
       continue; /* ties flow as they are strong */
     double normal = pairs[limit.cell_pairs[c]].normal_force / limit.force_unit;
     for (int32_t i = 0; i < cell->bound_count; i++) {
-      QnIpBound *bound = &limit.bounds[cell->first_bound + i];
+      QnIpBound *bound = &limit.ip.bounds[cell->first_bound + i];
       double slope = bound->opening + LEAST_SLOPE * (bound->normal - bound->opening);
       bound->limit += (slope - bound->normal) * normal;
       bound->normal = bound->opening = slope;
     }
   }
-  status = qn_collapse_init (&engine, &limit.ip, NULL);
-  if (!status)
-    status =
-      qn_limit_solve (&limit, &engine, false, progress, user_data, &solution, NULL);
+  limit.engine.progress = progress;
+  limit.engine.user_data = user_data;
+  status = qn_limit_solve (&limit, false, &solution, NULL);
   if (!status && solution.outcome == QN_OUTCOME_COLLAPSE
       && solution.lower_bound - multiplier
            <= MECHANISM_GAP * fabs (solution.lower_bound)) {
@@ -456,7 +425,6 @@ qn_limit_find_mechanism (const QnModel *model, const QnContacts *contacts,
     solution.velocities = NULL;
   }
   qn_limit_solution_clear (&solution);
-  qn_collapse_clear (&engine);
   qn_limit_problem_clear (&limit);
   return status;
 }

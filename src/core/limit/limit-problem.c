@@ -5,83 +5,48 @@
 /* Scaled mass of a block without weight. */
 #define LEAST_MASS 1e-3
 
-/* A pair has two springs, one on each block's side. */
-enum { MOST_CONES = 2 * QN_STRENGTH_ROWS, MOST_BOUNDS = 2 * MOST_CONES + 2 };
+/* Two springs, on one block's side each, with rows that limit shear both ways; tension and compression. */
+enum { MOST_BOUNDS = 4 * QN_STRENGTH_ROWS + 2 };
 
-/* What the springs of a pair allow together. */
-typedef struct Strength {
-  QnStrengthRow cones[MOST_CONES]; /* the rows that limit shear */
-  int cone_count;
-  double tension,
-    compression; /* largest normal forces, INFINITY where there is no limit */
-} Strength;
-
-/* The apex of a cone bounds tension as a cut-off does. */
 static void
-restrict_by_spring (Strength *strength, const QnSpring *spring)
+write_bound (QnIpProblem *ip, double normal, double shear, double limit, double opening)
 {
-  QnStrengthRow rows[QN_STRENGTH_ROWS];
-  int count = qn_spring_rigid_strength (spring, rows);
-
-  for (const QnStrengthRow *row = rows; row < rows + count; row++) {
-    if (row->shear > 0) {
-      strength->cones[strength->cone_count++] = *row;
-    } else if (row->normal > 0) {
-      strength->tension = fmin (strength->tension, row->limit);
-    } else {
-      strength->compression = fmin (strength->compression, row->limit);
-    }
-  }
+  ip->bounds[ip->bound_count++] = (QnIpBound){ normal, shear, limit, opening };
 }
 
-/* All rows of both springs, but those of one law once. */
-static Strength
-pair_strength (const QnModel *model, const QnContacts *contacts, QnId pair)
+/* What the springs of a pair allow together. The apex of a cone bounds tension as a cut-off does; where it
+ * implies the cut-off, this is a row all the same if it flows otherwise. */
+static void
+write_bounds (QnLimitProblem *limit, const QnPairSprings *springs, bool *no_shear)
 {
-  QnPairSprings springs = qn_contacts_pair_springs (model, contacts, (size_t) pair);
-  Strength strength = { .tension = INFINITY, .compression = INFINITY };
+  QnIpProblem *ip = &limit->ip;
+  QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
+  int count = qn_pair_rigid_strength (springs, rows);
+  double tension = INFINITY, compression = INFINITY;
 
-  restrict_by_spring (&strength, &springs.a);
-  if (!springs.equal)
-    restrict_by_spring (&strength, &springs.b);
-  return strength;
-}
-
-/* Writes the rows of a cell and returns their number. Where the apex of a cone implies the cut-off, this is
- * a row all the same if it flows otherwise. */
-static int32_t
-write_bounds (const QnLimitProblem *limit, const Strength *strength, QnIpCell *cell,
-              QnIpBound *bounds)
-{
-  int32_t count = 0;
-  bool cut_off = isfinite (strength->tension);
-
-  cell->no_shear = false;
-  for (int i = 0; i < strength->cone_count; i++) {
-    const QnStrengthRow *cone = &strength->cones[i];
-    double norm = hypot (cone->normal, 1.0);
-    double cohesion = cone->limit / limit->force_unit;
-
-    if (cone->normal == 0.0 && cone->limit == 0.0)
-      cell->no_shear = true;
-    if (!limit->own_flow && cone->normal > 0.0
-        && cone->limit <= cone->normal * strength->tension)
+  *no_shear = false;
+  for (const QnStrengthRow *row = rows; row < rows + count; row++)
+    if (row->shear > 0)
+      *no_shear |= row->normal == 0.0 && row->limit == 0.0;
+    else if (row->normal > 0)
+      tension = fmin (tension, row->limit);
+    else
+      compression = fmin (compression, row->limit);
+  bool cut_off = *no_shear || isfinite (tension);
+  for (const QnStrengthRow *cone = rows; cone < rows + count && !*no_shear; cone++) {
+    double norm = hypot (cone->normal, 1.0), cohesion = cone->limit / limit->force_unit;
+    if (cone->shear <= 0)
+      continue;
+    if (!limit->own_flow && cone->normal > 0.0 && cone->limit <= cone->normal * tension)
       cut_off = false;
     for (int sign = -1; sign <= 1; sign += 2)
-      bounds[count++] =
-        (QnIpBound){ cone->normal / norm, sign / norm, cohesion / norm,
-                     (limit->own_flow ? cone->opening : cone->normal) / norm };
-  }
-  if (cell->no_shear) {
-    count = 0;
-    cut_off = true;
+      write_bound (ip, cone->normal / norm, sign / norm, cohesion / norm,
+                   (limit->own_flow ? cone->opening : cone->normal) / norm);
   }
   if (cut_off)
-    bounds[count++] = (QnIpBound){ 1.0, 0.0, strength->tension / limit->force_unit, 1.0 };
-  if (isfinite (strength->compression))
-    bounds[count++] =
-      (QnIpBound){ -1.0, 0.0, strength->compression / limit->force_unit, -1.0 };
-  return count;
+    write_bound (ip, 1.0, 0.0, tension / limit->force_unit, 1.0);
+  if (isfinite (compression))
+    write_bound (ip, -1.0, 0.0, compression / limit->force_unit, -1.0);
 }
 
 /* Root mean square of the entries that are not zero, 0 if all are. */
@@ -118,8 +83,8 @@ scale_loads (QnLimitProblem *limit, const QnModel *model, double *dead, double *
     limit->force_unit = limit->load_unit;
   for (size_t i = 0; i < count && limit->load_unit > 0.0; i++)
     if (limit->rows[i] >= 0) {
-      limit->constant[limit->rows[i]] = dead[i] / limit->force_unit;
-      limit->load[limit->rows[i]] = live[i] / limit->load_unit;
+      limit->ip.constant[limit->rows[i]] = dead[i] / limit->force_unit;
+      limit->ip.load[limit->rows[i]] = live[i] / limit->load_unit;
     }
   return limit->load_unit > 0.0
            ? QN_OK
@@ -140,16 +105,37 @@ fill_masses (QnLimitProblem *limit, const QnModel *model)
   }
 }
 
-/* Resultant on block `id` of a unit force along `axis` at `point`, lengths scaled. */
+/* Resultant on block `id` (QN_NONE: the ground) of a unit force along `axis` at `point`, lengths scaled. */
 static void
-map_force (const QnModel *model, QnId id, QnVec2 point, QnVec2 axis, double sign,
-           double length_unit, int column, double (*map)[2])
+map_force (const QnLimitProblem *limit, const QnModel *model, QnId id, QnVec2 point,
+           QnVec2 axis, double sign, int column, double (*map)[2])
 {
+  if (id == QN_NONE)
+    return;
   QnVec2 arm = qn_vec2_sub (point, model->blocks[id].centroid);
 
   map[QN_DOF_UX][column] = sign * axis.x;
   map[QN_DOF_UY][column] = sign * axis.y;
-  map[QN_DOF_RZ][column] = sign * qn_vec2_cross (arm, axis) / length_unit;
+  map[QN_DOF_RZ][column] = sign * qn_vec2_cross (arm, axis) / limit->length_unit;
+}
+
+/* Begins a group between two blocks (QN_NONE: the ground), unless neither has a free degree of freedom. */
+static bool
+open_group (QnLimitProblem *limit, const QnId blocks[2], int32_t cell_count)
+{
+  QnIpProblem *ip = &limit->ip;
+  QnIpGroup *group = &ip->groups[ip->group_count];
+  bool free_row = false;
+
+  *group = (QnIpGroup){ .first_cell = ip->cell_count, .cell_count = cell_count };
+  for (int i = 0; i < QN_IP_GROUP_ROWS; i++) {
+    QnId block = blocks[i / QN_DOF_COUNT];
+    group->rows[i] =
+      block == QN_NONE ? -1 : limit->rows[block * QN_DOF_COUNT + i % QN_DOF_COUNT];
+    free_row |= group->rows[i] >= 0;
+  }
+  ip->group_count += free_row;
+  return free_row;
 }
 
 /* Groups, cells and bounds of all faces that touch a free degree of freedom. */
@@ -160,34 +146,23 @@ fill_faces (QnLimitProblem *limit, const QnModel *model, const QnContacts *conta
 
   for (size_t f = 0; f < contacts->face_count; f++) {
     const QnContactFace *face = &contacts->faces[f];
-    QnIpGroup group = { .first_cell = ip->cell_count, .cell_count = face->pair_count };
-    bool free_row = false;
+    const QnId blocks[2] = { face->a, face->b };
 
-    for (int d = 0; d < QN_DOF_COUNT; d++) {
-      group.rows[d] = limit->rows[face->a * QN_DOF_COUNT + d];
-      group.rows[QN_DOF_COUNT + d] = limit->rows[face->b * QN_DOF_COUNT + d];
-      free_row |= group.rows[d] >= 0 || group.rows[QN_DOF_COUNT + d] >= 0;
-    }
-    if (!free_row)
+    if (!open_group (limit, blocks, face->pair_count))
       continue;
-    limit->groups[ip->group_count++] = group;
     for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++) {
-      QnIpCell *cell = &limit->cells[ip->cell_count];
-      Strength strength = pair_strength (model, contacts, p);
-
+      QnIpCell *cell = &ip->cells[ip->cell_count];
+      QnPairSprings springs = qn_contacts_pair_springs (model, contacts, (size_t) p);
       QnVec2 point = contacts->pairs[p].point;
-      double (*on_b)[2] = cell->map + QN_DOF_COUNT;
 
-      map_force (model, face->a, point, face->normal, 1.0, limit->length_unit, 0,
-                 cell->map);
-      map_force (model, face->a, point, face->tangent, 1.0, limit->length_unit, 1,
-                 cell->map);
-      map_force (model, face->b, point, face->normal, -1.0, limit->length_unit, 0, on_b);
-      map_force (model, face->b, point, face->tangent, -1.0, limit->length_unit, 1, on_b);
+      for (int side = 0; side < 2; side++) {
+        double (*map)[2] = cell->map + QN_DOF_COUNT * side, sign = side == 0 ? 1.0 : -1.0;
+        map_force (limit, model, blocks[side], point, face->normal, sign, 0, map);
+        map_force (limit, model, blocks[side], point, face->tangent, sign, 1, map);
+      }
       cell->first_bound = ip->bound_count;
-      cell->bound_count =
-        write_bounds (limit, &strength, cell, limit->bounds + ip->bound_count);
-      ip->bound_count += cell->bound_count;
+      write_bounds (limit, &springs, &cell->no_shear);
+      cell->bound_count = ip->bound_count - cell->first_bound;
       limit->cell_pairs[ip->cell_count++] = p;
     }
   }
@@ -201,33 +176,23 @@ fill_ties (QnLimitProblem *limit, const QnModel *model, const QnContacts *contac
 
   for (size_t i = 0; i < qn_model_tie_count (model); i++) {
     const QnTie *tie = qn_model_tie (model, i);
-    QnIpGroup group = { .first_cell = ip->cell_count, .cell_count = 1 };
-    QnIpCell cell = { .first_bound = ip->bound_count, .no_shear = true };
+    const QnId blocks[2] = { tie->ends[0].block, tie->ends[1].block };
+    QnIpCell *cell = &ip->cells[ip->cell_count];
     QnVec2 axis = qn_vec2_scale (1 / qn_tie_length (tie),
                                  qn_vec2_sub (tie->ends[1].at, tie->ends[0].at));
     double strength = qn_tie_strength (tie) / limit->force_unit;
-    bool free_row = false;
 
-    for (int end = 0; end < 2; end++) {
-      QnId block = tie->ends[end].block;
-      int32_t *rows = group.rows + QN_DOF_COUNT * end;
-      for (int d = 0; d < QN_DOF_COUNT; d++) {
-        rows[d] = block == QN_NONE ? -1 : limit->rows[block * QN_DOF_COUNT + d];
-        free_row |= rows[d] >= 0;
-      }
-      if (block != QN_NONE)
-        map_force (model, block, tie->ends[end].at, axis, end == 0 ? 1.0 : -1.0,
-                   limit->length_unit, 0, cell.map + QN_DOF_COUNT * end);
-    }
-    if (!free_row)
+    if (!open_group (limit, blocks, 1))
       continue;
-    limit->bounds[ip->bound_count++] = (QnIpBound){ -1.0, 0.0, 0.0, -1.0 };
+    *cell = (QnIpCell){ .first_bound = ip->bound_count, .no_shear = true };
+    for (int end = 0; end < 2; end++)
+      map_force (limit, model, blocks[end], tie->ends[end].at, axis,
+                 end == 0 ? 1.0 : -1.0, 0, cell->map + QN_DOF_COUNT * end);
+    write_bound (ip, -1.0, 0.0, 0.0, -1.0);
     if (isfinite (strength))
-      limit->bounds[ip->bound_count++] = (QnIpBound){ 1.0, 0.0, strength, 1.0 };
-    cell.bound_count = ip->bound_count - cell.first_bound;
-    limit->groups[ip->group_count++] = group;
-    limit->cell_pairs[ip->cell_count] = (QnId) (contacts->pair_count + i);
-    limit->cells[ip->cell_count++] = cell;
+      write_bound (ip, 1.0, 0.0, strength, 1.0);
+    cell->bound_count = ip->bound_count - cell->first_bound;
+    limit->cell_pairs[ip->cell_count++] = (QnId) (contacts->pair_count + i);
   }
 }
 
@@ -263,25 +228,24 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
     .length_unit = model->characteristic_length,
     .own_flow = own_flow,
   };
+  QnIpProblem *ip = &limit->ip;
   QnPool *pool = &limit->pool;
   size_t dofs = model->block_count * QN_DOF_COUNT;
   limit->rows = qn_pool_alloc (pool, dofs, sizeof *limit->rows);
   limit->mass = qn_pool_alloc (pool, dofs, sizeof *limit->mass);
-  limit->constant = qn_pool_alloc (pool, dofs, sizeof *limit->constant);
-  limit->load = qn_pool_alloc (pool, dofs, sizeof *limit->load);
-  limit->groups = qn_pool_alloc (pool, contacts->face_count + qn_model_tie_count (model),
-                                 sizeof *limit->groups);
-  limit->cells = qn_pool_alloc (pool, limit->pair_count, sizeof *limit->cells);
   limit->cell_pairs = qn_pool_alloc (pool, limit->pair_count, sizeof *limit->cell_pairs);
-  limit->bounds =
-    qn_pool_alloc (pool, limit->pair_count * MOST_BOUNDS, sizeof *limit->bounds);
+  ip->constant = qn_pool_alloc (pool, dofs, sizeof *ip->constant);
+  ip->load = qn_pool_alloc (pool, dofs, sizeof *ip->load);
+  ip->groups = qn_pool_alloc (pool, contacts->face_count + qn_model_tie_count (model),
+                              sizeof *ip->groups);
+  ip->cells = qn_pool_alloc (pool, limit->pair_count, sizeof *ip->cells);
+  ip->bounds = qn_pool_alloc (pool, limit->pair_count * MOST_BOUNDS, sizeof *ip->bounds);
   double *dead = qn_pool_alloc (pool, dofs, sizeof *dead),
          *live = qn_pool_alloc (pool, dofs, sizeof *live);
   for (size_t i = 0; !pool->failed && i < dofs; i++)
-    limit->rows[i] = model->blocks[i / QN_DOF_COUNT].support[i % QN_DOF_COUNT]
-                       ? -1
-                       : limit->ip.row_count++;
-  limit->ip.workers = model->analysis.workers;
+    limit->rows[i] =
+      model->blocks[i / QN_DOF_COUNT].support[i % QN_DOF_COUNT] ? -1 : ip->row_count++;
+  ip->workers = model->analysis.workers;
   status = pool->failed ? qn_diag_no_memory (diag)
                         : scale_loads (limit, model, dead, live, diag);
   if (status) {
@@ -291,19 +255,18 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
   fill_masses (limit, model);
   fill_faces (limit, model, contacts);
   fill_ties (limit, model, contacts);
-  limit->ip.groups = limit->groups;
-  limit->ip.cells = limit->cells;
-  limit->ip.bounds = limit->bounds;
-  limit->ip.constant = limit->constant;
-  limit->ip.load = limit->load;
-  for (int32_t r = 0; r < limit->ip.row_count; r++)
-    limit->ip.load_gain += fabs (limit->load[r]);
-  return QN_OK;
+  for (int32_t r = 0; r < ip->row_count; r++)
+    ip->load_gain += fabs (ip->load[r]);
+  status = qn_collapse_init (&limit->engine, ip, diag);
+  if (status)
+    qn_limit_problem_clear (limit);
+  return status;
 }
 
 void
 qn_limit_problem_clear (QnLimitProblem *limit)
 {
+  qn_collapse_clear (&limit->engine);
   qn_pool_clear (&limit->pool);
   *limit = (QnLimitProblem){ 0 };
 }

@@ -12,18 +12,15 @@
 #pragma once
 
 #include "core/contact/contacts.h"
-#include "core/equilibrium/interior-point.h"
+#include "core/limit/collapse.h"
 
 typedef struct QnLimitProblem {
-  QnIpProblem ip; /* views of the arrays below */
-  QnPool pool;    /* of those */
-  QnIpGroup *groups;
-  QnIpCell *cells;
-  QnIpBound *bounds;
-  double *constant, *load;
-  QnId *cell_pairs; /* contact pair of every cell; ties count on behind the pairs */
-  int32_t *rows;    /* block_count x 3: equilibrium row, or -1 where supported */
-  double *mass;     /* block_count x 3: inertia of every degree of freedom, scaled; > 0 */
+  QnIpProblem ip;
+  QnCollapse engine; /* of it */
+  QnPool pool;       /* of all arrays */
+  QnId *cell_pairs;  /* contact pair of every cell; ties count on behind the pairs */
+  int32_t *rows;     /* block_count x 3: equilibrium row, or -1 where supported */
+  double *mass; /* block_count x 3: inertia of every degree of freedom, scaled; > 0 */
   size_t block_count, pair_count; /* the ties with the pairs */
   bool own_flow;                  /* joints flow as their laws say; else associatively */
   double force_unit;              /* N */
@@ -31,8 +28,8 @@ typedef struct QnLimitProblem {
   double load_unit;               /* N; multiplier = lambda x force_unit / load_unit */
 } QnLimitProblem;
 
-/* `limit` is overwritten without being cleared. A model none of whose free blocks carries a
- * live load is refused (NO_LIVE_LOAD). */
+/* `limit` is overwritten without being cleared, and not to be moved. A model none of whose free blocks carries
+ * a live load is refused (NO_LIVE_LOAD). */
 QnStatus qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
                                 const QnContacts *contacts, bool own_flow, QnDiag *diag);
 

@@ -50,6 +50,12 @@ keep_solution (QnResult *result, const QnModel *model, const QnContacts *contact
     result->limit.given = true;
     result->limit.lower_bound = solution->lower_bound;
     result->limit.upper_bound = solution->upper_bound;
+    result->limit.uncertainty = solution->uncertainty;
+    for (int32_t i = 0; i < solution->count; i++)
+      qn_result_add_solution (result,
+                              (QnSolution){ .multiplier = solution->multipliers[i],
+                                            .found_by = QN_PROCEDURE_LIMIT,
+                                            .displacement = NAN });
     double largest = qn_largest (solution->forces, 2 * contacts->pair_count);
     for (size_t p = 0; p < contacts->pair_count; p++) {
       const double *force = solution->forces + 2 * p;
@@ -89,63 +95,12 @@ keep_solution (QnResult *result, const QnModel *model, const QnContacts *contact
   return status;
 }
 
-static void
-add_solution (QnResult *result, double multiplier)
-{
-  qn_result_add_solution (result, (QnSolution){ .multiplier = multiplier,
-                                                .found_by = QN_PROCEDURE_LIMIT,
-                                                .displacement = NAN });
-}
-
-static QnStatus
-run_associative (const QnModel *model, const QnContacts *contacts,
-                 QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
-{
-  QnLimitSolution solution;
-  QnStatus status =
-    qn_limit_associative (model, contacts, progress, user_data, &solution, diag);
-
-  if (!status)
-    status = keep_solution (result, model, contacts, &solution, diag);
-  if (!status && solution.outcome == QN_OUTCOME_COLLAPSE) {
-    add_solution (result, solution.lower_bound);
-    result->has_associative_bound = true;
-    result->associative_bound = solution.upper_bound;
-  }
-  qn_limit_solution_clear (&solution);
-  return status;
-}
-
-static QnStatus
-run_non_associative (const QnModel *model, const QnContacts *contacts, double known,
-                     QnProgressFunc progress, void *user_data, QnResult *result,
-                     QnDiag *diag)
-{
-  QnLimitInterval interval;
-  QnStatus status = qn_limit_non_associative (model, contacts, known, progress, user_data,
-                                              &interval, diag);
-
-  if (status)
-    return status;
-  status = keep_solution (result, model, contacts, &interval.solution, diag);
-  result->has_associative_bound = interval.associative > 0;
-  result->associative_bound = interval.associative;
-  if (interval.solution.outcome == QN_OUTCOME_COLLAPSE) {
-    result->limit.lower_bound = interval.lowest;
-    result->limit.upper_bound = interval.highest;
-    result->limit.uncertainty = interval.uncertainty;
-    for (int32_t i = 0; i < interval.count; i++)
-      add_solution (result, interval.multipliers[i]);
-  }
-  qn_limit_interval_clear (&interval);
-  return status;
-}
-
 QnStatus
 qn_limit_run (const QnModel *model, const QnContacts *contacts, double known,
               QnProgressFunc progress, void *user_data, QnResult *result, QnDiag *diag)
 {
   double start = qn_clock_seconds ();
+  QnLimitSolution solution = { 0 };
   QnStatus status =
     qn_result_init (result, model->block_count, contacts->pair_count, diag);
 
@@ -153,8 +108,15 @@ qn_limit_run (const QnModel *model, const QnContacts *contacts, double known,
   if (!status)
     status =
       model->analysis.flow == QN_FLOW_ASSOCIATIVE
-        ? run_associative (model, contacts, progress, user_data, result, diag)
-        : run_non_associative (model, contacts, known, progress, user_data, result, diag);
+        ? qn_limit_associative (model, contacts, progress, user_data, &solution, diag)
+        : qn_limit_non_associative (model, contacts, known, progress, user_data,
+                                    &solution, diag);
+  if (!status)
+    status = keep_solution (result, model, contacts, &solution, diag);
+  result->has_associative_bound =
+    solution.outcome == QN_OUTCOME_COLLAPSE || solution.associative > 0;
+  result->associative_bound = solution.associative;
+  qn_limit_solution_clear (&solution);
   result->statistics.seconds = qn_clock_seconds () - start;
   if (status)
     qn_result_clear (result);

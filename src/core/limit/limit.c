@@ -22,27 +22,15 @@ static const struct {
   .fall = 1e-9,
 };
 
-/* Forces in equilibrium. */
-typedef struct Forces {
-  double *y; /* cell_count x 2 */
-  double lambda;
-  double residual; /* largest out-of-balance */
-  double slack;    /* smallest strength that is left */
-} Forces;
-
 typedef struct LimitRun {
   QnLimitProblem *limit;
-  QnCollapse *engine;
-  QnProgressFunc progress;
-  void *user_data;
   QnLimitSolution *solution;
-  Forces last;   /* nearest to the last iterate */
-  Forces inside; /* within the strength, of the largest multiplier yet, or -INFINITY */
-  double *rates; /* cell_count x 2 */
+  /* Nearest to the last iterate, and within the strength at the largest multiplier yet, or -INFINITY. */
+  QnCollapseForces last, inside;
+  double *rates;       /* cell_count x 2 */
   double lower, upper; /* bounds, scaled */
   bool stands; /* forces within the strength carry the dead load, or it is not asked */
   bool dead_only;
-  bool cancelled;
 } LimitRun;
 
 void
@@ -58,8 +46,7 @@ static void
 take_forces (LimitRun *run, bool fixed, double lambda)
 {
   run->last.lambda = lambda;
-  qn_collapse_project (run->engine, fixed, &run->last.lambda, run->last.y,
-                       &run->last.residual, &run->last.slack);
+  qn_collapse_project (&run->limit->engine, fixed, &run->last);
 }
 
 /* Whether the iterate, moved into equilibrium, is within the strength: at multiplier 0 as long as
@@ -67,8 +54,8 @@ take_forces (LimitRun *run, bool fixed, double lambda)
 static void
 look_inside (LimitRun *run)
 {
-  QnCollapse *engine = run->engine;
-  Forces *last = &run->last, swap;
+  const QnCollapse *engine = &run->limit->engine;
+  QnCollapseForces *last = &run->last, swap;
   bool near = engine->ip.power <= limit_tuning.near * run->limit->ip.load_gain;
 
   if (run->stands && !near)
@@ -84,58 +71,23 @@ look_inside (LimitRun *run)
   *last = swap;
 }
 
-bool
-qn_limit_count_iteration (const QnCollapse *engine, QnProgressFunc progress,
-                          void *user_data, QnStatistics *effort)
-{
-  const QnProgress report = {
-    .iterations = ++effort->iterations,
-    .factorizations = effort->factorizations + engine->kkt.factorizations,
-    .rigid = true,
-  };
-
-  return progress == NULL || progress (&report, user_data);
-}
-
-/* False when the analysis is to be cancelled. */
 static bool
-go_on_limit (void *data)
-{
-  LimitRun *run = data;
-
-  run->cancelled = !qn_limit_count_iteration (run->engine, run->progress, run->user_data,
-                                              &run->solution->effort);
-  return !run->cancelled;
-}
-
-static bool
-follow_on (void *data)
+is_enough (void *data)
 {
   LimitRun *run = data;
 
   look_inside (run);
-  return go_on_limit (run) && !(run->dead_only && run->stands);
-}
-
-void
-qn_limit_take_effort (QnCollapse *engine, QnStatistics *effort)
-{
-  effort->factorizations += engine->kkt.factorizations;
-  effort->factor_seconds += engine->kkt.seconds;
-  engine->kkt.factorizations = 0;
-  engine->kkt.seconds = 0;
+  return run->dead_only && run->stands;
 }
 
 static QnOutcome
 follow_program (LimitRun *run, double least)
 {
-  QnCollapse *engine = run->engine;
+  QnCollapse *engine = &run->limit->engine;
 
   engine->least_multiplier = least;
-  QnOutcome state =
-    qn_collapse_follow (engine, QN_LIMIT_TOLERANCE, QN_COLLAPSE_BUDGET, follow_on, run);
-  qn_limit_take_effort (engine, &run->solution->effort);
-  return state;
+  return qn_collapse_follow (engine, QN_LIMIT_TOLERANCE, QN_COLLAPSE_BUDGET, is_enough,
+                             run);
 }
 
 /* The program of the dead load alone; its forces are not needed once some are inside the strength. */
@@ -148,7 +100,7 @@ follow_dead_load (LimitRun *run)
   p->load = NULL;
   p->load_gain = 0;
   run->dead_only = true;
-  qn_collapse_start_elastic (run->engine);
+  qn_collapse_start_elastic (&run->limit->engine);
   QnOutcome state = follow_program (run, 1);
   *p = whole;
   return state;
@@ -163,8 +115,8 @@ follow_dead_load (LimitRun *run)
 static QnStatus
 find_fall (LimitRun *run, bool *falls, QnDiag *diag)
 {
-  const QnLimitProblem *limit = run->limit;
-  QnCollapse engine = { 0 };
+  QnLimitProblem *limit = run->limit;
+  QnCollapse *whole = &limit->engine, engine = { 0 };
   QnIpProblem fall = limit->ip;
   size_t blocks = limit->block_count, group_count = (size_t) fall.group_count,
          cell_count = (size_t) fall.cell_count;
@@ -204,16 +156,20 @@ find_fall (LimitRun *run, bool *falls, QnDiag *diag)
   fall.load_gain = 0.0;
   QnStatus status = qn_collapse_init (&engine, &fall, diag);
   if (!status) {
-    double *v = run->engine->ip.at.v;
+    double *v = whole->ip.at.v;
+    engine.progress = whole->progress;
+    engine.user_data = whole->user_data;
+    engine.effort = whole->effort;
     qn_collapse_start_elastic (&engine);
-    if (qn_collapse_follow (&engine, limit_tuning.fall, QN_COLLAPSE_BUDGET, go_on_limit,
-                            run)
+    if (qn_collapse_follow (&engine, limit_tuning.fall, QN_COLLAPSE_BUDGET, NULL, NULL)
         == QN_OUTCOME_COLLAPSE) {
       memcpy (v, engine.ip.at.v, (size_t) limit->ip.row_count * sizeof *v);
       *falls |= qn_collapse_proves_infeasible (&engine, &limit->ip);
     }
     if (*falls)
       qn_limit_problem_velocities (limit, v, run->solution->velocities);
+    whole->effort.iterations = engine.effort.iterations;
+    whole->cancelled = engine.cancelled;
   }
   qn_collapse_clear (&engine);
   qn_pool_clear (&pool);
@@ -294,10 +250,10 @@ upper_bound (const QnLimitProblem *limit, double *v, const double *y, double *ra
 static void
 take_optimum (LimitRun *run)
 {
-  QnCollapse *engine = run->engine;
+  QnCollapse *engine = &run->limit->engine;
   QnLimitSolution *solution = run->solution;
   QnLimitCheck check;
-  const Forces *proof = &run->inside;
+  const QnCollapseForces *proof = &run->inside;
   double upper =
     upper_bound (run->limit, engine->ip.at.v, engine->ip.at.y, run->rates, &check);
 
@@ -328,8 +284,8 @@ solve (LimitRun *run, QnDiag *diag)
 {
   QnLimitSolution *solution = run->solution;
   QnLimitCheck *check = &solution->check;
-  const QnLimitProblem *limit = run->limit;
-  QnCollapse *engine = run->engine;
+  QnLimitProblem *limit = run->limit;
+  QnCollapse *engine = &limit->engine;
   QnOutcome state, dead = QN_OUTCOME_COLLAPSE;
   QnStatus status = QN_OK;
 
@@ -350,14 +306,14 @@ solve (LimitRun *run, QnDiag *diag)
     falls =
       !run->stands && state == QN_OUTCOME_COLLAPSE && run->upper < -QN_LIMIT_TOLERANCE;
   }
-  if (!run->stands && !falls && !run->cancelled)
+  if (!run->stands && !falls && !engine->cancelled)
     dead = follow_dead_load (run);
   falls |= dead == QN_OUTCOME_DEAD_LOAD_UNSTABLE;
   if (falls || dead == QN_OUTCOME_NOT_CONVERGED)
     status = find_fall (run, &falls, diag);
-  if (run->cancelled || falls || status) {
+  if (engine->cancelled || falls || status) {
     solution->outcome =
-      run->cancelled ? QN_OUTCOME_CANCELLED : QN_OUTCOME_DEAD_LOAD_UNSTABLE;
+      engine->cancelled ? QN_OUTCOME_CANCELLED : QN_OUTCOME_DEAD_LOAD_UNSTABLE;
     return status;
   }
   if (state == QN_OUTCOME_UNBOUNDED) {
@@ -377,16 +333,12 @@ solve (LimitRun *run, QnDiag *diag)
 }
 
 QnStatus
-qn_limit_solve (QnLimitProblem *limit, QnCollapse *engine, bool from_dead_load,
-                QnProgressFunc progress, void *user_data, QnLimitSolution *solution,
+qn_limit_solve (QnLimitProblem *limit, bool from_dead_load, QnLimitSolution *solution,
                 QnDiag *diag)
 {
   size_t count = 2 * (size_t) limit->ip.cell_count;
   QnPool pool = { 0 };
   LimitRun run = { .limit = limit,
-                   .engine = engine,
-                   .progress = progress,
-                   .user_data = user_data,
                    .solution = solution,
                    .last.y = qn_pool_alloc (&pool, count, sizeof (double)),
                    .inside = { .lambda = -INFINITY },
@@ -403,6 +355,7 @@ qn_limit_solve (QnLimitProblem *limit, QnCollapse *engine, bool from_dead_load,
   QnStatus status = pool.failed || !solution->forces || !solution->velocities
                       ? qn_diag_no_memory (diag)
                       : solve (&run, diag);
+  solution->effort = limit->engine.effort;
   qn_pool_clear (&pool);
   if (status)
     qn_limit_solution_clear (solution);
@@ -415,16 +368,18 @@ qn_limit_associative (const QnModel *model, const QnContacts *contacts,
                       QnDiag *diag)
 {
   QnLimitProblem limit;
-  QnCollapse engine;
   QnStatus status = qn_limit_problem_init (&limit, model, contacts, false, diag);
 
   *solution = (QnLimitSolution){ 0 };
   if (status)
     return status;
-  status = qn_collapse_init (&engine, &limit.ip, diag);
-  if (!status)
-    status = qn_limit_solve (&limit, &engine, true, progress, user_data, solution, diag);
-  qn_collapse_clear (&engine);
+  limit.engine.progress = progress;
+  limit.engine.user_data = user_data;
+  status = qn_limit_solve (&limit, true, solution, diag);
+  if (!status && solution->outcome == QN_OUTCOME_COLLAPSE) {
+    solution->associative = solution->upper_bound;
+    solution->multipliers[solution->count++] = solution->lower_bound;
+  }
   qn_limit_problem_clear (&limit);
   return status;
 }

@@ -27,8 +27,6 @@
  */
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/limit/collapse.h"
 #include "core/limit/limit-problem.h"
 #include "core/result/result.h"
 
@@ -40,10 +38,18 @@ typedef struct QnLimitCheck {
   double gap;                 /* (upper - lower) / (1 + |upper|) in scaled multipliers */
 } QnLimitCheck;
 
+/* Most collapses that one analysis tells. */
+#define QN_LIMIT_STARTS 4
+
 typedef struct QnLimitSolution {
   QnOutcome outcome;  /* COLLAPSE, ~_UNSTABLE, UNBOUNDED, CANCELLED, NOT_CONVERGED */
   double lower_bound; /* COLLAPSE: carried by `forces`; UNBOUNDED: INFINITY */
-  double upper_bound; /* COLLAPSE: proved by `velocities` */
+  double upper_bound; /* COLLAPSE: proved by `velocities`, or the largest collapse */
+  double associative; /* upper bound of the associative program; 0: none */
+  double multipliers[QN_LIMIT_STARTS]; /* of collapses, as they were found */
+  int32_t count;
+  /* By so much stiffer joints, and forces and motion that agree better, may change the lower bound. */
+  double uncertainty;
   /* A row for every pair and then tie: normal and shear force, N, as in QnPairResult; UNBOUNDED: the growth
    * of the forces per unit of the multiplier. */
   double *forces;
@@ -56,13 +62,6 @@ typedef struct QnLimitSolution {
 
 void qn_limit_solution_clear (QnLimitSolution *solution);
 
-/* Counts an iteration of an engine, and reports it; false when the analysis is to be cancelled. */
-bool qn_limit_count_iteration (const QnCollapse *engine, QnProgressFunc progress,
-                               void *user_data, QnStatistics *effort);
-
-/* Moves the counters of an engine to `effort`. */
-void qn_limit_take_effort (QnCollapse *engine, QnStatistics *effort);
-
 /* Accuracy of the program. The bounds that are reported are proved afterwards, from forces put
  * into equilibrium and velocities summed up; they come out within 1e-6 of each other, most of them
  * within 1e-7. */
@@ -70,10 +69,8 @@ void qn_limit_take_effort (QnCollapse *engine, QnStatistics *effort);
 
 /* Solves the program as it stands, with certificates for every outcome. With `from_dead_load`,
  * DEAD_LOAD_UNSTABLE is also the outcome where equilibrium exists under some live load but not
- * without. `engine` must have been initialised with &limit->ip. `solution` is overwritten without
- * being cleared. */
-QnStatus qn_limit_solve (QnLimitProblem *limit, QnCollapse *engine, bool from_dead_load,
-                         QnProgressFunc progress, void *user_data,
+ * without. `solution` is overwritten without being cleared. */
+QnStatus qn_limit_solve (QnLimitProblem *limit, bool from_dead_load,
                          QnLimitSolution *solution, QnDiag *diag);
 
 /* The associative limit analysis of a model from beginning to end. */
@@ -81,29 +78,14 @@ QnStatus qn_limit_associative (const QnModel *model, const QnContacts *contacts,
                                QnProgressFunc progress, void *user_data,
                                QnLimitSolution *solution, QnDiag *diag);
 
-/* Most collapses that one analysis tells. */
-#define QN_LIMIT_STARTS 4
-
-typedef struct QnLimitInterval {
-  double multipliers[QN_LIMIT_STARTS]; /* in the order in which they were found */
-  int32_t count;
-  double lowest, highest;
-  /* By so much stiffer joints, and forces and motion that agree better, may change the lowest. */
-  double uncertainty;
-  double associative;       /* upper bound of the associative program */
-  QnLimitSolution solution; /* that of the lowest collapse, and the effort of all */
-} QnLimitInterval;
-
 /* The collapses without associativity that are found directly (collapse.h), from rest, with joints so stiff
- * that the multiplier does not depend on them any more, by the model's multiplier tolerance. solution.outcome
- * is that of the associative program where this has no optimum; DEAD_LOAD_UNSTABLE where a mechanism goes on
- * without live load. Where `known` is finite (another collapse), only one that lies below it for certain is
- * sought, by one start. */
+ * that the multiplier does not depend on them any more, by the model's multiplier tolerance. The solution is the
+ * lowest, its upper bound the highest collapse; the outcome that of the associative program where this has no
+ * optimum, DEAD_LOAD_UNSTABLE where a mechanism goes on without live load. Where `known` is finite (another
+ * collapse), only one that lies below it for certain is sought, by one start. */
 QnStatus qn_limit_non_associative (const QnModel *model, const QnContacts *contacts,
                                    double known, QnProgressFunc progress, void *user_data,
-                                   QnLimitInterval *interval, QnDiag *diag);
-
-void qn_limit_interval_clear (QnLimitInterval *interval);
+                                   QnLimitSolution *solution, QnDiag *diag);
 
 /* The collapse to which elastic joints come that have these forces (pair_count x 2, N) at a multiplier now,
  * sought likewise. solution->velocities are displacements, m and rad, so large that the multiplier

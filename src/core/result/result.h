@@ -224,7 +224,7 @@ typedef struct QnLimitFigures {
   QnFlow flow;
   double lower_bound; /* associative: static value; non-associative: least fixed point */
   double upper_bound; /* associative: kinematic value; else greatest fixed point */
-  double uncertainty; /* of the least fixed point (QnLimitInterval); else 0 */
+  double uncertainty; /* of the least fixed point (QnLimitSolution); else 0 */
 } QnLimitFigures;
 
 /* Contact forces of all steps are kept up to this many pairs x steps (17 bytes each), or if the settings ask

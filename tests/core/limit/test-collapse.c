@@ -40,18 +40,11 @@ slider_init (Slider *slider, double friction, double cohesion)
   };
 }
 
-static bool
-go_on (void *data)
-{
-  (void) data;
-  return true;
-}
-
 static QnOutcome
 follow (QnCollapse *engine)
 {
   qn_collapse_start (engine, NULL, 0, 1, 1);
-  return qn_collapse_follow (engine, 1e-9, 100, go_on, NULL);
+  return qn_collapse_follow (engine, 1e-9, 100, NULL, NULL);
 }
 
 static QnOutcome
@@ -217,20 +210,21 @@ test_project (void)
 {
   Slider slider;
   QnCollapse engine;
-  double y[2], residual, slack, lambda = 0.5;
+  double y[2];
+  QnCollapseForces forces = { .y = y, .lambda = 0.5 };
 
   slider_init (&slider, 0.65, 0);
   g_assert_cmpint (qn_collapse_init (&engine, &slider.problem, NULL), ==, QN_OK);
   qn_collapse_start (&engine, NULL, 0, 1, 1);
-  g_assert_cmpint (qn_collapse_follow (&engine, 1e-9, 2, go_on, NULL), ==,
+  g_assert_cmpint (qn_collapse_follow (&engine, 1e-9, 2, NULL, NULL), ==,
                    QN_OUTCOME_NOT_CONVERGED);
-  qn_collapse_project (&engine, true, &lambda, y, &residual, &slack);
-  g_assert_cmpfloat (residual, <, 1e-12);
-  g_assert_cmpfloat (lambda, ==, 0.5);
-  g_assert_cmpfloat_with_epsilon (slack, 0.15, 1e-9);
-  lambda = 0.7;
-  qn_collapse_project (&engine, true, &lambda, y, &residual, &slack);
-  g_assert_cmpfloat_with_epsilon (slack, -0.05, 1e-9);
+  qn_collapse_project (&engine, true, &forces);
+  g_assert_cmpfloat (forces.residual, <, 1e-12);
+  g_assert_cmpfloat (forces.lambda, ==, 0.5);
+  g_assert_cmpfloat_with_epsilon (forces.slack, 0.15, 1e-9);
+  forces.lambda = 0.7;
+  qn_collapse_project (&engine, true, &forces);
+  g_assert_cmpfloat_with_epsilon (forces.slack, -0.05, 1e-9);
   qn_collapse_clear (&engine);
 }
 
