@@ -112,18 +112,6 @@ infer_supports (QnImportWork *work)
     supports);
 }
 
-/* The name that the drawing gives, or else one by number, whichever is free. */
-static char *
-dup_block_name (const QnModel *model, const char *wanted, guint number)
-{
-  char *name = wanted != NULL ? g_strdup (wanted) : g_strdup_printf ("b%u", number);
-  while (qn_model_find_block (model, name) != QN_NONE) {
-    g_free (name);
-    name = g_strdup_printf ("b%u", number++);
-  }
-  return name;
-}
-
 /* What the joints are: dry, or those between blocks and bodies of lime mortar as thick as the widest
  * gap. Each body has two faces with two springs in series: four times the stiffness of the layer.
  * Sources: docs/method/laws.md. */
@@ -148,7 +136,7 @@ fill_project (QnImportWork *work, QnProject *project)
   set_law (&model->laws[0], work);
   for (guint i = 0; i < work->outlines->len; i++) {
     const QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
-    g_autofree char *name = dup_block_name (model, outline->name, i + 1);
+    g_autofree char *name = g_strdup_printf ("b%u", i + 1);
     QnBlock *block =
       qn_model_add_block (model, name, outline->ring.points, outline->ring.count);
     if (block == NULL)

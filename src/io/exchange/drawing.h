@@ -23,7 +23,6 @@ typedef struct QnDrawingPath {
   gboolean support;  /* the file itself calls it a support */
   gboolean hidden;   /* on a layer that the file does not show */
   const char *layer; /* kept by the drawing */
-  const char *name;  /* likewise; NULL where the file has none */
   double density;    /* kg/m3; 0 where the file has none */
   double thickness;  /* in the drawing's unit; likewise */
   guint line;        /* of the file, from 1; 0 unknown */

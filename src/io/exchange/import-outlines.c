@@ -57,7 +57,6 @@ qn_import_sort_paths (QnImportWork *work)
       if (ring.count >= 3)
         qn_import_add_outline (work, &ring,
                                &(QnOutline){ .role = role,
-                                             .name = path->name,
                                              .density = path->density,
                                              .thickness = path->thickness * work->unit,
                                              .line = path->line });

@@ -11,7 +11,6 @@
 typedef struct QnOutline {
   QnRing ring; /* m; counter-clockwise */
   QnRole role;
-  const char *name; /* kept by the drawing; NULL where it has none */
   double density;   /* kg/m3; 0: that of the settings */
   double thickness; /* m; likewise */
   guint line;       /* of the file, from 1; 0 for faces of line work */

@@ -240,29 +240,6 @@ test_curves_touch (void)
   }
 }
 
-/* A drawing may name some of its blocks as others are numbered, or several alike. */
-static void
-test_names (void)
-{
-  static const char *const given[] = { "b2", NULL, "b3", "b2", "pier" };
-  static const char *const expected[] = { "b2", "b3", "b4", "b5", "pier" };
-  g_auto (QnDrawing) drawing;
-  g_auto (QnProject) project;
-  g_auto (QnImportReport) report;
-  g_autoptr (GError) error = NULL;
-  qn_drawing_init (&drawing);
-  for (guint i = 0; i < G_N_ELEMENTS (given); i++) {
-    add_box (&drawing, "A", i, 0, i + 1, 0.5);
-    g_array_index (drawing.paths, QnDrawingPath, i).name = given[i];
-  }
-  QnImportSettings settings = QN_IMPORT_DEFAULTS;
-  qn_drawing_to_project (&drawing, "names", &settings, &project, &report, &error);
-  g_assert_no_error (error);
-  g_assert_cmpuint (project.model.block_count, ==, G_N_ELEMENTS (expected));
-  for (guint i = 0; i < G_N_ELEMENTS (expected); i++)
-    g_assert_cmpstr (project.model.blocks[i].name, ==, expected[i]);
-}
-
 /* Lines that no block is made of are told: a joint across a closed outline, and one that ends before
  * its beginning. A line along an outline, and one that is part of a face, are used. */
 static void
@@ -349,7 +326,6 @@ QN_TESTS
   g_test_add_func ("/drawing-import/supports-inferred", test_supports_inferred);
   g_test_add_func ("/drawing-import/flat-arch", test_flat_arch);
   g_test_add_func ("/drawing-import/curves-touch", test_curves_touch);
-  g_test_add_func ("/drawing-import/names", test_names);
   g_test_add_func ("/drawing-import/idle-lines", test_idle_lines);
   g_test_add_func ("/drawing-import/refuses", test_refuses);
 }
