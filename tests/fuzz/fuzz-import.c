@@ -16,7 +16,7 @@ check_import (const char *text, size_t size, QnGapTreatment gaps)
   GError *error = NULL;
   QnImportSettings settings = QN_IMPORT_DEFAULTS;
   settings.gaps = gaps;
-  if (!FUZZ_READER (text, size, "fuzz", &drawing, &error)) {
+  if (!qn_drawing_read (FUZZ_READER, text, size, "fuzz", &drawing, &error)) {
     fuzz_check_error (error);
     return;
   }

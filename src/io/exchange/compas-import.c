@@ -618,7 +618,6 @@ qn_compas_import (const char *text, gsize length, const char *name, QnDrawing *d
   const char *first = text + strspn (text, " \t\r\n");
   gboolean json = length == 0 || *first == '{' || *first == '[';
   cJSON *document = json ? qn_json_parse (text, length, name, error) : NULL;
-  qn_drawing_init (drawing);
   drawing->unit = 1;
   gboolean done = !json ? collect_objects (&reading, text, length)
                   : document != NULL
@@ -628,14 +627,10 @@ qn_compas_import (const char *text, gsize length, const char *name, QnDrawing *d
     split_bodies (meshes, i);
   if (done)
     drop_plates (meshes, drawing);
-  if (done && meshes->len == 0) {
-    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                 _ ("%s:1: no assembly of blocks"), name);
-    done = FALSE;
-  }
+  if (done && meshes->len == 0)
+    done =
+      qn_io_fail (error, QN_IO_ERROR_INVALID, _ ("%s:1: no assembly of blocks"), name);
   done = done && view_meshes (meshes, name, drawing, error);
   cJSON_Delete (document);
-  if (!done)
-    qn_drawing_clear (drawing);
   return done;
 }

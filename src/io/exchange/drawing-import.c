@@ -243,11 +243,8 @@ qn_import_report_clear (QnImportReport *report)
   qn_gaps_clear (&report->gaps);
 }
 
-typedef gboolean (*ReadFunc) (const char *text, gsize length, const char *name,
-                              QnDrawing *drawing, GError **error);
-
 /* By the ending; where that says nothing, a file with boxes is HybriDFEM's and any other DXF. */
-static ReadFunc
+static QnDrawingReader *
 reader_of (const char *path, const char *text, gsize length)
 {
   g_autofree char *lower = g_ascii_strdown (path, -1);
@@ -319,7 +316,8 @@ qn_import_file (const char *path, const QnImportSettings *settings, QnProject *p
   if (text == NULL)
     return FALSE;
   QnDrawing drawing;
-  if (!reader_of (path, text, length) (text, length, path, &drawing, error))
+  if (!qn_drawing_read (reader_of (path, text, length), text, length, path, &drawing,
+                        error))
     return FALSE;
   gboolean done =
     qn_drawing_to_project (&drawing, path, settings, project, report, error);

@@ -42,6 +42,17 @@ qn_drawing_clear (QnDrawing *drawing)
   g_clear_pointer (&drawing->strings, g_string_chunk_free);
 }
 
+gboolean
+qn_drawing_read (QnDrawingReader *reader, const char *text, gsize length,
+                 const char *name, QnDrawing *drawing, GError **error)
+{
+  qn_drawing_init (drawing);
+  gboolean done = reader (text, length, name, drawing, error);
+  if (!done)
+    qn_drawing_clear (drawing);
+  return done;
+}
+
 const char *
 qn_drawing_keep_string (QnDrawing *drawing, const char *string)
 {

@@ -88,31 +88,36 @@ gboolean qn_drawing_path_add_spline (QnDrawingPath *path, guint degree,
                                      const QnVec2 *points, const double *weights,
                                      gsize point_count);
 
+/* Reads the text of a file, called `name` in messages, into a drawing that is empty before. FALSE with an
+ * error, which is one line with file and line, domain QN_IO_ERROR. */
+typedef gboolean QnDrawingReader (const char *text, gsize length, const char *name,
+                                  QnDrawing *drawing, GError **error);
+
+/* Overwrites `drawing` without clearing it by what a reader reads; empty on failure. */
+gboolean qn_drawing_read (QnDrawingReader *reader, const char *text, gsize length,
+                          const char *name, QnDrawing *drawing, GError **error);
+
 /* Reads the text of a DXF file: lines, polylines with bulges, arcs, circles, ellipses, splines,
  * solids and inserts nested to any sensible depth, those of layer 0 in a block on the layer of
  * its insert; faces in space and boundaries of hatches where there is nothing else. Entities in an
  * upright plane are seen from the front. Layers that are off or frozen are marked as hidden, invisible
- * parts left out. The text is in UTF-8 or in the code page that the file states. `drawing` is overwritten
- * without being cleared, empty on failure; errors are one line with file and line, domain QN_IO_ERROR. */
-gboolean qn_dxf_import (const char *text, gsize length, const char *name,
-                        QnDrawing *drawing, GError **error);
+ * parts left out. The text is in UTF-8 or in the code page that the file states. */
+QnDrawingReader qn_dxf_import;
 
 /* Reads path, polygon, polyline, rect, circle, ellipse and line elements where the standard (SVG 2)
  * places them: transforms, lengths with units, view ports, used elements and symbols; the label or id
  * of the innermost group is the layer. Shapes that attributes, style or style sheets hide, or do not
  * paint, are marked as hidden. A hole in a shape is cut out where it reaches the edge, else told. The y
  * axis is turned upwards. The unit follows from a width with a unit and the view box. The file may be
- * compressed by gzip. Same contract as qn_dxf_import(). */
-gboolean qn_svg_import (const char *text, gsize length, const char *name,
-                        QnDrawing *drawing, GError **error);
+ * compressed by gzip. */
+QnDrawingReader qn_svg_import;
 
 /* Reads blocks that are prisms with a common direction along y, z or x, tried in this order, from what the
  * classes of COMPAS write as JSON: assemblies of all versions, networks, models with elements; and from
  * Wavefront's OBJ, where an object is a block. The faces of the front become one outline, z (or y)
  * upwards, in metres; `is_support` makes a support. A view in which blocks lie behind each other is
- * rejected. Notes name the view, and why the first one was rejected. Same contract as qn_dxf_import(). */
-gboolean qn_compas_import (const char *text, gsize length, const char *name,
-                           QnDrawing *drawing, GError **error);
+ * rejected. Notes name the view, and why the first one was rejected. */
+QnDrawingReader qn_compas_import;
 
 /* Reads blocks of the form
  *
@@ -121,7 +126,5 @@ gboolean qn_compas_import (const char *text, gsize length, const char *name,
  *   rho = 2400
  *   material = 0
  *
- * in metres. Finite elements (FE) and all other text are counted and left out. Same
- * contract as qn_dxf_import(). */
-gboolean qn_hybridfem_import (const char *text, gsize length, const char *name,
-                              QnDrawing *drawing, GError **error);
+ * in metres. Finite elements (FE) and all other text are counted and left out. */
+QnDrawingReader qn_hybridfem_import;

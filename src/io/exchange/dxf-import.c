@@ -456,11 +456,8 @@ qn_dxf_import (const char *bytes, gsize size, const char *name, QnDrawing *drawi
   gsize length;
   g_autofree char *charset = qn_dxf_dup_charset (bytes, size);
   g_autofree char *text = qn_text_decode (bytes, size, charset, &length);
-  qn_drawing_init (drawing);
-  if (!qn_dxf_scan (text, name, drawing, &scan, error)) {
-    qn_drawing_clear (drawing);
+  if (!qn_dxf_scan (text, name, drawing, &scan, error))
     return FALSE;
-  }
   Importer importer = { .drawing = drawing,
                         .scan = &scan,
                         .budget = MAX_INSERTED,
@@ -485,7 +482,5 @@ qn_dxf_import (const char *bytes, gsize size, const char *name, QnDrawing *drawi
                  name);
   g_array_unref (importer.points);
   qn_dxf_scan_clear (&scan);
-  if (!done)
-    qn_drawing_clear (drawing);
   return done;
 }

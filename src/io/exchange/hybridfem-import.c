@@ -10,7 +10,6 @@ qn_hybridfem_import (const char *text, gsize length, const char *name, QnDrawing
 {
   g_autofree char *copy = g_strndup (text, length);
   g_auto (GStrv) lines = g_strsplit (copy, "\n", -1);
-  qn_drawing_init (drawing);
   drawing->unit = 1;
   for (guint i = 0; lines[i] != NULL; i++) {
     const char *line = g_strstrip (lines[i]);
@@ -26,18 +25,13 @@ qn_hybridfem_import (const char *text, gsize length, const char *name, QnDrawing
     QnSvgPen pen = { .drawing = drawing, .layer = "BLOCKS", .line = box };
     if (lines[i] == NULL
         || !qn_svg_read_points (&pen, g_strdelimit (lines[i], "[]()", ' '), TRUE)
-        || pen.path == NULL || pen.path->count < 3) {
-      g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-                   _ ("%s:%u: expected the vertices of a box: [x, y], [x, y], [x, y] …"),
-                   name, lines[i] == NULL ? i : i + 1);
-      qn_drawing_clear (drawing);
-      return FALSE;
-    }
+        || pen.path == NULL || pen.path->count < 3)
+      return qn_io_fail (
+        error, QN_IO_ERROR_INVALID,
+        _ ("%s:%u: expected the vertices of a box: [x, y], [x, y], [x, y] …"), name,
+        lines[i] == NULL ? i : i + 1);
   }
-  if (drawing->paths->len > 0)
-    return TRUE;
-  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
-               _ ("%s:1: neither DXF, SVG, COMPAS nor text with boxes"), name);
-  qn_drawing_clear (drawing);
-  return FALSE;
+  return drawing->paths->len > 0
+         || qn_io_fail (error, QN_IO_ERROR_INVALID,
+                        _ ("%s:1: neither DXF, SVG, COMPAS nor text with boxes"), name);
 }

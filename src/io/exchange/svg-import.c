@@ -616,7 +616,6 @@ qn_svg_import (const char *text, gsize length, const char *name, QnDrawing *draw
                GError **error)
 {
   g_autoptr (GByteArray) inflated = NULL;
-  qn_drawing_init (drawing);
   if (length > 2 && memcmp (text, "\x1f\x8b", 2) == 0) {
     inflated = inflate (text, length);
     text = inflated != NULL ? (const char *) inflated->data : "";
@@ -634,7 +633,5 @@ qn_svg_import (const char *text, gsize length, const char *name, QnDrawing *draw
   gboolean done = document != NULL && import_document (document, name, drawing, error);
   xmlFreeDoc (document);
   xmlFreeParserCtxt (context);
-  if (!done)
-    qn_drawing_clear (drawing);
   return done;
 }

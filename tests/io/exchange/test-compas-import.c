@@ -26,7 +26,8 @@ assert_blocks (const char *text)
 {
   g_auto (QnDrawing) drawing;
   g_autoptr (GError) error = NULL;
-  if (!qn_compas_import (text, strlen (text), "test.json", &drawing, &error))
+  if (!qn_drawing_read (qn_compas_import, text, strlen (text), "test.json", &drawing,
+                        &error))
     g_error ("%s", error->message);
   g_assert_cmpuint (drawing.paths->len, ==, 2);
   for (guint i = 0; i < 2; i++) {
@@ -102,7 +103,8 @@ parse (const char *text, const char *expected, guint count)
   g_auto (QnDrawing) drawing = { 0 };
   g_autoptr (GError) error = NULL;
   GString *told = g_string_new (NULL);
-  if (qn_compas_import (text, strlen (text), "test.obj", &drawing, &error))
+  if (qn_drawing_read (qn_compas_import, text, strlen (text), "test.obj", &drawing,
+                       &error))
     for (guint i = 0; i < drawing.notes->len; i++)
       g_string_append_printf (told, "%s; ",
                               ((QnDrawingNote *) drawing.notes->pdata[i])->text);
@@ -212,7 +214,8 @@ test_density (void)
     "\"block\": { \"data\": { \"attributes\": { \"density\": 2500 }, %s } } } }",
     a, b + 1);
   g_auto (QnDrawing) drawing;
-  g_assert_true (qn_compas_import (text, strlen (text), "test.json", &drawing, NULL));
+  g_assert_true (
+    qn_drawing_read (qn_compas_import, text, strlen (text), "test.json", &drawing, NULL));
   g_assert_cmpuint (drawing.paths->len, ==, 2);
   g_assert_cmpfloat (g_array_index (drawing.paths, QnDrawingPath, 0).density, ==, 1800);
   g_assert_cmpfloat (g_array_index (drawing.paths, QnDrawingPath, 1).density, ==, 2500);
@@ -234,7 +237,8 @@ test_nodes_without_block (void)
     g_auto (QnDrawing) drawing;
     g_autoptr (GString) text = g_string_new (forms[i]);
     g_string_replace (text, "%s", a, 1);
-    g_assert_true (qn_compas_import (text->str, text->len, "test.json", &drawing, NULL));
+    g_assert_true (qn_drawing_read (qn_compas_import, text->str, text->len, "test.json",
+                                    &drawing, NULL));
     g_assert_cmpuint (drawing.paths->len, ==, 1);
     const QnDrawingNote *note = drawing.notes->pdata[0];
     g_assert_cmpint (strcmp (note->text, "nodes without a block left out") == 0, ==,
@@ -284,8 +288,8 @@ test_bad_files (void)
   for (size_t i = 0; i < G_N_ELEMENTS (texts); i++) {
     QnDrawing drawing;
     g_autoptr (GError) error = NULL;
-    g_assert_false (
-      qn_compas_import (texts[i], strlen (texts[i]), "bad.json", &drawing, &error));
+    g_assert_false (qn_drawing_read (qn_compas_import, texts[i], strlen (texts[i]),
+                                     "bad.json", &drawing, &error));
     g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
     g_assert_true (g_str_has_prefix (error->message, "bad.json:1:"));
   }

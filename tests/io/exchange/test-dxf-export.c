@@ -77,7 +77,7 @@ test_layers (void)
   g_autofree char *text = NULL;
   gsize length;
   g_assert_true (g_file_get_contents (path, &text, &length, NULL));
-  g_assert_true (qn_dxf_import (text, length, path, &drawing, NULL));
+  g_assert_true (qn_drawing_read (qn_dxf_import, text, length, path, &drawing, NULL));
   const char *const layers[] = { "SUPPORTS", "BLOCKS", "CONTACTS", "DEFORMED",
                                  "DEFORMED" };
   g_assert_cmpuint (drawing.paths->len, ==, G_N_ELEMENTS (layers));

@@ -11,7 +11,7 @@ static void
 parse (const char *text, QnDrawing *drawing)
 {
   g_autoptr (GError) error = NULL;
-  if (!qn_dxf_import (text, strlen (text), "test.dxf", drawing, &error))
+  if (!qn_drawing_read (qn_dxf_import, text, strlen (text), "test.dxf", drawing, &error))
     g_error ("%s", error->message);
   qn_drawing_drop_unbounded (drawing);
 }
@@ -22,7 +22,8 @@ expect_refused (const char *text, const char *word)
 {
   QnDrawing drawing;
   g_autoptr (GError) error = NULL;
-  g_assert_false (qn_dxf_import (text, strlen (text), "test.dxf", &drawing, &error));
+  g_assert_false (
+    qn_drawing_read (qn_dxf_import, text, strlen (text), "test.dxf", &drawing, &error));
   g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
   g_assert_nonnull (strstr (error->message, word));
 }
@@ -203,8 +204,8 @@ test_bad_files (void)
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
     QnDrawing drawing;
     g_autoptr (GError) error = NULL;
-    g_assert_false (
-      qn_dxf_import (cases[i].text, strlen (cases[i].text), "bad.dxf", &drawing, &error));
+    g_assert_false (qn_drawing_read (qn_dxf_import, cases[i].text, strlen (cases[i].text),
+                                     "bad.dxf", &drawing, &error));
     g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
     g_assert_true (g_str_has_prefix (error->message, cases[i].start));
     g_assert_nonnull (strstr (error->message, cases[i].part));

@@ -12,7 +12,8 @@ test_boxes (void)
     "material = 0\n\nBox 2:\n[0,0.5],[1,0.5],[0.5,1.25]\nrho = 2400\n"
     "material = 0\nFE 1:\nN1 = [0, 0]\n";
   g_auto (QnDrawing) drawing;
-  g_assert_true (qn_hybridfem_import (text, strlen (text), "test.txt", &drawing, NULL));
+  g_assert_true (qn_drawing_read (qn_hybridfem_import, text, strlen (text), "test.txt",
+                                  &drawing, NULL));
   g_assert_cmpuint (drawing.paths->len, ==, 2);
   const QnDrawingPath *second = &g_array_index (drawing.paths, QnDrawingPath, 1);
   g_assert_cmpuint (second->count, ==, 3);
@@ -35,8 +36,9 @@ test_bad_files (void)
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
     QnDrawing drawing;
     g_autoptr (GError) error = NULL;
-    g_assert_false (qn_hybridfem_import (cases[i].text, strlen (cases[i].text), "bad.txt",
-                                         &drawing, &error));
+    g_assert_false (qn_drawing_read (qn_hybridfem_import, cases[i].text,
+                                     strlen (cases[i].text), "bad.txt", &drawing,
+                                     &error));
     g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
     g_assert_true (g_str_has_prefix (error->message, cases[i].start));
   }

@@ -9,7 +9,7 @@ static void
 parse (const char *text, QnDrawing *drawing)
 {
   g_autoptr (GError) error = NULL;
-  if (!qn_svg_import (text, strlen (text), "test.svg", drawing, &error))
+  if (!qn_drawing_read (qn_svg_import, text, strlen (text), "test.svg", drawing, &error))
     g_error ("%s", error->message);
 }
 
@@ -103,8 +103,8 @@ test_bad_files (void)
   for (size_t i = 0; i < G_N_ELEMENTS (cases); i++) {
     QnDrawing drawing;
     g_autoptr (GError) error = NULL;
-    g_assert_false (
-      qn_svg_import (cases[i].text, strlen (cases[i].text), "bad.svg", &drawing, &error));
+    g_assert_false (qn_drawing_read (qn_svg_import, cases[i].text, strlen (cases[i].text),
+                                     "bad.svg", &drawing, &error));
     g_assert_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID);
     g_assert_true (g_str_has_prefix (error->message, cases[i].start));
     g_assert_null (strchr (error->message, '\n'));
@@ -213,15 +213,17 @@ test_documents (void)
                            sizeof buffer, G_CONVERTER_INPUT_AT_END, &read, &written,
                            &error);
       g_assert_no_error (error);
-      qn_svg_import (packed ? buffer : cases[i].bytes, packed ? written : cases[i].size,
-                     "test.svg", &drawing, &error);
+      qn_drawing_read (qn_svg_import, packed ? buffer : cases[i].bytes,
+                       packed ? written : cases[i].size, "test.svg", &drawing, &error);
       g_assert_no_error (error);
       g_assert_cmpuint (drawing.paths->len, ==, 1);
       g_assert_cmpstr (path_at (&drawing, 0)->layer, ==, "Öl");
     }
   QnDrawing drawing;
-  g_assert_false (qn_svg_import (outside, strlen (outside), "test.svg", &drawing, NULL));
-  g_assert_false (qn_svg_import ("\x1f\x8b\x08garbage", 10, "test.svg", &drawing, NULL));
+  g_assert_false (qn_drawing_read (qn_svg_import, outside, strlen (outside), "test.svg",
+                                   &drawing, NULL));
+  g_assert_false (qn_drawing_read (qn_svg_import, "\x1f\x8b\x08garbage", 10, "test.svg",
+                                   &drawing, NULL));
 }
 
 /* By attribute, property, class, element and id; visible shapes in what is invisible; what is painted
@@ -430,7 +432,8 @@ test_endless_uses (void)
   }
   g_string_append (text, "</defs><use href=\"#l19\"/></svg>");
   QnDrawing many;
-  g_assert_false (qn_svg_import (text->str, text->len, "test.svg", &many, NULL));
+  g_assert_false (
+    qn_drawing_read (qn_svg_import, text->str, text->len, "test.svg", &many, NULL));
 }
 
 /* What is not followed is told. */

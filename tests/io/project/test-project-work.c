@@ -56,7 +56,7 @@ read_styles (int count)
   g_string_append (text, "</svg>");
   g_autoptr (GError) error = NULL;
   g_auto (QnDrawing) drawing;
-  qn_svg_import (text->str, text->len, "many", &drawing, &error);
+  qn_drawing_read (qn_svg_import, text->str, text->len, "many", &drawing, &error);
   g_assert_no_error (error);
   g_assert_cmpint (drawing.paths->len, ==, count);
   return 0;
