@@ -83,8 +83,7 @@ quoin_command_watched (const char *const *arguments, char **output,
   g_autoptr (GSubprocess) program = file >= 0 ? start (arguments, file, &cause) : NULL;
   if (program == NULL) {
     g_unlink (path != NULL ? path : "");
-    quoin_library_take_error (error, NULL, cause);
-    return false;
+    return quoin_library_take_error (error, NULL, cause);
   }
   g_autoptr (GString) said = g_string_new (NULL);
   g_autoptr (GDataInputStream) lines =
@@ -98,16 +97,13 @@ quoin_command_watched (const char *const *arguments, char **output,
   bool done = g_subprocess_wait_check (program, NULL, &cause)
               && g_file_get_contents (path, &printed, NULL, &cause);
   g_unlink (path);
-  if (!done && cause->domain != G_SPAWN_EXIT_ERROR && cause->domain != G_SPAWN_ERROR) {
-    quoin_library_take_error (error, NULL, cause);
-    return false;
-  }
+  if (!done && cause->domain != G_SPAWN_EXIT_ERROR && cause->domain != G_SPAWN_ERROR)
+    return quoin_library_take_error (error, NULL, cause);
   if (!done || caller.func != progress) {
     g_autofree char *message = done ? g_strdup ("cancelled") : dup_message (said->str);
     int code = !done && cause->domain == G_SPAWN_EXIT_ERROR ? cause->code : 1;
-    quoin_library_set_error (error, kind_of_exit (code), "%s", message);
     g_clear_error (&cause);
-    return false;
+    return quoin_library_set_error (error, kind_of_exit (code), "%s", message);
   }
   quoin_library_tell (&caller, 1, 0);
   if (output != NULL)

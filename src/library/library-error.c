@@ -60,7 +60,7 @@ read_place (QuoinError *error, const char *place)
     error->key = g_strndup (place, (gsize) (colon - place));
 }
 
-void
+void *
 quoin_library_take_error (QuoinError **error, const char *name, GError *cause)
 {
   if (error != NULL && *error == NULL) {
@@ -74,32 +74,32 @@ quoin_library_take_error (QuoinError **error, const char *name, GError *cause)
     *error = made;
   }
   g_error_free (cause);
+  return NULL;
 }
 
-void
+void *
 quoin_library_take_diag (QuoinError **error, const QnProject *project, const QnDiag *diag)
 {
   GError *cause = NULL;
-  if (qn_problem_is_of_state (diag->problem)) {
-    quoin_library_set_error (error, QUOIN_ERROR_NO_ANSWER, "%s: %s", project->name,
-                             qn_problem_text (diag->problem));
-    return;
-  }
+  if (qn_problem_is_of_state (diag->problem))
+    return quoin_library_set_error (error, QUOIN_ERROR_NO_ANSWER, "%s: %s", project->name,
+                                    qn_problem_text (diag->problem));
   qn_project_set_error (project, diag, &cause);
-  quoin_library_take_error (error, project->name, cause);
+  return quoin_library_take_error (error, project->name, cause);
 }
 
-void
+void *
 quoin_library_set_error (QuoinError **error, QuoinErrorKind kind, const char *format, ...)
 {
   if (error == NULL || *error != NULL)
-    return;
+    return NULL;
   va_list arguments;
   va_start (arguments, format);
   *error = g_new0 (QuoinError, 1);
   (*error)->kind = kind;
   (*error)->message = g_strdup_vprintf (format, arguments);
   va_end (arguments);
+  return NULL;
 }
 
 bool

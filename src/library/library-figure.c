@@ -50,18 +50,13 @@ quoin_figure_new (QuoinModel *model, QuoinResult *result, const char *view,
   QnView picture = QN_VIEW_MODEL;
   GError *cause = NULL;
   if (!qn_find_word (view, kind_names, G_N_ELEMENTS (kind_names), &kind)
-      && !qn_find_word (view, qn_view_names, QN_VIEW_COUNT, &picture)) {
-    quoin_library_set_error (error, QUOIN_ERROR_USAGE, "%s: no such view", view);
-    return NULL;
-  }
+      && !qn_find_word (view, qn_view_names, QN_VIEW_COUNT, &picture))
+    return quoin_library_set_error (error, QUOIN_ERROR_USAGE, "%s: no such view", view);
   if (result == NULL
-      && (kind == PICTURE ? picture != QN_VIEW_MODEL && picture != QN_VIEW_CONTACTS
-                          : kind != REPORT)) {
-    quoin_library_set_error (error, QUOIN_ERROR_USAGE, "%s: this view needs a result",
-                             view);
-    return NULL;
-  }
-  QuoinFigure *figure = g_new0 (QuoinFigure, 1);
+      && (kind == PICTURE ? qn_view_needs_result (picture) : kind != REPORT))
+    return quoin_library_set_error (error, QUOIN_ERROR_USAGE,
+                                    "%s: this view needs a result", view);
+  g_autoptr (QuoinFigure) figure = g_new0 (QuoinFigure, 1);
   figure->model = quoin_model_ref (model);
   figure->results = g_ptr_array_new_with_free_func ((GDestroyNotify) quoin_result_free);
   figure->labels = g_ptr_array_new_with_free_func (g_free);
@@ -75,13 +70,9 @@ quoin_figure_new (QuoinModel *model, QuoinResult *result, const char *view,
   qn_output_init (&figure->output);
   if (result != NULL)
     quoin_figure_add (figure, result);
-  if (kind == REPORT
-      && !qn_report_template_read (&figure->plan, &model->project, &cause)) {
-    quoin_library_take_error (error, model->project.name, cause);
-    quoin_figure_free (figure);
-    return NULL;
-  }
-  return figure;
+  if (kind == REPORT && !qn_report_template_read (&figure->plan, &model->project, &cause))
+    return quoin_library_take_error (error, model->project.name, cause);
+  return g_steal_pointer (&figure);
 }
 
 void
@@ -215,11 +206,9 @@ quoin_figure_set (QuoinFigure *figure, const char *name, const char *value,
   if (set_option (figure, name, value, &cause))
     return true;
   if (cause != NULL)
-    quoin_library_take_error (error, NULL, cause);
-  else
-    quoin_library_set_error (error, QUOIN_ERROR_USAGE,
-                             "%s=%s: no such option, or not a value of it", name, value);
-  return false;
+    return quoin_library_take_error (error, NULL, cause);
+  return quoin_library_set_error (
+    error, QUOIN_ERROR_USAGE, "%s=%s: no such option, or not a value of it", name, value);
 }
 
 /* ---- pictures ---- */
@@ -376,13 +365,10 @@ quoin_figure_write_watched (const QuoinFigure *figure, const char *path,
       quoin_library_tell (&caller, 1, 0);
     return true;
   }
-  if (caller.cancelled) {
-    quoin_library_set_error (error, QUOIN_ERROR_NO_ANSWER, "%s: cancelled", path);
-    g_error_free (cause);
-  } else {
-    quoin_library_take_error (error, path, cause);
-  }
-  return false;
+  if (!caller.cancelled)
+    return quoin_library_take_error (error, path, cause);
+  g_error_free (cause);
+  return quoin_library_set_error (error, QUOIN_ERROR_NO_ANSWER, "%s: cancelled", path);
 }
 
 bool
@@ -430,6 +416,5 @@ quoin_figure_encode (const QuoinFigure *figure, const char *format, size_t *leng
     if (bytes != NULL)
       return g_bytes_unref_to_data (bytes, length);
   }
-  quoin_library_take_error (error, NULL, cause);
-  return NULL;
+  return quoin_library_take_error (error, NULL, cause);
 }

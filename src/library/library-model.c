@@ -7,16 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-static void
-free_model (QuoinModel *model)
-{
-  qn_contacts_clear (&model->contacts);
-  qn_project_clear (&model->project);
-  g_ptr_array_unref (model->warnings);
-  g_clear_error (&model->unread);
-  g_free (model);
-}
-
 /* A model of a project that was read, which it takes over, or else the error of that. The files that a
  * project names lie beside it. */
 static QuoinModel *
@@ -24,19 +14,14 @@ take (QnProject *project, gboolean read, const char *name, GError *cause,
       QuoinError **error)
 {
   QnDiag diag = { 0 };
-  if (!read) {
-    quoin_library_take_error (error, name, cause);
-    return NULL;
-  }
-  QuoinModel *model = g_new0 (QuoinModel, 1);
+  if (!read)
+    return quoin_library_take_error (error, name, cause);
+  g_autoptr (QuoinModel) model = g_new0 (QuoinModel, 1);
   g_atomic_ref_count_init (&model->references);
   model->project = *project;
   model->warnings = g_ptr_array_new_with_free_func (g_free);
-  if (qn_contacts_detect (&model->project.model, &model->contacts, &diag) != QN_OK) {
-    quoin_library_take_diag (error, &model->project, &diag);
-    free_model (model);
-    return NULL;
-  }
+  if (qn_contacts_detect (&model->project.model, &model->contacts, &diag) != QN_OK)
+    return quoin_library_take_diag (error, &model->project, &diag);
   project = &model->project;
   if (project->path == NULL)
     project->path = g_strdup (name);
@@ -48,7 +33,7 @@ take (QnProject *project, gboolean read, const char *name, GError *cause,
                      g_strdup (g_ptr_array_index (project->warnings, i)));
   g_ptr_array_extend_and_steal (
     model->warnings, qn_project_dup_finding_texts (project, &model->contacts.findings));
-  return model;
+  return g_steal_pointer (&model);
 }
 
 QuoinModel *
@@ -139,17 +124,13 @@ quoin_model_import_with (const char *path, const char *const *options, char **re
     const char *value = strchr (*options, '=');
     g_autofree char *name =
       value != NULL ? g_strndup (*options, (gsize) (value - *options)) : NULL;
-    if (value != NULL && strcmp (name, "layer") == 0) {
+    if (value != NULL && strcmp (name, "layer") == 0)
       g_ptr_array_add (layers, (gpointer) (value + 1));
-    } else if (value == NULL
-               || !qn_import_settings_set (&settings, name, value + 1, &cause)) {
-      if (value != NULL)
-        quoin_library_take_error (error, NULL, cause);
-      else
-        quoin_library_set_error (error, QUOIN_ERROR_USAGE,
-                                 "expected OPTION=VALUE, not \"%s\"", *options);
-      return NULL;
-    }
+    else if (value == NULL)
+      return quoin_library_set_error (error, QUOIN_ERROR_USAGE,
+                                      "expected OPTION=VALUE, not \"%s\"", *options);
+    else if (!qn_import_settings_set (&settings, name, value + 1, &cause))
+      return quoin_library_take_error (error, NULL, cause);
   }
   g_ptr_array_add (layers, NULL);
   settings.layers = (char **) layers->pdata;
@@ -163,8 +144,7 @@ quoin_model_new (QuoinError **error)
   GError *cause = NULL;
   if (qn_project_begin (&project, "dry joint", &cause))
     return take_made (&project, "model", error);
-  quoin_library_take_error (error, NULL, cause);
-  return NULL;
+  return quoin_library_take_error (error, NULL, cause);
 }
 
 QuoinModel *
@@ -178,8 +158,7 @@ quoin_model_generate (const char *kind, const char *const *keys, double friction
     return NULL;
   if (qn_project_generate (kind, keys != NULL ? keys : none, friction, &project, &cause))
     return take_made (&project, kind, error);
-  quoin_library_take_error (error, kind, cause);
-  return NULL;
+  return quoin_library_take_error (error, kind, cause);
 }
 
 char *
@@ -241,8 +220,13 @@ quoin_model_ref (QuoinModel *model)
 void
 quoin_model_unref (QuoinModel *model)
 {
-  if (model != NULL && g_atomic_ref_count_dec (&model->references))
-    free_model (model);
+  if (model == NULL || !g_atomic_ref_count_dec (&model->references))
+    return;
+  qn_contacts_clear (&model->contacts);
+  qn_project_clear (&model->project);
+  g_ptr_array_unref (model->warnings);
+  g_clear_error (&model->unread);
+  g_free (model);
 }
 
 bool
@@ -254,8 +238,7 @@ quoin_model_save (const QuoinModel *model, const char *path, QuoinError **error)
   GError *cause = NULL;
   if (qn_project_save (&model->project, path, &cause))
     return true;
-  quoin_library_take_error (error, path, cause);
-  return false;
+  return quoin_library_take_error (error, path, cause);
 }
 
 char *

@@ -58,13 +58,17 @@ bool quoin_library_tell (QuoinCaller *caller, double done, int32_t iterations);
 /* False, with an error, where an argument that must be given is NULL. */
 bool quoin_library_given (const void *argument, const char *name, QuoinError **error);
 
-/* Each sets *error (nullable) unless it is set already. The first takes the GError; `name` (nullable) is the file that its
- * message may begin with. */
-void quoin_library_take_error (QuoinError **error, const char *name, GError *cause);
-void quoin_library_take_diag (QuoinError **error, const QnProject *project,
-                              const QnDiag *diag);
-void quoin_library_set_error (QuoinError **error, QuoinErrorKind kind, const char *format,
-                              ...) G_GNUC_PRINTF (3, 4);
+G_DEFINE_AUTOPTR_CLEANUP_FUNC (QuoinModel, quoin_model_unref)
+G_DEFINE_AUTOPTR_CLEANUP_FUNC (QuoinFigure, quoin_figure_free)
+G_DEFINE_AUTOPTR_CLEANUP_FUNC (QuoinModes, quoin_modes_free)
+
+/* Each sets *error (nullable) unless it is set already, and returns NULL. The first takes the GError; `name`
+ * (nullable) is the file that its message may begin with. */
+void *quoin_library_take_error (QuoinError **error, const char *name, GError *cause);
+void *quoin_library_take_diag (QuoinError **error, const QnProject *project,
+                               const QnDiag *diag);
+void *quoin_library_set_error (QuoinError **error, QuoinErrorKind kind,
+                               const char *format, ...) G_GNUC_PRINTF (3, 4);
 
 /* The model of the same text with more overrides, before and after its own; both nullable. */
 QuoinModel *quoin_library_model_with (const QuoinModel *model, const char *const *before,

@@ -120,17 +120,14 @@ run (Analysis analysis, QuoinModel *model, QuoinProgressFunc progress, void *dat
                          .data = data,
                          .model = &model->project.model,
                          .all = analysis == qn_stability_run ? "stability" : NULL };
-  if (model->unread != NULL) {
-    quoin_library_take_error (error, model->project.name, g_error_copy (model->unread));
-    return NULL;
-  }
+  if (model->unread != NULL)
+    return quoin_library_take_error (error, model->project.name,
+                                     g_error_copy (model->unread));
   if (qn_contacts_require_sound (&model->project.model, &model->contacts, &diag) != QN_OK
       || analysis (&model->project.model, &model->contacts, report, &caller, &result,
                    &diag)
-           != QN_OK) {
-    quoin_library_take_diag (error, &model->project, &diag);
-    return NULL;
-  }
+           != QN_OK)
+    return quoin_library_take_diag (error, &model->project, &diag);
   report_end (&caller, &result);
   return make_result (model, &result, "result");
 }
@@ -146,13 +143,11 @@ QuoinResult *
 quoin_stability (QuoinModel *model, QuoinProgressFunc progress, void *data,
                  QuoinError **error)
 {
-  if (model != NULL && model->project.model.analysis.geometry != QN_GEOMETRY_NONLINEAR) {
-    quoin_library_set_error (error, QUOIN_ERROR_INVALID,
-                             "%s: analysis.geometry: linear geometry has no buckling: "
-                             "set it to nonlinear",
-                             model->project.name);
-    return NULL;
-  }
+  if (model != NULL && model->project.model.analysis.geometry != QN_GEOMETRY_NONLINEAR)
+    return quoin_library_set_error (error, QUOIN_ERROR_INVALID,
+                                    "%s: analysis.geometry: linear geometry has no "
+                                    "buckling: set it to nonlinear",
+                                    model->project.name);
   return run (qn_stability_run, model, progress, data, error);
 }
 
@@ -166,12 +161,8 @@ quoin_limit (QuoinModel *model, bool associative, QuoinProgressFunc progress, vo
                                     associative ? "analysis.flow=associative"
                                                 : "analysis.flow=non-associative",
                                     NULL };
-  QuoinModel *own = quoin_model_with (model, overrides, error);
-  if (own == NULL)
-    return NULL;
-  QuoinResult *result = quoin_solve (own, progress, data, error);
-  quoin_model_unref (own);
-  return result;
+  g_autoptr (QuoinModel) own = quoin_model_with (model, overrides, error);
+  return own != NULL ? quoin_solve (own, progress, data, error) : NULL;
 }
 
 char *
@@ -185,18 +176,14 @@ quoin_limit_sensitivity (const QuoinResult *result, QuoinError **error)
   const QnProject *project = &result->model->project;
   const QnModel *model = &project->model;
   if (!result->result.limit.given || result->result.limit.flow != QN_FLOW_ASSOCIATIVE
-      || result->result.outcome != QN_OUTCOME_COLLAPSE) {
-    quoin_library_set_error (error, QUOIN_ERROR_NO_ANSWER,
-                             "%s: no collapse by associative limit analysis",
-                             project->name);
-    return NULL;
-  }
+      || result->result.outcome != QN_OUTCOME_COLLAPSE)
+    return quoin_library_set_error (error, QUOIN_ERROR_NO_ANSWER,
+                                    "%s: no collapse by associative limit analysis",
+                                    project->name);
   if (qn_limit_sensitivity (model, &result->model->contacts, &result->result, &found,
                             &diag)
-      != QN_OK) {
-    quoin_library_take_diag (error, project, &diag);
-    return NULL;
-  }
+      != QN_OK)
+    return quoin_library_take_diag (error, project, &diag);
   QnFileWriter *out = qn_file_writer_new_in_memory ();
   qn_file_writer_json (out, "{ \"multiplier\": %g, \"laws\": [", found.multiplier);
   for (size_t i = 0; i < model->law_count; i++) {
@@ -224,34 +211,27 @@ find_modes (QuoinModel *model, size_t count, QnModalState state,
 {
   if (!quoin_library_given (model, "model", error))
     return NULL;
-  if (count == 0) {
-    quoin_library_set_error (error, QUOIN_ERROR_USAGE, "count: counts from 1");
-    return NULL;
-  }
+  if (count == 0)
+    return quoin_library_set_error (error, QUOIN_ERROR_USAGE, "count: counts from 1");
   QnDiag diag = { 0 };
   QnResult result;
-  QuoinModes *modes = g_new0 (QuoinModes, 1);
+  g_autoptr (QuoinModes) modes = g_new0 (QuoinModes, 1);
   QuoinCaller caller = {
     .func = progress, .data = data, .model = &model->project.model, .all = "modes"
   };
   if (qn_modal_run (&model->project.model, &model->contacts, state, count, report,
                     &caller, &modes->modes, &result, &diag)
-      != QN_OK) {
-    quoin_library_take_diag (error, &model->project, &diag);
-    g_free (modes);
-    return NULL;
-  }
+      != QN_OK)
+    return quoin_library_take_diag (error, &model->project, &diag);
   bool found = modes->modes.count > 0 || result.outcome == QN_OUTCOME_CANCELLED;
   report_end (&caller, &result);
   qn_result_clear (&result);
   if (found)
-    return modes;
-  quoin_library_set_error (error, QUOIN_ERROR_NO_ANSWER,
-                           "%s: no equilibrium was found, so there are no vibrations "
-                           "about it",
-                           model->project.name);
-  quoin_modes_free (modes);
-  return NULL;
+    return g_steal_pointer (&modes);
+  return quoin_library_set_error (error, QUOIN_ERROR_NO_ANSWER,
+                                  "%s: no equilibrium was found, so there are no "
+                                  "vibrations about it",
+                                  model->project.name);
 }
 
 QuoinModes *
@@ -291,10 +271,8 @@ find_capacity (QuoinModel *own, QnCapacityAnswer *answer, QuoinCaller *caller,
 {
   QnProject *project = &own->project;
   QnDiag diag = { 0 };
-  if (qn_contacts_require_sound (&project->model, &own->contacts, &diag) != QN_OK) {
-    quoin_library_take_diag (error, project, &diag);
-    return false;
-  }
+  if (qn_contacts_require_sound (&project->model, &own->contacts, &diag) != QN_OK)
+    return quoin_library_take_diag (error, project, &diag);
   QnCapacityEnd end = qn_capacity_answer_find (answer, &project->model, &own->contacts,
                                                report, caller, &diag);
   if (end == QN_CAPACITY_FOUND) {
@@ -302,12 +280,10 @@ find_capacity (QuoinModel *own, QnCapacityAnswer *answer, QuoinCaller *caller,
     return true;
   }
   if (end == QN_CAPACITY_REFUSED)
-    quoin_library_take_diag (error, project, &diag);
-  else
-    quoin_library_set_error (
-      error, end == QN_CAPACITY_STAGES ? QUOIN_ERROR_INVALID : QUOIN_ERROR_NO_ANSWER,
-      "%s: %s", project->name, answer->reason != NULL ? answer->reason : "cancelled");
-  return false;
+    return quoin_library_take_diag (error, project, &diag);
+  return quoin_library_set_error (
+    error, end == QN_CAPACITY_STAGES ? QUOIN_ERROR_INVALID : QUOIN_ERROR_NO_ANSWER,
+    "%s: %s", project->name, answer->reason != NULL ? answer->reason : "cancelled");
 }
 
 char *
@@ -323,7 +299,7 @@ quoin_capacity (QuoinModel *model, const char *const *options, const char *pictu
   GError *cause = NULL;
   gsize length;
   char *text = NULL;
-  QuoinModel *own = quoin_library_model_with (model, NULL, NULL, error);
+  g_autoptr (QuoinModel) own = quoin_library_model_with (model, NULL, NULL, error);
   if (own == NULL)
     return NULL;
   QuoinCaller caller = {
@@ -346,7 +322,6 @@ quoin_capacity (QuoinModel *model, const char *const *options, const char *pictu
   qn_capacity_answer_clear (&answer);
   qn_record_clear (&points);
   qn_capacity_settings_clear (&settings);
-  quoin_model_unref (own);
   return text;
 }
 
@@ -387,36 +362,27 @@ equal_lists (char **a, char **b)
                        b != NULL ? (const char *const *) b : none);
 }
 
-/* Takes the result over from a file that was read. Overrides of its analysis that the model has not are
+/* Takes the result over from a file, if it was read. Overrides of its analysis that the model has not are
  * its model's, as of the command line. */
 static QuoinResult *
 take_file (QuoinModel *model, QnResultFile *file, gboolean read, const char *name,
            GError *cause, QuoinError **error)
 {
   gboolean same = FALSE;
-  QuoinModel *own = NULL;
-  QuoinResult *result = NULL;
-  if (!read) {
-    quoin_library_take_error (error, name, cause);
+  if (!read)
+    return quoin_library_take_error (error, name, cause);
+  g_autoptr (QuoinModel) own =
+    equal_lists (file->overrides, model->project.overrides)
+      ? quoin_model_ref (model)
+      : quoin_library_model_with (model, (const char *const *) file->overrides, NULL,
+                                  error);
+  if (own == NULL)
     return NULL;
-  }
-  if (equal_lists (file->overrides, model->project.overrides))
-    own = quoin_model_ref (model);
-  else
-    own = quoin_library_model_with (model, (const char *const *) file->overrides, NULL,
-                                    error);
-  if (own == NULL) {
-    qn_result_file_clear (file);
-    return NULL;
-  }
-  if (qn_result_file_match (file, name, &own->project, &own->contacts, &same, &cause)) {
-    result = make_result (own, &file->result, name);
-    result->changed = !same || !equal_lists (file->overrides, own->project.overrides);
-    file->result = (QnResult){ 0 };
-  } else
-    quoin_library_take_error (error, name, cause);
-  quoin_model_unref (own);
-  qn_result_file_clear (file);
+  if (!qn_result_file_match (file, name, &own->project, &own->contacts, &same, &cause))
+    return quoin_library_take_error (error, name, cause);
+  QuoinResult *result = make_result (own, &file->result, name);
+  result->changed = !same || !equal_lists (file->overrides, own->project.overrides);
+  file->result = (QnResult){ 0 };
   return result;
 }
 
@@ -426,7 +392,7 @@ quoin_result_read (QuoinModel *model, const char *path, QuoinError **error)
   if (!quoin_library_given (model, "model", error)
       || !quoin_library_given (path, "path", error))
     return NULL;
-  QnResultFile file;
+  g_auto (QnResultFile) file = { 0 };
   GError *cause = NULL;
   gboolean read = qn_result_file_read (path, &file, &cause);
   return take_file (model, &file, read, path, cause, error);
@@ -440,7 +406,7 @@ quoin_result_parse (QuoinModel *model, const char *text, size_t length, const ch
       || !quoin_library_given (text, "text", error)
       || !quoin_library_given (name, "name", error))
     return NULL;
-  QnResultFile file;
+  g_auto (QnResultFile) file = { 0 };
   GError *cause = NULL;
   gboolean read = qn_result_file_parse (text, length, name, &file, &cause);
   return take_file (model, &file, read, name, cause, error);
@@ -456,8 +422,7 @@ quoin_result_write (const QuoinResult *result, const char *path, QuoinError **er
   if (qn_result_file_write (path, &result->model->project, &result->model->contacts,
                             &result->result, QN_DETAIL_FORCES, &cause))
     return true;
-  quoin_library_take_error (error, path, cause);
-  return false;
+  return quoin_library_take_error (error, path, cause);
 }
 
 char *
@@ -486,11 +451,8 @@ quoin_result_check (const QuoinResult *result, char **faults, QuoinError **error
   QnResultFaults found;
   GError *cause = NULL;
   if (!qn_result_file_parse (text, length, "result", &file, &cause)
-      || !qn_result_file_find_faults (&file, "result", project, contacts, &found,
-                                      &cause)) {
-    quoin_library_take_error (error, "result", cause);
-    return false;
-  }
+      || !qn_result_file_find_faults (&file, "result", project, contacts, &found, &cause))
+    return quoin_library_take_error (error, "result", cause);
   g_autoptr (GString) lines = g_string_new (NULL);
   for (int i = 0; i < found.count; i++) {
     g_autofree char *fault =
