@@ -37,8 +37,7 @@ pressed_joint (QnWindow *window)
   QnId found = QN_NONE;
   double most = 0.0;
   for (gsize f = 0; f < run->contacts.face_count; f++) {
-    QnJointReading r =
-      qn_joint_reading (&run->contacts, (QnId) f, run->result.pairs, NULL);
+    QnJointReading r = qn_joint_reading (&run->contacts, (QnId) f, run->result.pairs);
     gboolean held = run->model.blocks[run->contacts.faces[f].a].support[0];
     if (!held && r.normal < most) {
       most = r.normal;

@@ -100,7 +100,7 @@ show_diagram (Inspector *inspector, const QnStepView *view, QnInspected what)
   clear_plots (inspector);
   if (shown) {
     const QnJointReading reading =
-      qn_joint_reading (view->contacts, what.id, view->pairs, NULL);
+      qn_joint_reading (view->contacts, what.id, view->pairs);
     description = qn_explain_pairs (reading.states);
     make_plots (inspector, view, what.id);
   }

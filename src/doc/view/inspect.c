@@ -192,16 +192,14 @@ static void
 tell_joint (Lines *lines, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
 {
   const QnContactFace *face = &view->contacts->faces[id];
-  QnJointReading reading =
-    qn_joint_reading (view->contacts, id, view->pairs,
-                      view->motion.displacements != NULL ? &view->motion : NULL);
   const double thickness =
     fmin (view->model->blocks[face->a].thickness, view->model->blocks[face->b].thickness);
   lines->noise[QN_QUANTITY_MOMENT] = NOISE * view->force * face->length;
   lines->noise[QN_QUANTITY_STRESS] = NOISE * view->force / (face->length * thickness);
-  if (fabs (reading.eccentricity) < NOISE * face->length)
-    reading.eccentricity = 0.0;
-  if (reading.has_forces) {
+  if (view->pairs != NULL) {
+    QnJointReading reading = qn_joint_reading (view->contacts, id, view->pairs);
+    if (fabs (reading.eccentricity) < NOISE * face->length)
+      reading.eccentricity = 0.0;
     add_value (lines, units, "N", QN_QUANTITY_FORCE, reading.normal);
     add_value (lines, units, "T", QN_QUANTITY_FORCE, reading.shear);
     add_value (lines, units, "M", QN_QUANTITY_MOMENT, reading.moment);
@@ -213,11 +211,12 @@ tell_joint (Lines *lines, const QnStepView *view, QnId id, QnUnits units, gboole
     add_text (lines, _ ("State"), state);
   } else if (view->result != NULL)
     add_text (lines, _ ("Forces"), _ ("not kept of this step"));
-  if (reading.has_motion) {
+  if (view->motion.displacements != NULL) {
+    const QnJointMotion joint = qn_motion_joint (&view->motion, face);
     QnUnits mm = qn_units_of_motion (units);
     add_pair (lines, mm, _ ("Opening at its ends"), QN_QUANTITY_LENGTH,
-              reading.opening_start, reading.opening_end);
-    add_value (lines, mm, _ ("Slip"), QN_QUANTITY_LENGTH, reading.slip);
+              joint.opening_start, joint.opening_end);
+    add_value (lines, mm, _ ("Slip"), QN_QUANTITY_LENGTH, joint.slip);
   }
   if (brief && view->result != NULL)
     return;
@@ -259,30 +258,28 @@ static void
 tell_block (Lines *lines, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
 {
   const QnBlock *block = &view->model->blocks[id];
-  double factors[QN_MAX_LOAD_SETS] = { 0 };
-  if (view->pairs != NULL)
-    qn_result_load_factors (view->model, view->result, view->step, factors);
-  g_autofree QnBlockReading *all = qn_block_readings (
-    view->model, view->contacts, view->pairs, view->touches, view->touch_count, factors,
-    view->motion.displacements != NULL ? &view->motion : NULL);
-  const QnBlockReading reading = all[id];
   const double size = sqrt (block->area);
   lines->noise[QN_QUANTITY_STRESS] = NOISE * view->force / (size * block->thickness);
   lines->noise[QN_QUANTITY_ROTATION] = NOISE * view->length / size;
-  if (reading.has_motion) {
+  if (view->motion.displacements != NULL) {
+    const double *u = view->motion.displacements + (size_t) id * QN_DOF_COUNT;
     QnUnits mm = qn_units_of_motion (units);
-    add_pair (lines, mm, _ ("Displacement x; y"), QN_QUANTITY_LENGTH,
-              reading.displacement[QN_DOF_UX], reading.displacement[QN_DOF_UY]);
-    add_value (lines, units, _ ("Rotation"), QN_QUANTITY_ROTATION,
-               reading.displacement[QN_DOF_RZ]);
+    add_pair (lines, mm, _ ("Displacement x; y"), QN_QUANTITY_LENGTH, u[QN_DOF_UX],
+              u[QN_DOF_UY]);
+    add_value (lines, units, _ ("Rotation"), QN_QUANTITY_ROTATION, u[QN_DOF_RZ]);
     add_value (lines, mm, _ ("Largest displacement"), QN_QUANTITY_LENGTH,
-               reading.largest);
+               qn_motion_of_block (&view->motion, id));
   }
-  if (reading.has_forces) {
+  if (view->pairs != NULL) {
+    double factors[QN_MAX_LOAD_SETS];
+    qn_result_load_factors (view->model, view->result, view->step, factors);
+    g_autofree QnBlockReading *all =
+      qn_block_readings (view->model, view->contacts, view->pairs, view->touches,
+                         view->touch_count, factors);
     add_pair (lines, units, _ ("Principal stresses"), QN_QUANTITY_STRESS,
-              reading.principal[0], reading.principal[1]);
+              all[id].principal[0], all[id].principal[1]);
     add_pair (lines, units, _ ("Force of its joints x; y"), QN_QUANTITY_FORCE,
-              reading.force.x, reading.force.y);
+              all[id].force.x, all[id].force.y);
   } else if (view->result != NULL)
     add_text (lines, _ ("Forces"), _ ("not kept of this step"));
   if (brief && view->result != NULL)

@@ -154,7 +154,7 @@ qn_report_write_joints (QnPages *pages, const QnReport *report, const QnReportRu
     const QnContactFace *face = found ? NULL : &contacts->faces[number];
     QnJointReading reading = { 0 };
     if (face != NULL)
-      reading = qn_joint_reading (contacts, (QnId) number, pairs, NULL);
+      reading = qn_joint_reading (contacts, (QnId) number, pairs);
     row[JOINT] = found ? g_strdup (_ ("found")) : g_strdup_printf ("%zu", number);
     row[BETWEEN] = found ? qn_report_dup_between (model, contact->block, contact->other)
                          : qn_report_dup_between (model, face->a, face->b);

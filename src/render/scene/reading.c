@@ -28,51 +28,34 @@ qn_pressure_place (double eccentricity, double length, double normal, double tot
                                : QN_PLACE_OUTSIDE;
 }
 
-static void
-read_forces (QnJointReading *reading, const QnContacts *contacts,
-             const QnContactFace *face, const QnPairResult *pairs)
+QnJointReading
+qn_joint_reading (const QnContacts *contacts, QnId index, const QnPairResult *pairs)
 {
+  const QnContactFace *face = &contacts->faces[index];
+  QnJointReading reading = { 0 };
   double total = 0, first = 0; /* N; N m about the start */
   for (QnId k = face->first_pair; k < face->first_pair + face->pair_count; k++) {
     const QnContactPair *pair = &contacts->pairs[k];
     double area = pair->tributary * face->thickness;
-    reading->normal += pairs[k].normal_force;
-    reading->shear += pairs[k].shear_force;
-    reading->states[pairs[k].state]++;
+    reading.normal += pairs[k].normal_force;
+    reading.shear += pairs[k].shear_force;
+    reading.states[pairs[k].state]++;
     total += fabs (pairs[k].normal_force);
     first += pairs[k].normal_force * pair->abscissa;
     if (area > 0)
-      reading->pressure = fmin (reading->pressure, pairs[k].normal_force / area);
+      reading.pressure = fmin (reading.pressure, pairs[k].normal_force / area);
   }
-  reading->has_forces = true;
-  reading->moment = -(first - 0.5 * face->length * reading->normal);
+  reading.moment = -(first - 0.5 * face->length * reading.normal);
   double s = 0.5 * face->length;
-  if (fabs (reading->normal) > BENDING_SHARE * total)
-    s = fmin (fmax (first / reading->normal, 0), face->length);
+  if (fabs (reading.normal) > BENDING_SHARE * total)
+    s = fmin (fmax (first / reading.normal, 0), face->length);
   double eccentricity =
-    reading->normal < 0 ? first / reading->normal - 0.5 * face->length : 0;
-  reading->place = qn_pressure_place (eccentricity, face->length, reading->normal, total);
-  if (reading->place != QN_PLACE_NOWHERE)
-    reading->eccentricity = eccentricity;
-  reading->at =
+    reading.normal < 0 ? first / reading.normal - 0.5 * face->length : 0;
+  reading.place = qn_pressure_place (eccentricity, face->length, reading.normal, total);
+  if (reading.place != QN_PLACE_NOWHERE)
+    reading.eccentricity = eccentricity;
+  reading.at =
     qn_vec2_lerp (face->start, face->end, face->length > 0 ? s / face->length : 0);
-}
-
-QnJointReading
-qn_joint_reading (const QnContacts *contacts, QnId index, const QnPairResult *pairs,
-                  const QnMotion *motion)
-{
-  const QnContactFace *face = &contacts->faces[index];
-  QnJointReading reading = { .at = qn_vec2_lerp (face->start, face->end, 0.5) };
-  if (pairs != NULL)
-    read_forces (&reading, contacts, face, pairs);
-  if (motion != NULL && motion->displacements != NULL) {
-    QnJointMotion joint = qn_motion_joint (motion, face);
-    reading.has_motion = true;
-    reading.opening_start = joint.opening_start;
-    reading.opening_end = joint.opening_end;
-    reading.slip = joint.slip;
-  }
   return reading;
 }
 
@@ -280,12 +263,9 @@ add_touch (QnBlockReading *reading, const QnModel *model, const QnTouch *touch, 
 }
 
 static void
-complete (QnBlockReading *reading, const QnModel *model, QnId block,
-          const QnPairResult *pairs, const QnMotion *motion)
+complete (QnBlockReading *reading, const QnBlock *block)
 {
-  const QnBlock *b = &model->blocks[block];
-  double volume = b->area * b->thickness;
-  reading->has_forces = pairs != NULL;
+  double volume = block->area * block->thickness;
   for (int i = 0; i < 3; i++)
     reading->stress[i] /= volume;
   double middle = 0.5 * (reading->stress[0] + reading->stress[1]);
@@ -293,24 +273,17 @@ complete (QnBlockReading *reading, const QnModel *model, QnId block,
     hypot (0.5 * (reading->stress[0] - reading->stress[1]), reading->stress[2]);
   reading->principal[0] = middle - radius;
   reading->principal[1] = middle + radius;
-  if (motion == NULL || motion->displacements == NULL)
-    return;
-  reading->has_motion = true;
-  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-    reading->displacement[dof] =
-      motion->displacements[(size_t) block * QN_DOF_COUNT + (size_t) dof];
-  reading->largest = qn_motion_of_block (motion, block);
 }
 
 QnBlockReading *
 qn_block_readings (const QnModel *model, const QnContacts *contacts,
                    const QnPairResult *pairs, const QnTouch *touches, size_t touch_count,
-                   const double *factors, const QnMotion *motion)
+                   const double *factors)
 {
   QnBlockReading *readings = g_new0 (QnBlockReading, MAX (model->block_count, 1));
-  if (pairs != NULL && factors != NULL)
+  if (factors != NULL)
     add_loads (readings, model, factors);
-  for (size_t f = 0; f < contacts->face_count && pairs != NULL; f++) {
+  for (size_t f = 0; f < contacts->face_count; f++) {
     const QnContactFace *face = &contacts->faces[f];
     add_face_reading (&readings[face->a], model, contacts, face, pairs, face->a);
     add_face_reading (&readings[face->b], model, contacts, face, pairs, face->b);
@@ -318,7 +291,7 @@ qn_block_readings (const QnModel *model, const QnContacts *contacts,
   for (size_t i = 0; i < 2 * touch_count; i++)
     add_touch (&readings[touches[i / 2].block[i % 2]], model, &touches[i / 2], i % 2);
   for (size_t i = 0; i < model->block_count; i++)
-    complete (&readings[i], model, (QnId) i, pairs, motion);
+    complete (&readings[i], &model->blocks[i]);
   return readings;
 }
 

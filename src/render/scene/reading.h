@@ -1,5 +1,4 @@
-/* Readings: what a result says of one joint or one block at one step, from its contact forces and
- * displacements. Pictures of forces, fields by colour and the window all show these numbers.
+/* Readings: what a result says of one joint or one block at one step, from its contact forces. Pictures of forces, fields by colour and the window all show these numbers.
  *
  * A joint is read on the force that block b puts on block a. Its moment is taken about the middle
  * of the face, counter-clockwise, so that moment = -normal * eccentricity. In equilibrium the
@@ -25,38 +24,27 @@ QnPressurePlace qn_pressure_place (double eccentricity, double length, double no
                                    double total);
 
 typedef struct QnJointReading {
-  bool has_forces; /* false: only what follows below them is given */
-  double normal;   /* N, <= 0 in compression */
-  double shear;    /* N, along the tangent of the face */
-  double moment;   /* N m */
+  double normal; /* N, <= 0 in compression */
+  double shear;  /* N, along the tangent of the face */
+  double moment; /* N m */
   double
     eccentricity; /* m, from the middle along the tangent; 0 where place is NOWHERE */
   QnPressurePlace place;
   double pressure; /* Pa, <= 0: the most pressed contact pair over its tributary area */
   QnVec2 at;       /* m, undeformed: where the normal force acts, kept within the face */
   int32_t states[QN_PAIR_STATE_COUNT]; /* how many pairs are in each */
-
-  bool has_motion;
-  double opening_start, opening_end; /* m, of the ends of the face; < 0: closing */
-  double slip;                       /* m, of block b along the tangent */
 } QnJointReading;
 
-/* Pairs of a face, one after the other, for qn_joint_reading(). `pairs` are all of the contacts;
- * `motion` is nullable; its factor does not count. Either may be missing. */
+/* `pairs` are all of the contacts. */
 QnJointReading qn_joint_reading (const QnContacts *contacts, QnId face,
-                                 const QnPairResult *pairs, const QnMotion *motion);
+                                 const QnPairResult *pairs);
 
 typedef struct QnBlockReading {
-  bool has_forces;
   QnVec2 force;  /* N: sum of what its joints put on it */
   double moment; /* N m, of these about its centroid, counter-clockwise */
   double
     stress[3]; /* Pa, mean: xx, yy, xy; tension > 0; of loads and joints, bars in them */
   double principal[2]; /* Pa, of these: least, greatest */
-
-  bool has_motion;
-  double displacement[3]; /* m, m, rad, of the centroid */
-  double largest;         /* m, of its vertices */
 } QnBlockReading;
 
 /* A contact found during the motion, at a step, with its two blocks: that of the side, and that of the
@@ -79,8 +67,7 @@ QnTouch *qn_step_touches (const QnModel *model, const QnResult *result, size_t s
  * Reactions of supports are not. */
 QnBlockReading *qn_block_readings (const QnModel *model, const QnContacts *contacts,
                                    const QnPairResult *pairs, const QnTouch *touches,
-                                   size_t touch_count, const double *factors,
-                                   const QnMotion *motion);
+                                   size_t touch_count, const double *factors);
 
 /* The contact forces of a step, newly allocated (g_free); NULL where the result does not have
  * them or is of other contacts. */

@@ -68,7 +68,7 @@ read_stresses (const QnSceneBuilder *b)
   double factors[QN_MAX_LOAD_SETS];
   qn_result_load_factors (b->model, b->result, b->step, factors);
   return qn_block_readings (b->model, b->contacts, b->pairs, b->touches, b->touch_count,
-                            factors, NULL);
+                            factors);
 }
 
 /* Whether a block has a mean stress: what a support takes acts at no known place. */

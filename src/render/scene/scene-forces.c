@@ -342,7 +342,7 @@ add_face_values (QnSceneBuilder *b, const QnThrust *thrust, double least)
 {
   for (size_t f = 0; f < b->contacts->face_count; f++) {
     const QnContactFace *face = &b->contacts->faces[f];
-    QnJointReading r = qn_joint_reading (b->contacts, (QnId) f, b->pairs, NULL);
+    QnJointReading r = qn_joint_reading (b->contacts, (QnId) f, b->pairs);
     if (!has_next (&thrust->cuts[thrust->cut_of[f]])
         && (fabs (r.normal) > least || fabs (r.shear) > least
             || fabs (r.moment) > least * face->length))
@@ -395,7 +395,7 @@ find_resultants (const QnSceneBuilder *b, double *largest)
   *largest = 0;
   for (size_t f = 0; f < b->contacts->face_count; f++) {
     const QnContactFace *face = &b->contacts->faces[f];
-    QnJointReading reading = qn_joint_reading (b->contacts, (QnId) f, b->pairs, NULL);
+    QnJointReading reading = qn_joint_reading (b->contacts, (QnId) f, b->pairs);
     resultants[f] = (FaceForce){ joint_force (b, face, reading.normal, reading.shear),
                                  qn_builder_place_joint (b, face, reading.at) };
     *largest = fmax (*largest, qn_vec2_length (resultants[f].force));
