@@ -108,31 +108,20 @@ put_row (Compare *compare, int row, gboolean changed, const char *const texts[CO
   }
 }
 
-static gboolean
-take_curve (QnCurve *curve, const QnRun *run)
-{
-  return qn_curve_from_result (curve, &run->model, &run->result,
-                               qn_result_curve_motion (&run->model, &run->result));
-}
-
 /* How far the curve's point had moved at the last step; in time, how far any block ever went. */
 static char *
 dup_displacement (const QnRun *run)
 {
   const QnUnits millimetres = { .length = QN_LENGTH_MM };
-  QnCurve curve = { 0 };
-  char *text = NULL;
+  const QnCurveMotion motion = qn_result_curve_motion (&run->model, &run->result);
   if (qn_run_is_in_time (run))
     return qn_units_format_full (millimetres, QN_QUANTITY_LENGTH,
                                  qn_result_peak (&run->result, NULL), 4);
-  if (qn_run_has_curve (run) && take_curve (&curve, run)) {
-    if (curve.count > 0)
-      text = qn_units_format_full (
-        millimetres, curve.rotation ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH,
-        curve.x[curve.count - 1], 4);
-    qn_curve_clear (&curve);
-  }
-  return text != NULL ? text : g_strdup ("–");
+  if (!qn_run_has_curve (run) || motion.body == QN_NONE || run->result.step_count == 0)
+    return g_strdup ("–");
+  return qn_units_format_full (
+    millimetres, motion.dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH,
+    qn_curve_motion_at (&run->result, motion, run->result.step_count - 1), 4);
 }
 
 void
@@ -177,8 +166,10 @@ take_curves (Compare *compare, QnCurve *curves, GPtrArray *titles)
   for (guint i = 0; i < compare->shown->len; i++) {
     QnRun *run = compare->shown->pdata[i];
     QnCurve *curve = &curves[count];
-    if (!qn_run_has_curve (run) || !take_curve (curve, run))
+    if (!qn_run_has_curve (run))
       continue;
+    qn_curve_from_result (curve, &run->model, &run->result,
+                          qn_result_curve_motion (&run->model, &run->result));
     qn_curve_cut_runaway (curve);
     g_ptr_array_add (titles, qn_compare_dup_title (compare, run));
     curve->label = titles->pdata[titles->len - 1];

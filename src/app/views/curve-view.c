@@ -80,15 +80,15 @@ static void
 take_run (View *self, QnRun *run, QnCurveMotion motion)
 {
   Series *series = &self->series[self->series_count];
-  if (!qn_run_has_curve (run) || run->result.step_count == 0
-      || !qn_curve_from_result (&series->whole, &run->model, &run->result, motion))
+  if (!qn_run_has_curve (run) || run->result.step_count == 0)
     return;
-  if ((self->series_count > 0
-       && !qn_curve_shares_axes (&self->series[0].whole, &series->whole))
-      || !qn_curve_from_result (&series->fitting, &run->model, &run->result, motion)) {
+  qn_curve_from_result (&series->whole, &run->model, &run->result, motion);
+  if (self->series_count > 0
+      && !qn_curve_shares_axes (&self->series[0].whole, &series->whole)) {
     qn_curve_clear (&series->whole);
     return;
   }
+  qn_curve_from_result (&series->fitting, &run->model, &run->result, motion);
   qn_curve_cut_runaway (&series->fitting);
   series->run = qn_run_ref (run);
   self->series_count++;

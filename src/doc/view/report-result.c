@@ -35,8 +35,7 @@ take_curve (const QnReportRun *run, QnCurve *curve)
   QnCurveMotion motion = qn_result_curve_motion (model, result);
   if (motion.body == QN_NONE || result->step_count < 2 || result->limit.given)
     return false;
-  if (!qn_curve_from_result (curve, model, result, motion))
-    return false;
+  qn_curve_from_result (curve, model, result, motion);
   curve->label = run->name;
   qn_curve_cut_runaway (curve);
   return true;

@@ -115,8 +115,7 @@ read_curve (QnCurve *curve, const QnSheetRun *run, const QnCurveSheet *sheet,
   if (motion.body == QN_NONE)
     return qn_io_fail (error, QN_IO_ERROR_INVALID, _ ("%s: no step to show"),
                        run->project->name);
-  if (!qn_curve_from_result (curve, model, run->result, motion))
-    return qn_io_fail (error, QN_IO_ERROR_NO_MEMORY, "%s", _ ("not enough memory"));
+  qn_curve_from_result (curve, model, run->result, motion);
   if (sheet->until > 0)
     qn_curve_cut (curve, sheet->until);
   else if (!sheet->whole && !table)

@@ -119,7 +119,7 @@ describe_loads (QnCurve *curve, const QnModel *model, uint32_t sets)
   curve->bodies = model->block_count + model->node_count;
 }
 
-bool
+void
 qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *result,
                       QnCurveMotion motion)
 {
@@ -143,12 +143,8 @@ qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *resu
   curve->settles = settlement != NULL;
   if (set > 0 && !curve->settles && (size_t) set <= model->load_set_count)
     curve->set = g_strdup (model->load_sets[set - 1]);
-  curve->x = g_try_new0 (double, MAX (count, 1));
-  curve->y = g_try_new0 (double, MAX (count, 1));
-  if (curve->x == NULL || curve->y == NULL) {
-    qn_curve_clear (curve);
-    return false;
-  }
+  curve->x = g_new (double, MAX (count, 1));
+  curve->y = g_new (double, MAX (count, 1));
   curve->count = count;
   if (model->analysis.geometry == QN_GEOMETRY_LINEAR && !curve->rotation) {
     QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
@@ -165,13 +161,12 @@ qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *resu
                   : result->stage > 0 ? factors[set]
                                       : result->steps[s].multiplier;
   }
-  if (count > 0) {
-    QnCurveMotion total = { motion.body, motion.dof, false };
-    curve->since_dead = motion.since_dead && qn_curve_motion_at (result, total, 0) != 0;
-    curve->limit_point = curve->settles ? -1 : find_limit_point (result);
-    curve->collapse_point = find_collapse (result);
-  }
-  return true;
+  if (count == 0)
+    return;
+  QnCurveMotion total = { motion.body, motion.dof, false };
+  curve->since_dead = motion.since_dead && qn_curve_motion_at (result, total, 0) != 0;
+  curve->limit_point = curve->settles ? -1 : find_limit_point (result);
+  curve->collapse_point = find_collapse (result);
 }
 
 /* Share of the peak from which on a multiplier counts as the peak. */

@@ -45,8 +45,8 @@ bool qn_reference_line_parse (const char *text, QnReferenceLine *line);
 
 /* The curve of a displacement over the steps of a result, empty where there is none: the
  * multiplier of the loads that its last stage drives, at all steps. Of an analysis in
- * time its history, of a settlement the reaction. False when memory runs out. */
-bool qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *result,
+ * time its history, of a settlement the reaction. */
+void qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *result,
                            QnCurveMotion motion);
 
 /* Whether two curves may be drawn over the same axes: multipliers where they multiply the same

@@ -22,7 +22,7 @@ test_curve_of_result (void)
   f.result.first_limit_multiplier = f.result.steps[2].multiplier;
   size_t last = f.result.step_count - 1;
   QnCurveMotion motion = qn_result_curve_motion (&f.model, &f.result);
-  g_assert_true (qn_curve_from_result (&curve, &f.model, &f.result, motion));
+  qn_curve_from_result (&curve, &f.model, &f.result, motion);
   g_assert_cmpuint (curve.count, ==, f.result.step_count);
   g_assert_cmpfloat (curve.x[last], ==,
                      *displacement (&f, last, motion) - *displacement (&f, 0, motion));
@@ -34,7 +34,7 @@ test_curve_of_result (void)
   qn_curve_clear (&curve);
 
   const QnCurveMotion turning = { 3, QN_DOF_RZ, false };
-  g_assert_true (qn_curve_from_result (&curve, &f.model, &f.result, turning));
+  qn_curve_from_result (&curve, &f.model, &f.result, turning);
   g_assert_cmpfloat (curve.x[last], ==, *displacement (&f, last, turning));
   g_assert_true (curve.rotation);
   qn_curve_clear (&curve);
@@ -61,8 +61,8 @@ test_earth_pressures (void)
     load->earth = soils[i].earth;
     load->coefficient = soils[i].coefficient;
     load->friction_angle = soils[i].earth == QN_EARTH_GIVEN ? 0 : QN_PI / 6;
-    g_assert_true (qn_curve_from_result (&curves[i], &f.model, &f.result,
-                                         qn_result_curve_motion (&f.model, &f.result)));
+    qn_curve_from_result (&curves[i], &f.model, &f.result,
+                          qn_result_curve_motion (&f.model, &f.result));
   }
   g_assert_false (qn_curve_shares_axes (&curves[0], &curves[1]));
   g_assert_true (qn_curve_shares_axes (&curves[0], &curves[2])); /* 1 - sin 30° */
@@ -81,11 +81,11 @@ test_since_dead_load (void)
   const QnCurveMotion total = { 3, QN_DOF_UX, false }, since = { 3, QN_DOF_UX, true };
   for (size_t s = 0; s < f.result.step_count; s++)
     *(double *) displacement (&f, s, total) -= 0.25;
-  g_assert_true (qn_curve_from_result (&curve, &f.model, &f.result, since));
+  qn_curve_from_result (&curve, &f.model, &f.result, since);
   g_assert_true (curve.since_dead);
   g_assert_cmpfloat (curve.x[0], ==, 0);
   qn_curve_clear (&curve);
-  g_assert_true (qn_curve_from_result (&curve, &f.model, &f.result, total));
+  qn_curve_from_result (&curve, &f.model, &f.result, total);
   g_assert_false (curve.since_dead);
   g_assert_cmpfloat (curve.x[0], ==, -0.25);
   qn_curve_clear (&curve);
@@ -105,8 +105,8 @@ test_history (void)
     f.result.steps[s].time = 0.5 * (double) s;
     f.result.steps[s].multiplier = 0;
   }
-  g_assert_true (qn_curve_from_result (&curve, &f.model, &f.result,
-                                       (QnCurveMotion){ 3, QN_DOF_UX, true }));
+  qn_curve_from_result (&curve, &f.model, &f.result,
+                        (QnCurveMotion){ 3, QN_DOF_UX, true });
   g_assert_true (curve.in_time);
   for (size_t s = 0; s < curve.count; s++) {
     g_assert_cmpfloat (curve.x[s], ==, 0.5 * (double) s);
@@ -130,14 +130,14 @@ test_limit_of_descending_curve (void)
     steps[s].multiplier = s == 2 ? 0.5 : s < 2 ? 0.1 * (double) s : 0.4;
   f.result.has_first_limit_multiplier = true;
   f.result.first_limit_multiplier = 0.5;
-  g_assert_true (qn_curve_from_result (&curve, &f.model, &f.result,
-                                       qn_result_curve_motion (&f.model, &f.result)));
+  qn_curve_from_result (&curve, &f.model, &f.result,
+                        qn_result_curve_motion (&f.model, &f.result));
   g_assert_cmpint (curve.limit_point, ==, 2);
   qn_curve_clear (&curve);
 
   f.result.first_limit_multiplier = 0.45; /* between two steps */
-  g_assert_true (qn_curve_from_result (&curve, &f.model, &f.result,
-                                       qn_result_curve_motion (&f.model, &f.result)));
+  qn_curve_from_result (&curve, &f.model, &f.result,
+                        qn_result_curve_motion (&f.model, &f.result));
   g_assert_cmpint (curve.limit_point, ==, 1);
   qn_curve_clear (&curve);
 
@@ -145,8 +145,8 @@ test_limit_of_descending_curve (void)
   f.result.has_collapse_multiplier = true;
   f.result.collapse_multiplier = 0.5;
   f.result.first_limit_multiplier = 1e-5;
-  g_assert_true (qn_curve_from_result (&curve, &f.model, &f.result,
-                                       qn_result_curve_motion (&f.model, &f.result)));
+  qn_curve_from_result (&curve, &f.model, &f.result,
+                        qn_result_curve_motion (&f.model, &f.result));
   g_assert_cmpint (curve.limit_point, ==, -1);
   qn_curve_clear (&curve);
   fixture_clear (&f);
