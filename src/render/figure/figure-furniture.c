@@ -3,7 +3,6 @@
 #include "render/backend/draw-cairo.h"
 #include "render/drawing/paint.h"
 #include "render/drawing/text.h"
-#include "render/scene/scene-builder.h"
 
 /* Measures of the layout, pt. */
 #define ROW_HEIGHT   12.5
@@ -119,26 +118,6 @@ flow_place (const QnFurniture *f, size_t item, double width, Flow *flow)
   flow->row = fmax (flow->row, f->heights[item]);
 }
 
-void
-qn_furniture_init_plot (QnFurniture *f, const QnScene *legend, cairo_t *cr, double unit,
-                        const char *title, bool monochrome, double x, double width,
-                        double *top, double *bottom)
-{
-  if (title != NULL && *title != '\0') {
-    QnTextStyle style = { .size = QN_TYPE_TITLE * unit, .bold = true, .width = width };
-    double w, h;
-    qn_text_measure (cr, &style, title, &w, &h);
-    qn_text_draw (cr, &style, title, x, *top, 0, 0, 0, qn_ink (QN_INK_LINE, monochrome));
-    *top += h + 6 * unit;
-  }
-  qn_furniture_init (f, legend, cr, unit, width, false);
-  f->x = x;
-  f->width = width;
-  f->height = qn_furniture_row_height (f, width);
-  f->y = *bottom - f->height;
-  *bottom = f->y - (f->count > 0 ? 6 * unit : 0);
-}
-
 double
 qn_furniture_row_height (const QnFurniture *f, double width)
 {
@@ -179,13 +158,22 @@ length_text (double metres)
   return g_strconcat (number, metres >= 1 ? " m" : " mm", NULL);
 }
 
+/* The largest of 1, 2, 5 x 10^n not above `value` (> 0). */
+static double
+nice_below (double value)
+{
+  double power = pow (10, floor (log10 (value)));
+  double digit = value / power;
+  return (digit >= 5 ? 5 : digit >= 2 ? 2 : 1) * power;
+}
+
 /* A bar of a 1-2-5 length with its half filled. */
 static void
 draw_scale_bar (const QnFurniture *f, cairo_t *cr, double x, double y, double scale)
 {
   double u = f->unit;
   QnColor line = qn_ink (QN_INK_LINE, f->scene->monochrome);
-  double length = qn_nice_below (0.6 * SCALE_WIDTH * u / scale);
+  double length = nice_below (0.6 * SCALE_WIDTH * u / scale);
   double width = length * scale, top = y + 4.2 * u, height = 3.2 * u;
   qn_set_color (cr, line, 1);
   cairo_rectangle (cr, x, top, 0.5 * width, height);

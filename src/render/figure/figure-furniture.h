@@ -27,13 +27,6 @@ void qn_furniture_init (QnFurniture *furniture, const QnScene *scene, cairo_t *c
                         double unit, double limit, bool scale_bar);
 void qn_furniture_clear (QnFurniture *furniture);
 
-/* For a plot between the heights *top and *bottom, px, from x on: draws its title (nullable) at the
- * top and makes furniture with the legend at the bottom, which the caller draws and clears. The plot
- * gets the heights left between *top and *bottom. */
-void qn_furniture_init_plot (QnFurniture *furniture, const QnScene *legend, cairo_t *cr,
-                             double unit, const char *title, bool monochrome, double x,
-                             double width, double *top, double *bottom);
-
 /* Height in px of the items flowing in rows of a given width. */
 double qn_furniture_row_height (const QnFurniture *furniture, double width);
 

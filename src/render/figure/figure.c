@@ -45,8 +45,7 @@ shown_step (const QnFigure *figure)
 static bool
 shows_result (const QnFigure *figure)
 {
-  return figure->result != NULL && figure->options.view != QN_VIEW_MODEL
-         && figure->options.view != QN_VIEW_CONTACTS;
+  return figure->result != NULL && qn_view_needs_result (figure->options.view);
 }
 
 double

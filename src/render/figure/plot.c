@@ -575,13 +575,36 @@ create_legend (const Drawing *d)
   return scene;
 }
 
+/* Draws the title at the top of the frame and places the legend at its bottom, which the caller draws and
+ * clears; the plot gets the heights left between *top and *bottom. */
+static void
+place_words (const Drawing *d, const QnScene *legend, const QnFrame *frame,
+             QnFurniture *furniture, double *top, double *bottom)
+{
+  const double u = d->unit, width = frame->width;
+  *top = frame->y;
+  if (d->plot->title != NULL && *d->plot->title != '\0') {
+    QnTextStyle style = { .size = QN_TYPE_TITLE * u, .bold = true, .width = width };
+    double w, h;
+    qn_text_measure (d->cr, &style, d->plot->title, &w, &h);
+    qn_text_draw (d->cr, &style, d->plot->title, frame->x, *top, 0, 0, 0,
+                  qn_ink (QN_INK_LINE, d->plot->monochrome));
+    *top += h + 6 * u;
+  }
+  qn_furniture_init (furniture, legend, d->cr, u, width, false);
+  furniture->x = frame->x;
+  furniture->width = width;
+  furniture->height = qn_furniture_row_height (furniture, width);
+  furniture->y = frame->y + frame->height - furniture->height;
+  *bottom = furniture->y - (furniture->count > 0 ? 6 * u : 0);
+}
+
 void
 qn_plot_draw (const QnPlot *plot, cairo_t *cr, double u, const QnFrame *frame,
               QnPlotPlace *where)
 {
   Drawing d = { .plot = plot, .cr = cr, .unit = u };
-  double top = frame->y, bottom = frame->y + frame->height;
-  double values[2] = { INFINITY, -INFINITY };
+  double top, bottom, values[2] = { INFINITY, -INFINITY };
   QnFurniture furniture;
   for (guint i = 0; i < plot->marks->len; i++) {
     const QnMarks *m = &g_array_index (plot->marks, QnMarks, i);
@@ -592,8 +615,7 @@ qn_plot_draw (const QnPlot *plot, cairo_t *cr, double u, const QnFrame *frame,
                         .max = fmax (values[0], values[1]),
                         .factor = 1 };
   g_autoptr (QnScene) legend = create_legend (&d);
-  qn_furniture_init_plot (&furniture, legend, cr, u, plot->title, plot->monochrome,
-                          frame->x, frame->width, &top, &bottom);
+  place_words (&d, legend, frame, &furniture, &top, &bottom);
   lay_out (&d, frame, top, bottom);
   if (d.y.start > d.y.end && d.x.end > d.x.start) {
     axes_draw (&d.x, &d.y, cr, u, plot->monochrome);

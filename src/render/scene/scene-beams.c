@@ -20,7 +20,7 @@ static bool
 shows_forces (const QnSceneBuilder *b)
 {
   return b->result != NULL && b->result->beam_forces != NULL && b->result->step_count > 0
-         && b->options->view != QN_VIEW_MODEL && b->options->view != QN_VIEW_CONTACTS;
+         && qn_view_needs_result (b->options->view);
 }
 
 void

@@ -267,11 +267,3 @@ qn_scene_build (const QnModel *model, const QnContacts *contacts, const QnResult
   g_free (b.pairs);
   return b.scene;
 }
-
-double
-qn_nice_below (double value)
-{
-  double power = pow (10, floor (log10 (value)));
-  double digit = value / power;
-  return (digit >= 5 ? 5 : digit >= 2 ? 2 : 1) * power;
-}

@@ -107,6 +107,3 @@ void qn_build_diagrams (QnSceneBuilder *builder);
 /* scene-field.c: one colour per block, newly allocated, or NULL where the field is not one of
  * blocks; fields of joints are added as lines. */
 QnColor *qn_build_field (QnSceneBuilder *builder);
-
-/* The largest of 1, 2, 5 x 10^n not above `value` (> 0). */
-double qn_nice_below (double value);

@@ -24,8 +24,7 @@ static const QnTieResult *
 find_ties (const QnSceneBuilder *b)
 {
   bool shown = b->result != NULL && b->result->step_count > 0
-               && b->options->view != QN_VIEW_MODEL
-               && b->options->view != QN_VIEW_CONTACTS;
+               && qn_view_needs_result (b->options->view);
   return shown ? qn_result_step_ties (b->result, b->step) : NULL;
 }
 
