@@ -130,41 +130,17 @@ qn_scene_arrow (QnScene *scene, QnLayer layer, QnVec2 from, QnVec2 to, double wi
   head->most = (float) (size / HEAD_SHARE);
 }
 
-G_GNUC_PRINTF (3, 0)
-static QnLegendEntry *
-add_legend (QnScene *scene, QnLegendEntry entry, const char *format, va_list args)
+QnLegendEntry *
+qn_scene_legend (QnScene *scene, QnCommandKind kind, double size, QnColor color,
+                 const char *format, ...)
 {
+  QnLegendEntry entry = { .kind = (uint8_t) kind, .color = color, .size = (float) size };
+  va_list args;
+  va_start (args, format);
   entry.text = g_strdup_vprintf (format, args);
+  va_end (args);
   g_array_append_val (scene->legend, entry);
   return &g_array_index (scene->legend, QnLegendEntry, scene->legend->len - 1);
-}
-
-QnLegendEntry *
-qn_scene_legend (QnScene *scene, QnCommandKind kind, QnColor color, const char *format,
-                 ...)
-{
-  va_list args;
-  va_start (args, format);
-  QnLegendEntry *entry = add_legend (
-    scene, (QnLegendEntry){ .kind = (uint8_t) kind, .color = color, .size = 1.5f },
-    format, args);
-  va_end (args);
-  return entry;
-}
-
-void
-qn_scene_legend_marker (QnScene *scene, QnMarker marker, double size, QnColor color,
-                        const char *format, ...)
-{
-  va_list args;
-  va_start (args, format);
-  add_legend (scene,
-              (QnLegendEntry){ .kind = QN_COMMAND_MARKER,
-                               .marker = (uint8_t) marker,
-                               .color = color,
-                               .size = (float) size },
-              format, args);
-  va_end (args);
 }
 
 /* Stable counting sort by layer: within a layer the order of addition stays. */

@@ -167,13 +167,11 @@ qn_command_has_size (const QnCommand *command, const QnCamera *camera)
          || (size >= command->least && !(command->most > 0 && size >= command->most));
 }
 
-/* Adds a line to the legend; valid until the next addition. */
-QnLegendEntry *qn_scene_legend (QnScene *scene, QnCommandKind kind, QnColor color,
-                                const char *format, ...) G_GNUC_PRINTF (4, 5);
-
-/* A legend entry with a marker of a size (pt) as its sample. */
-void qn_scene_legend_marker (QnScene *scene, QnMarker marker, double size, QnColor color,
-                             const char *format, ...) G_GNUC_PRINTF (5, 6);
+/* Adds a line to the legend; valid until the next addition. `size`: of a line or of a marker, which is a dot
+ * unless it is set, pt. */
+QnLegendEntry *qn_scene_legend (QnScene *scene, QnCommandKind kind, double size,
+                                QnColor color, const char *format, ...)
+  G_GNUC_PRINTF (5, 6);
 
 /* Sorts the commands and computes the box. To be called once, when all is added. */
 void qn_scene_finish (QnScene *scene);

@@ -556,19 +556,19 @@ create_legend (const Drawing *d)
     if (m->label == NULL || plot->without_legend)
       continue;
     if (m->kind == QN_MARKS_POINTS) {
-      qn_scene_legend_marker (scene, m->marker, m->size > 0 ? m->size : DOT, color, "%s",
-                              m->label);
+      qn_scene_legend (scene, QN_COMMAND_MARKER, m->size > 0 ? m->size : DOT, color, "%s",
+                       m->label)
+        ->marker = (uint8_t) m->marker;
       continue;
     }
     QnLegendEntry *entry =
       qn_scene_legend (scene, filled ? QN_COMMAND_FILL : QN_COMMAND_STROKE,
+                       m->kind == QN_MARKS_LEVEL ? LEVEL_WIDTH : 1.5,
                        qn_color_fade (color, m->kind == QN_MARKS_BAND ? BAND_ALPHA
                                              : filled                 ? BAR_ALPHA
                                                                       : 1),
                        "%s", m->label);
     entry->dashed = m->dash > 0;
-    if (m->kind == QN_MARKS_LEVEL)
-      entry->size = (float) LEVEL_WIDTH;
   }
   scene->bar = d->bar;
   scene->bar.title = g_strdup (plot->bar_title);

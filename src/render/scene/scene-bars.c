@@ -159,7 +159,7 @@ add_yield_marks (QnSceneBuilder *b, const GArray *crossings)
     any = true;
   }
   if (any)
-    qn_scene_legend_marker (b->scene, QN_MARKER_DOT, 4, ink, "%s", _ ("bar yields"));
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, 4, ink, "%s", _ ("bar yields"));
 }
 
 /* One bar, or many from the thinnest to the thickest. */
@@ -211,9 +211,8 @@ qn_build_bars (QnSceneBuilder *b)
   }
   if (!range.shown) {
     g_autofree char *label = dup_label (b->model);
-    qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_BAR), "%s",
-                     label)
-      ->size = (float) WIDTH_BAR;
+    qn_scene_legend (b->scene, QN_COMMAND_STROKE, WIDTH_BAR,
+                     qn_builder_ink (b, QN_INK_BAR), "%s", label);
     return;
   }
   QnColor pulled = qn_color_bar_color (&range, range.max, b->options->monochrome);
@@ -221,11 +220,9 @@ qn_build_bars (QnSceneBuilder *b)
   g_autofree char *most = qn_label_number ("%.3g", range.max * range.factor);
   g_autofree char *least = qn_label_number ("%.3g", -range.min * range.factor);
   if (range.max > 0)
-    qn_scene_legend (b->scene, QN_COMMAND_STROKE, pulled,
-                     _ ("bars: tension up to %s MPa"), most)
-      ->size = (float) WIDTH_BAR;
+    qn_scene_legend (b->scene, QN_COMMAND_STROKE, WIDTH_BAR, pulled,
+                     _ ("bars: tension up to %s MPa"), most);
   if (range.min < 0)
-    qn_scene_legend (b->scene, QN_COMMAND_STROKE, pressed,
-                     _ ("bars: compression up to %s MPa"), least)
-      ->size = (float) WIDTH_BAR;
+    qn_scene_legend (b->scene, QN_COMMAND_STROKE, WIDTH_BAR, pressed,
+                     _ ("bars: compression up to %s MPa"), least);
 }

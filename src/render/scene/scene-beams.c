@@ -255,8 +255,8 @@ qn_build_beams (QnSceneBuilder *b)
   }
   add_nodes (b);
   if (yields)
-    qn_scene_legend_marker (b->scene, QN_MARKER_DOT, 7, qn_builder_ink (b, QN_INK_HINGE),
-                            "%s", _ ("plastic hinge"));
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, 7, qn_builder_ink (b, QN_INK_HINGE),
+                     "%s", _ ("plastic hinge"));
   for (size_t i = 0; b->options->names && i < model->beam_count; i++) {
     QnVec2 across;
     QnId middle = model->beams[i].first_element + model->beams[i].element_count / 2;

@@ -55,7 +55,7 @@ add_material_legend (QnSceneBuilder *b, GArray *materials)
     bool named = law != QN_NONE && (size_t) law < b->model->law_count
                  && b->model->laws[law].name != NULL;
     g_autofree char *number = qn_label_number ("%.4g", block->unit_weight / 1000);
-    qn_scene_legend (b->scene, QN_COMMAND_FILL,
+    qn_scene_legend (b->scene, QN_COMMAND_FILL, 0,
                      qn_material_color ((int) i, b->options->monochrome), "%s kN/m³%s%s",
                      number, named ? ", " : "", named ? b->model->laws[law].name : "");
   }
@@ -111,8 +111,7 @@ qn_build_ghost (QnSceneBuilder *b)
   }
   any |= qn_build_beam_ghosts (b);
   if (any)
-    qn_scene_legend (b->scene, QN_COMMAND_STROKE, line, "%s", _ ("undeformed"))->size =
-      0.7f;
+    qn_scene_legend (b->scene, QN_COMMAND_STROKE, 0.7f, line, "%s", _ ("undeformed"));
 }
 
 void
@@ -144,11 +143,9 @@ qn_build_onion (QnSceneBuilder *b)
     qn_command_set_extent (command, smaller_side (v, (QnId) points->len), 3);
   }
   g_autofree char *number = qn_label_number ("%.4f", multiplier);
-  QnLegendEntry *entry = known ? qn_scene_legend (b->scene, QN_COMMAND_STROKE, line,
-                                                  _ ("second result, λ = %s"), number)
-                               : qn_scene_legend (b->scene, QN_COMMAND_STROKE, line, "%s",
-                                                  _ ("second result"));
-  entry->dashed = true;
+  g_autofree char *label = known ? g_strdup_printf (_ ("second result, λ = %s"), number)
+                                 : g_strdup (_ ("second result"));
+  qn_scene_legend (b->scene, QN_COMMAND_STROKE, 1.5, line, "%s", label)->dashed = true;
 }
 
 /* In the middle; above an arrow of a load there that lies, beside one that stands. Shown where the block

@@ -189,7 +189,7 @@ build_view (QnSceneBuilder *b)
   g_autofree char *scale = qn_motion_dup_scale (b->scene->scale);
   if (options->view == QN_VIEW_DEFORMED
       && !options->titles) /* what else the caption says */
-    qn_scene_legend (b->scene, QN_COMMAND_TEXT, qn_builder_ink (b, QN_INK_LINE), "%s",
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, qn_builder_ink (b, QN_INK_LINE), "%s",
                      scale);
   if (moving && options->ghost)
     qn_build_ghost (b);

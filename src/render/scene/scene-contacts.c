@@ -130,15 +130,14 @@ qn_build_contacts (QnSceneBuilder *b)
   }
   if (contacts->face_count > 0) {
     qn_scene_legend (
-      b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_FACE),
+      b->scene, QN_COMMAND_STROKE, QN_WIDTH_FACE, qn_builder_ink (b, QN_INK_FACE),
       ngettext ("%zu contact face", "%zu contact faces", contacts->face_count),
-      contacts->face_count)
-      ->size = QN_WIDTH_FACE;
-    qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, 0.6f,
-                            qn_builder_ink (b, QN_INK_FACE), "%s",
-                            _ ("normal of a face"));
-    qn_scene_legend_marker (
-      b->scene, QN_MARKER_DOT, 3.4f, dot,
+      contacts->face_count);
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, 0.6f, qn_builder_ink (b, QN_INK_FACE),
+                     "%s", _ ("normal of a face"))
+      ->marker = QN_MARKER_ARROW_HEAD;
+    qn_scene_legend (
+      b->scene, QN_COMMAND_MARKER, 3.4f, dot,
       ngettext ("%zu contact pair", "%zu contact pairs", contacts->pair_count),
       contacts->pair_count);
   }
@@ -163,7 +162,8 @@ qn_build_findings (QnSceneBuilder *b)
     if (used[finding->problem])
       continue;
     used[finding->problem] = true;
-    qn_scene_legend_marker (b->scene, marker, 9, color, "%s",
-                            _ (qn_problem_text (finding->problem)));
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, 9, color, "%s",
+                     _ (qn_problem_text (finding->problem)))
+      ->marker = (uint8_t) marker;
   }
 }

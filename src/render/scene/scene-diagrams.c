@@ -152,9 +152,8 @@ qn_build_diagrams (QnSceneBuilder *b)
       label_beam (b, &drawing, &b->model->beams[i], largest, per_unit);
   }
   g_autofree char *number = qn_label_number ("%.4g", largest / 1000);
-  qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_FORCE),
+  qn_scene_legend (b->scene, QN_COMMAND_STROKE, 2, qn_builder_ink (b, QN_INK_FORCE),
                    _ ("%s, largest %s %s"), _ (names[b->options->diagram]), number,
-                   b->options->diagram == QN_DIAGRAM_MOMENT ? "kN·m" : "kN")
-    ->size = 2;
+                   b->options->diagram == QN_DIAGRAM_MOMENT ? "kN·m" : "kN");
   qn_beam_drawing_clear (&drawing);
 }

@@ -167,8 +167,8 @@ add_joint_lines (QnSceneBuilder *b, const double *values)
   if (!cracks || !(bar->max > 0))
     return;
   g_autofree char *most = qn_label_number ("%.3g", bar->max * bar->factor);
-  qn_scene_legend (b->scene, QN_COMMAND_STROKE, ink, _ ("crack, up to %s mm wide"), most)
-    ->size = WIDTH_CRACK;
+  qn_scene_legend (b->scene, QN_COMMAND_STROKE, WIDTH_CRACK, ink,
+                   _ ("crack, up to %s mm wide"), most);
 }
 
 /* Bodies of a mechanism that are named in the legend. */
@@ -196,7 +196,7 @@ build_bodies (QnSceneBuilder *b)
   for (size_t i = 0; i < mechanism.body_count; i++) {
     const QnMechanismBody *body = &mechanism.bodies[i];
     if (i < NAMED_BODIES)
-      qn_scene_legend (b->scene, QN_COMMAND_FILL,
+      qn_scene_legend (b->scene, QN_COMMAND_FILL, 0,
                        qn_color_fade (qn_series_color ((int) i, grey), BODY_FILL),
                        _ ("body %d"), (int) i + 1);
     if (!body->turns
@@ -207,8 +207,9 @@ build_bodies (QnSceneBuilder *b)
     turns = true;
   }
   if (turns)
-    qn_scene_legend_marker (b->scene, QN_MARKER_CROSS, 4.2f, mark, "%s",
-                            _ ("centre of rotation"));
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, 4.2f, mark, "%s",
+                     _ ("centre of rotation"))
+      ->marker = QN_MARKER_CROSS;
   qn_mechanism_clear (&mechanism);
   return colors;
 }
@@ -231,12 +232,11 @@ add_stress_legend (QnSceneBuilder *b, double stress)
 {
   const bool pulled = stress > 0;
   g_autofree char *number = qn_label_number ("%.3g", 1e-6 * fabs (stress));
-  qn_scene_legend (b->scene, QN_COMMAND_STROKE,
+  qn_scene_legend (b->scene, QN_COMMAND_STROKE, pulled ? WIDTH_TENSION : WIDTH_PRESSED,
                    qn_builder_ink (b, pulled ? QN_INK_OPEN : QN_INK_SLIDE),
                    pulled ? _ ("principal tension, up to %s MPa")
                           : _ ("principal compression, up to %s MPa"),
-                   number)
-    ->size = pulled ? WIDTH_TENSION : WIDTH_PRESSED;
+                   number);
 }
 
 /* Crosses of the principal stresses; the longest arm is that of the largest of all. */
@@ -278,7 +278,7 @@ qn_build_field (QnSceneBuilder *b)
   if (field == QN_FIELD_BODIES)
     return build_bodies (b);
   if (qn_field_is_stress (field) && b->model->bar_count > 0)
-    qn_scene_legend (b->scene, QN_COMMAND_TEXT, qn_builder_ink (b, QN_INK_LINE), "%s",
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, qn_builder_ink (b, QN_INK_LINE), "%s",
                      _ ("stresses of blocks with the forces of bars"));
   if (field == QN_FIELD_PRINCIPAL) {
     build_principal (b);

@@ -107,8 +107,8 @@ qn_build_found (QnSceneBuilder *b)
     qn_command_set_pick (command, QN_PICK_FOUND, b->touches[i].found);
   }
   if (b->touch_count > 0)
-    qn_scene_legend_marker (b->scene, QN_MARKER_DOT, FOUND_SIZE, color, "%s",
-                            _ ("contact found during the motion"));
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, FOUND_SIZE, color, "%s",
+                     _ ("contact found during the motion"));
 }
 
 static void
@@ -357,7 +357,7 @@ add_face_values (QnSceneBuilder *b, const QnThrust *thrust, double least)
                   touch->shear, 0, 0, 0, QN_PLACE_NOWHERE, b->block_size,
                   qn_builder_ink (b, QN_INK_FORCE));
   }
-  qn_scene_legend (b->scene, QN_COMMAND_TEXT, qn_builder_ink (b, QN_INK_LINE), "%s",
+  qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, qn_builder_ink (b, QN_INK_LINE), "%s",
                    _ ("N, T (kN), M (kN·m), e (mm), where there is room"));
 }
 
@@ -372,17 +372,15 @@ add_thrust_legend (QnSceneBuilder *b, const bool places[QN_PLACE_COUNT])
   QnColor color = qn_builder_ink (b, QN_INK_THRUST);
   if (!places[QN_PLACE_KERN] && !places[QN_PLACE_INSIDE] && !places[QN_PLACE_EDGE])
     return;
-  qn_scene_legend (b->scene, QN_COMMAND_STROKE, color, "%s", _ ("line of thrust"))->size =
-    2.2F;
-  qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_FAINT), "%s",
-                   _ ("kern: middle third of a joint"))
-    ->size = 1.6F;
+  qn_scene_legend (b->scene, QN_COMMAND_STROKE, 2.2F, color, "%s", _ ("line of thrust"));
+  qn_scene_legend (b->scene, QN_COMMAND_STROKE, 1.6F, qn_builder_ink (b, QN_INK_FAINT),
+                   "%s", _ ("kern: middle third of a joint"));
   for (int place = QN_PLACE_KERN; place < QN_PLACE_COUNT; place++) {
     if (!places[place])
       continue;
-    qn_scene_legend_marker (b->scene, place_marker ((QnPressurePlace) place),
-                            place_size ((QnPressurePlace) place), color, "%s",
-                            _ (words[place]));
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, place_size ((QnPressurePlace) place),
+                     color, "%s", _ (words[place]))
+      ->marker = (uint8_t) place_marker ((QnPressurePlace) place);
   }
 }
 
@@ -426,9 +424,8 @@ qn_build_forces (QnSceneBuilder *b)
   }
   add_found_forces (b, per_newton, largest);
   g_autofree char *number = qn_label_number ("%.4g", largest / 1000);
-  qn_scene_legend (b->scene, QN_COMMAND_STROKE, qn_builder_ink (b, QN_INK_FORCE),
-                   _ ("resultant of a joint, largest %s kN"), number)
-    ->size = 2;
+  qn_scene_legend (b->scene, QN_COMMAND_STROKE, 2, qn_builder_ink (b, QN_INK_FORCE),
+                   _ ("resultant of a joint, largest %s kN"), number);
   QnThrust thrust;
   bool places[QN_PLACE_COUNT] = { false };
   qn_thrust_find (&thrust, b->model, contacts, b->pairs, b->touches, b->touch_count);
@@ -438,7 +435,7 @@ qn_build_forces (QnSceneBuilder *b)
   qn_thrust_clear (&thrust);
   add_thrust_legend (b, places);
   if (b->options->symbols)
-    qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, 0.6f,
-                            qn_builder_ink (b, QN_INK_FAINT), "%s",
-                            _ ("force of a contact pair"));
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, 0.6f, qn_builder_ink (b, QN_INK_FAINT),
+                     "%s", _ ("force of a contact pair"))
+      ->marker = QN_MARKER_ARROW_HEAD;
 }

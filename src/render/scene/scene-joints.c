@@ -126,12 +126,15 @@ qn_build_joints (QnSceneBuilder *b)
                               ? g_strdup_printf (_ ("sliding joint (%d)"), tally.sliding)
                               : g_strdup (_ ("sliding joint"));
   if (tally.open > 0)
-    qn_scene_legend (b->scene, QN_COMMAND_FILL, open, "%s", _ ("open joint"));
+    qn_scene_legend (b->scene, QN_COMMAND_FILL, 0, open, "%s", _ ("open joint"));
   if (tally.hinge > 0)
-    qn_scene_legend_marker (b->scene, QN_MARKER_RING, 4.2f, hinge, "%s", hinges);
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, 4.2f, hinge, "%s", hinges)->marker =
+      QN_MARKER_RING;
   if (tally.sliding > 0)
-    qn_scene_legend_marker (b->scene, QN_MARKER_SLIDE, 11, slide, "%s", slides);
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, 11, slide, "%s", slides)->marker =
+      QN_MARKER_SLIDE;
   if (broken > 0)
-    qn_scene_legend_marker (b->scene, QN_MARKER_CROSS, 5, qn_builder_ink (b, QN_INK_LINE),
-                            "%s", _ ("broken bond"));
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, 5, qn_builder_ink (b, QN_INK_LINE),
+                     "%s", _ ("broken bond"))
+      ->marker = QN_MARKER_CROSS;
 }

@@ -336,9 +336,10 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
       continue;
     if (load->kind == QN_LOAD_VEHICLE) {
       add_axles (b, load, pick, (QnId) i, color);
-      qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, QN_WIDTH_ARROW, color,
-                              _ ("%s: vehicle %s"), called,
-                              b->model->vehicles[load->vehicle].name);
+      qn_scene_legend (b->scene, QN_COMMAND_MARKER, QN_WIDTH_ARROW, color,
+                       _ ("%s: vehicle %s"), called,
+                       b->model->vehicles[load->vehicle].name)
+        ->marker = QN_MARKER_ARROW_HEAD;
     }
     if (qn_load_is_on_edges (load->kind)) {
       size_t source = i + (loads == b->model->live_loads ? b->model->dead_load_count : 0);
@@ -352,8 +353,9 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
       add_line_load (b, load, pick, (QnId) i, color);
     else if (load->kind == QN_LOAD_SETTLEMENT) {
       add_settlement (b, load, pick, (QnId) i, color);
-      qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, 1.4f, color,
-                              _ ("%s: settlement"), called);
+      qn_scene_legend (b->scene, QN_COMMAND_MARKER, 1.4f, color, _ ("%s: settlement"),
+                       called)
+        ->marker = QN_MARKER_ARROW_HEAD;
     }
     if (load->kind != QN_LOAD_WEIGHT)
       continue;
@@ -366,18 +368,17 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
     g_autofree char *what = own && load->vector.y == -1
                               ? g_strdup (_ ("own weight"))
                               : g_strdup_printf (_ ("weight × (%s, %s)"), x, y);
-    QnLegendEntry *entry =
-      qn_scene_legend (b->scene, own ? QN_COMMAND_TEXT : QN_COMMAND_MARKER, color,
-                       _ ("%s: %s"), called, what);
-    entry->marker = QN_MARKER_ARROW_HEAD;
-    entry->size = QN_WIDTH_ARROW;
+    qn_scene_legend (b->scene, own ? QN_COMMAND_TEXT : QN_COMMAND_MARKER, QN_WIDTH_ARROW,
+                     color, _ ("%s: %s"), called, what)
+      ->marker = QN_MARKER_ARROW_HEAD;
   }
   if (on_edges)
-    qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, QN_WIDTH_ARROW, color,
-                            _ ("%s: load on edges"), name);
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, QN_WIDTH_ARROW, color,
+                     _ ("%s: load on edges"), name)
+      ->marker = QN_MARKER_ARROW_HEAD;
   if (largest > 0)
-    qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, 1.4f, color, _ ("%s: force"),
-                            name);
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, 1.4f, color, _ ("%s: force"), name)
+      ->marker = QN_MARKER_ARROW_HEAD;
 }
 
 /* What shakes the ground has no place in the drawing: the legend names it. */
@@ -388,13 +389,13 @@ name_ground_motion (QnSceneBuilder *b, const QnGroundMotion *motion)
   g_autofree char *peak =
     qn_label_number ("%.4g", motion->scale * motion->pulse.amplitude);
   if (motion->kind == QN_SIGNAL_PULSE)
-    qn_scene_legend (b->scene, QN_COMMAND_TEXT, line,
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line,
                      _ ("ground motion: pulse of %s m/s²"), peak);
   else if (motion->record != NULL)
-    qn_scene_legend (b->scene, QN_COMMAND_TEXT, line, _ ("ground motion: %s"),
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line, _ ("ground motion: %s"),
                      motion->record);
   else
-    qn_scene_legend (b->scene, QN_COMMAND_TEXT, line, "%s", _ ("ground motion"));
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line, "%s", _ ("ground motion"));
 }
 
 void

@@ -60,7 +60,7 @@ qn_build_soil (QnSceneBuilder *b)
     qn_scene_stroke (b->scene, QN_LAYER_GHOST, load->surface,
                      (size_t) load->surface_count, false, 1.0F,
                      qn_builder_ink (b, QN_INK_DEAD_LOAD));
-    qn_scene_legend (b->scene, QN_COMMAND_FILL, color, "%s", _ ("fill"));
+    qn_scene_legend (b->scene, QN_COMMAND_FILL, 0, color, "%s", _ ("fill"));
   }
   qn_pool_clear (&room);
 }
@@ -84,6 +84,7 @@ qn_build_soil_forces (QnSceneBuilder *b, const QnTieResult *ties)
                       QN_WIDTH_ARROW, color, QN_PICK_NOTHING, QN_NONE, 0);
   }
   if (largest > 0)
-    qn_scene_legend_marker (b->scene, QN_MARKER_ARROW_HEAD, QN_WIDTH_ARROW, color, "%s",
-                            _ ("pressure of the soil beyond the active"));
+    qn_scene_legend (b->scene, QN_COMMAND_MARKER, QN_WIDTH_ARROW, color, "%s",
+                     _ ("pressure of the soil beyond the active"))
+      ->marker = QN_MARKER_ARROW_HEAD;
 }

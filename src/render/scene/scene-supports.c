@@ -75,9 +75,9 @@ qn_build_supports (QnSceneBuilder *b)
   }
   QnColor ground = qn_builder_ink (b, QN_INK_SUPPORT);
   if (fixed)
-    qn_scene_legend (b->scene, QN_COMMAND_FILL, ground, "%s", _ ("fixed"))->hatched =
+    qn_scene_legend (b->scene, QN_COMMAND_FILL, 0, ground, "%s", _ ("fixed"))->hatched =
       true;
   if (partial)
-    qn_scene_legend (b->scene, QN_COMMAND_FILL, ground, "%s", _ ("partly fixed"))
+    qn_scene_legend (b->scene, QN_COMMAND_FILL, 0, ground, "%s", _ ("partly fixed"))
       ->hatched = true;
 }

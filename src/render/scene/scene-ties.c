@@ -89,10 +89,9 @@ qn_build_ties (QnSceneBuilder *b)
   for (int state = 0; state < QN_TIE_STATE_COUNT; state++) {
     if (!met[state])
       continue;
-    QnLegendEntry *entry =
-      qn_scene_legend (b->scene, QN_COMMAND_STROKE, color_of (b, (QnTieState) state),
-                       "%s", results != NULL ? _ (state_words[state]) : _ ("tie"));
-    entry->size = WIDTH_TIE;
+    QnLegendEntry *entry = qn_scene_legend (
+      b->scene, QN_COMMAND_STROKE, WIDTH_TIE, color_of (b, (QnTieState) state), "%s",
+      results != NULL ? _ (state_words[state]) : _ ("tie"));
     entry->dashed = state == QN_TIE_SLACK;
   }
 }

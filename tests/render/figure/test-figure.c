@@ -233,9 +233,9 @@ test_narrow_legend (void)
   g_autoptr (QnScene) scene = qn_scene_new ();
   const QnColor black = { 0, 0, 0, 255 };
   QnFurniture furniture;
-  qn_scene_legend (scene, QN_COMMAND_STROKE, black, "undeformed");
-  qn_scene_legend (scene, QN_COMMAND_STROKE, black, "line of thrust");
-  qn_scene_legend (scene, QN_COMMAND_STROKE, black, "live load: weight × (1, 0)");
+  qn_scene_legend (scene, QN_COMMAND_STROKE, 1.5, black, "undeformed");
+  qn_scene_legend (scene, QN_COMMAND_STROKE, 1.5, black, "line of thrust");
+  qn_scene_legend (scene, QN_COMMAND_STROKE, 1.5, black, "live load: weight × (1, 0)");
   cairo_surface_t *surface = cairo_recording_surface_create (CAIRO_CONTENT_COLOR, NULL);
   cairo_t *cr = cairo_create (surface);
   qn_furniture_init (&furniture, scene, cr, 1, 1000, false);
