@@ -336,10 +336,9 @@ add_rank (Importer *importer, Rank rank)
                                        N_ ("read as outlines: hatches") };
   static const char *const types[] = { "", "3DFACE", "HATCH" };
   gboolean repeat = rank != OUTLINES && importer->drawing->paths->len > 0;
-  for (guint i = 0; i < importer->scan->top->len; i++) {
-    const QnDxfEntity *entity =
-      entity_at (importer, g_array_index (importer->scan->top, guint, i));
-    if (rank_of (entity) != rank)
+  for (guint i = 0; i < importer->scan->entities->len; i++) {
+    const QnDxfEntity *entity = entity_at (importer, i);
+    if (!entity->outside || rank_of (entity) != rank)
       continue;
     gboolean counts = rank == FACES || (rank == HATCHES && entity->numbers[0] == 1);
     if (counts && repeat)

@@ -247,14 +247,12 @@ begin_entity (Scanner *scanner, QnDxfKind kind)
 }
 
 static void
-keep_entity (Scanner *scanner, const QnDxfEntity *entity)
+keep_entity (Scanner *scanner, QnDxfEntity *entity)
 {
-  guint index = scanner->scan->entities->len;
+  entity->outside = scanner->block == NULL && scanner->section == ENTITIES;
   g_array_append_val (scanner->scan->entities, *entity);
   if (scanner->block != NULL)
-    scanner->block->end = index + 1;
-  else if (scanner->section == ENTITIES)
-    g_array_append_val (scanner->scan->top, index);
+    scanner->block->end = scanner->scan->entities->len;
 }
 
 /* The boundaries of a hatch (92 begins one, 97 or 75 ends it), polylines or edges (72 begins one);
@@ -586,8 +584,7 @@ qn_dxf_scan (char *text, const char *name, QnDrawing *drawing, QnDxfScan *scan,
                  .points = g_array_sized_new (FALSE, FALSE, sizeof (QnDxfPoint), 1),
                  .knots = g_array_sized_new (FALSE, FALSE, sizeof (double), 1),
                  .blocks = g_hash_table_new_full (g_str_hash, g_str_equal, NULL, g_free),
-                 .hidden = g_hash_table_new (g_str_hash, g_str_equal),
-                 .top = g_array_new (FALSE, FALSE, sizeof (guint)) };
+                 .hidden = g_hash_table_new (g_str_hash, g_str_equal) };
   Scanner scanner = { .cursor = text,
                       .name = name,
                       .drawing = drawing,
@@ -614,7 +611,6 @@ qn_dxf_scan_clear (QnDxfScan *scan)
   g_array_unref (scan->entities);
   g_array_unref (scan->points);
   g_array_unref (scan->knots);
-  g_array_unref (scan->top);
   g_hash_table_unref (scan->blocks);
   g_hash_table_unref (scan->hidden);
 }

@@ -31,6 +31,7 @@ typedef struct QnDxfEntity {
     *name; /* kept by the drawing; the name of an insert's block, else NULL */
   guint line;
   gboolean closed;
+  gboolean outside;   /* of blocks */
   gboolean in_plane;  /* coordinates are those of the plane that the normal defines */
   gboolean invisible; /* by itself, as parts of dynamic blocks are */
   double normal[3];
@@ -49,8 +50,7 @@ typedef struct QnDxfScan {
   GArray *knots;      /* double */
   GHashTable *blocks; /* name, kept by the drawing, in lower case -> QnDxfBlock */
   GHashTable
-    *hidden;   /* layers that are off or frozen, in lower case -> QN_DXF_OFF, FROZEN */
-  GArray *top; /* guint: entities outside of blocks */
+    *hidden; /* layers that are off or frozen, in lower case -> QN_DXF_OFF, FROZEN */
 } QnDxfScan;
 
 enum { QN_DXF_OFF = 1, QN_DXF_FROZEN };
