@@ -62,12 +62,15 @@ qn_figure_multiplier (const QnFigure *figure)
 
 /* ---- words ----------------------------------------------------------------------------- */
 
+G_GNUC_PRINTF (2, 3)
 static void
-append_part (GString *text, const char *part)
+append_part (GString *text, const char *format, ...)
 {
-  if (text->len > 0)
-    g_string_append (text, " · ");
-  g_string_append (text, part);
+  va_list arguments;
+  g_string_append (text, text->len > 0 ? " · " : "");
+  va_start (arguments, format);
+  g_string_append_vprintf (text, format, arguments);
+  va_end (arguments);
 }
 
 /* When the step shown of an analysis in time was, and whether it overturned then. */
@@ -79,8 +82,7 @@ append_time (GString *text, const QnFigure *figure)
     return;
   const QnStep *step = &result->steps[shown_step (figure)];
   g_autofree char *number = qn_label_number ("%.3f", step->time);
-  g_autofree char *part = g_strdup_printf (_ ("t = %s s"), number);
-  append_part (text, part);
+  append_part (text, _ ("t = %s s"), number);
   if (step->event == QN_EVENT_COLLAPSE)
     append_part (text, _ ("overturned"));
 }
@@ -94,9 +96,7 @@ append_multiplier (GString *text, const QnFigure *figure, bool brief)
     return;
   g_autofree char *number =
     qn_label_number (fabs (multiplier) < 10 ? "%.4f" : "%.5g", multiplier);
-  g_autofree char *part =
-    g_strdup_printf (brief ? "λ = %s" : _ ("load multiplier λ = %s"), number);
-  append_part (text, part);
+  append_part (text, brief ? "λ = %s" : _ ("load multiplier λ = %s"), number);
   if (brief || figure->options.view == QN_VIEW_MECHANISM || result->step_count == 0)
     return;
   size_t step = shown_step (figure);
@@ -118,14 +118,13 @@ append_mechanism (GString *text, const QnFigure *figure, const QnScene *scene)
   if (figure->result->vibration.mode > 0) {
     g_autofree char *frequency =
       qn_label_number ("%.4g", figure->result->vibration.omega / (2 * G_PI));
-    g_autofree char *mode =
-      g_strdup_printf (_ ("mode %d, %s Hz"), figure->result->vibration.mode, frequency);
-    append_part (text, mode);
+    append_part (text, _ ("mode %d, %s Hz"), figure->result->vibration.mode, frequency);
     return;
   }
-  append_part (text, figure->result->stability == QN_STABILITY_LOST
-                       ? _ ("buckling mode")
-                       : qn_mechanism_kind_text (scene->mechanism));
+  append_part (text, "%s",
+               figure->result->stability == QN_STABILITY_LOST
+                 ? _ ("buckling mode")
+                 : qn_mechanism_kind_text (scene->mechanism));
   if (figure->result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
     append_part (text, _ ("no equilibrium under the dead load"));
   else if (figure->result->mechanism_uncertain)
@@ -138,14 +137,12 @@ qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool brief)
   g_autoptr (GString) text = g_string_new (NULL);
   const QnModel *model = figure->model;
   if (!shows_result (figure)) {
-    g_autofree char *blocks = g_strdup_printf (
-      ngettext ("%zu block", "%zu blocks", model->block_count), model->block_count);
     if (model->block_count > 0 || model->beam_count == 0)
-      append_part (text, blocks);
-    g_autofree char *beams = g_strdup_printf (
-      ngettext ("%zu beam", "%zu beams", model->beam_count), model->beam_count);
+      append_part (text, ngettext ("%zu block", "%zu blocks", model->block_count),
+                   model->block_count);
     if (model->beam_count > 0)
-      append_part (text, beams);
+      append_part (text, ngettext ("%zu beam", "%zu beams", model->beam_count),
+                   model->beam_count);
     return g_strdup (text->str);
   }
   if (figure->result->history.width > 0)
@@ -155,7 +152,7 @@ qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool brief)
   append_mechanism (text, figure, scene);
   if (figure->options.view == QN_VIEW_DEFORMED && scene->scale > 0) {
     g_autofree char *scale = qn_motion_dup_scale (scene->scale);
-    append_part (text, scale);
+    append_part (text, "%s", scale);
   }
   return g_strdup (text->str);
 }
