@@ -1,6 +1,7 @@
 #include "core/check/unlimited.h"
 
 #include "core/base/memory.h"
+#include "core/base/union-find.h"
 
 #include <stdlib.h>
 
@@ -22,28 +23,22 @@ has_only_forces (const QnModel *model)
   return true;
 }
 
-/* Whether blocks hang together with `held` ones, which it marks. */
+/* Whether all blocks hang together with such as are held. sets: of the blocks and, behind them, the ground. */
 static bool
-hang_together (const QnModel *model, const QnContacts *contacts, bool *held)
+hang_together (const QnModel *model, const QnContacts *contacts, QnId *sets)
 {
-  size_t count = 0, before;
+  QnId ground = (QnId) model->block_count;
+  bool all = true;
 
-  for (size_t b = 0; b < model->block_count; b++) {
-    const bool *support = model->blocks[b].support;
-    held[b] = support[QN_DOF_UX] && support[QN_DOF_UY];
-    count += held[b];
-  }
-  do {
-    before = count;
-    for (size_t f = 0; f < contacts->face_count; f++) {
-      const QnContactFace *face = &contacts->faces[f];
-      if (held[face->a] != held[face->b]) {
-        held[face->a] = held[face->b] = true;
-        count++;
-      }
-    }
-  } while (count > before);
-  return count == model->block_count;
+  qn_sets_init (sets, model->block_count + 1);
+  for (QnId b = 0; b < ground; b++)
+    if (model->blocks[b].support[QN_DOF_UX] && model->blocks[b].support[QN_DOF_UY])
+      qn_sets_join (sets, b, ground);
+  for (size_t f = 0; f < contacts->face_count; f++)
+    qn_sets_join (sets, contacts->faces[f].a, contacts->faces[f].b);
+  for (QnId b = 0; b < ground; b++)
+    all = all && qn_sets_root (sets, b) == qn_sets_root (sets, ground);
+  return all;
 }
 
 QnStatus
@@ -58,10 +53,10 @@ qn_check_unlimited (const QnModel *model, const QnContacts *contacts, bool *unli
     if (!is_unlimited (&model->laws[contacts->faces[f].law_a])
         || !is_unlimited (&model->laws[contacts->faces[f].law_b]))
       return QN_OK;
-  bool *held = qn_alloc (model->block_count, sizeof *held);
-  if (held == NULL)
+  QnId *sets = qn_alloc (model->block_count + 1, sizeof *sets);
+  if (sets == NULL)
     return qn_diag_no_memory (diag);
-  *unlimited = hang_together (model, contacts, held);
-  free (held);
+  *unlimited = hang_together (model, contacts, sets);
+  free (sets);
   return QN_OK;
 }
