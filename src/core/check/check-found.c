@@ -169,16 +169,14 @@ qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag)
   const double *rows = qn_result_step_displacements (check->result, step);
   const double *until =
     in_time || step == 0 ? rows : qn_result_step_displacements (check->result, step - 1);
-  double smallest = INFINITY;
+  double depth = QN_CHECK_TOLERANCE * follow->smallest;
   bool changed;
 
-  for (size_t b = 0; b < check->model->block_count; b++)
-    smallest = fmin (smallest, follow->sizes[b]);
   follow->count = 0; /* every step by itself */
   if (step == 0)
     qn_contact_follow_set_overlap (follow, check->assembly.elongations);
-  QnStatus status = qn_contact_follow_search (follow, until, QN_FOLLOW_MARGIN * smallest,
-                                              NULL, &changed, diag);
+  QnStatus status = qn_contact_follow_search (
+    follow, until, QN_FOLLOW_MARGIN * follow->smallest, &changed, diag);
   if (status != QN_OK)
     return status;
   bool *stated = qn_alloc (follow->count, sizeof *stated);
@@ -189,9 +187,8 @@ qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag)
   qn_contact_follow_activate (follow, until);
   for (size_t i = 0; i < follow->count; i++) {
     const QnFoundContact *c = &follow->found[i];
-    if (follow->active[i] && !stated[i]
-        && is_within (follow, c, until, QN_CHECK_TOLERANCE * smallest)
-        && is_within (follow, c, rows, QN_CHECK_TOLERANCE * smallest))
+    if (follow->active[i] && !stated[i] && is_within (follow, c, until, depth)
+        && is_within (follow, c, rows, depth))
       qn_check_tell (check, QN_CLAIM_FORCES, (QnId) step, QN_ENTITY_BLOCK, c->other, 0,
                      qn_contact_follow_place (follow, c, rows).apart);
   }

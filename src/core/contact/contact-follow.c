@@ -15,7 +15,7 @@ qn_contact_follow_init (QnContactFollow *follow, const QnModel *model,
 {
   size_t blocks = model->block_count;
 
-  *follow = (QnContactFollow){ .model = model, .drawn = drawn };
+  *follow = (QnContactFollow){ .model = model, .drawn = drawn, .smallest = INFINITY };
   follow->sizes = qn_pool_alloc (&follow->pool, blocks, sizeof *follow->sizes);
   follow->reach = qn_pool_alloc (&follow->pool, blocks, sizeof *follow->reach);
   follow->left = qn_pool_alloc (&follow->pool, drawn->face_count, sizeof *follow->left);
@@ -28,6 +28,7 @@ qn_contact_follow_init (QnContactFollow *follow, const QnModel *model,
   for (size_t b = 0; b < blocks; b++) {
     const QnVec2 *v = qn_model_block_vertices (model, (QnId) b);
     follow->sizes[b] = sqrt (model->blocks[b].area);
+    follow->smallest = fmin (follow->smallest, follow->sizes[b]);
     for (QnId i = 0; i < model->blocks[b].vertex_count; i++)
       follow->reach[b] = fmax (
         follow->reach[b], qn_vec2_length (qn_vec2_sub (v[i], model->blocks[b].centroid)));
@@ -40,6 +41,7 @@ qn_contact_follow_clear (QnContactFollow *follow)
 {
   free (follow->found);
   free (follow->active);
+  free (follow->origins);
   qn_pool_clear (&follow->pool);
   *follow = (QnContactFollow){ 0 };
 }
@@ -71,16 +73,6 @@ place_beside (const QnSide *side, QnVec2 corner)
                           .apart = -qn_vec2_cross (side->direction, from) };
 }
 
-static const QnSide *
-side_of (const QnSides *sides, QnId block, QnId vertex)
-{
-  size_t i = sides->first[block];
-
-  while (i < sides->first[block + 1] && sides->items[i].vertex != vertex)
-    i++;
-  return i < sides->first[block + 1] ? &sides->items[i] : NULL;
-}
-
 static QnVec2
 corner_of (const QnContactFollow *follow, const QnFoundContact *contact,
            const double *displacements)
@@ -96,7 +88,7 @@ QnCornerPlace
 qn_contact_follow_place (const QnContactFollow *follow, const QnFoundContact *contact,
                          const double *displacements)
 {
-  return place_beside (side_of (&follow->sides, contact->block, contact->side),
+  return place_beside (qn_sides_find (&follow->sides, contact->block, contact->side),
                        corner_of (follow, contact, displacements));
 }
 
@@ -113,7 +105,7 @@ is_crossed_by_bar (const QnContacts *contacts, const QnContactFace *face)
 
 bool
 qn_contact_follow_leave (QnContactFollow *follow, const double *displacements,
-                         const double *slips)
+                         const QnPairResponse *responses)
 {
   bool any = false;
 
@@ -125,8 +117,9 @@ qn_contact_follow_leave (QnContactFollow *follow, const double *displacements,
                   - displacements[QN_DOF_COUNT * face->b + QN_DOF_RZ];
     bool leaves = fabs (turn) > QN_FOLLOW_TURN;
     for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++)
-      leaves =
-        leaves || fabs (slips[p]) > qn_contact_follow_band (follow, face->a, face->b);
+      leaves = leaves
+               || fabs (responses[p].memory.a.slip + responses[p].memory.b.slip)
+                    > qn_contact_follow_band (follow, face->a, face->b);
     if (!leaves || is_crossed_by_bar (follow->drawn, face))
       continue;
     follow->left[f] = any = true;
@@ -328,19 +321,19 @@ qn_contact_follow_find (const QnContactFollow *follow, const QnFoundContact *con
 /* States of the contacts of the previous list. Whether the list is the same. */
 static bool
 take_over (QnContactFollow *follow, const QnFoundContact *before, const bool *active,
-           size_t count, QnId *places)
+           size_t count)
 {
   bool same = count == follow->count;
 
+  for (size_t i = 0; i < follow->count; i++)
+    follow->origins[i] = QN_NONE;
   for (size_t i = 0; i < count; i++) {
     size_t at = qn_contact_follow_find (follow, &before[i]);
-    bool listed = at < follow->count;
-    if (listed) {
+    if (at < follow->count) {
       follow->found[at] = before[i];
       follow->active[at] = active[i];
+      follow->origins[at] = (QnId) i;
     }
-    if (places != NULL)
-      places[i] = listed ? (QnId) at : QN_NONE;
     same = same && at == i;
   }
   return same;
@@ -348,7 +341,7 @@ take_over (QnContactFollow *follow, const QnFoundContact *before, const bool *ac
 
 QnStatus
 qn_contact_follow_search (QnContactFollow *follow, const double *displacements,
-                          double margin, QnId *places, bool *changed, QnDiag *diag)
+                          double margin, bool *changed, QnDiag *diag)
 {
   QnFoundContact *before = follow->found;
   bool *active = follow->active;
@@ -357,10 +350,12 @@ qn_contact_follow_search (QnContactFollow *follow, const double *displacements,
   follow->found = NULL;
   follow->count = follow->capacity = 0;
   list_all (follow, displacements, margin);
+  free (follow->origins);
   follow->active = qn_alloc (follow->count, sizeof *follow->active);
-  follow->pool.failed |= follow->active == NULL;
+  follow->origins = qn_alloc (follow->count, sizeof *follow->origins);
+  follow->pool.failed |= follow->active == NULL || follow->origins == NULL;
   if (!follow->pool.failed)
-    *changed = !take_over (follow, before, active, count, places);
+    *changed = !take_over (follow, before, active, count);
   follow->margin = margin;
   memcpy (follow->at_search, displacements,
           follow->model->block_count * QN_DOF_COUNT * sizeof *displacements);
@@ -394,7 +389,7 @@ is_met (const QnContactFollow *follow, size_t index, QnCornerPlace at)
 {
   const QnFoundContact *contact = &follow->found[index];
   const QnSides *sides = &follow->sides;
-  const QnSide *side = side_of (sides, contact->block, contact->side);
+  const QnSide *side = qn_sides_find (sides, contact->block, contact->side);
   QnVec2 end = at.along < 0.5 * at.length ? side->start : side->end;
   QnId low = contact->block < contact->other ? contact->block : contact->other,
        high = contact->block < contact->other ? contact->other : contact->block;
@@ -497,7 +492,7 @@ qn_contacts_with_found (const QnModel *model, const QnContacts *drawn,
     memcpy (contacts->pairs, drawn->pairs, drawn->pair_count * sizeof *contacts->pairs);
   for (size_t i = 0; i < count; i++) {
     const QnFoundContact *c = &found[i];
-    const QnSide *side = side_of (sides, c->block, c->side);
+    const QnSide *side = qn_sides_find (sides, c->block, c->side);
     const QnBlock *blocks = model->blocks;
     QnContactFace *face = &contacts->faces[contacts->face_count];
 

@@ -27,6 +27,7 @@
 #pragma once
 
 #include "core/base/memory.h"
+#include "core/contact/contact-pair.h"
 #include "core/contact/contact-side.h"
 #include "core/contact/contacts.h"
 
@@ -56,10 +57,12 @@ typedef struct QnContactFollow {
   const QnContacts *drawn;
   QnSides sides;
   double *sizes, *reach; /* by block, m: root of the area; farthest corner's distance */
+  double smallest;       /* of the sizes */
   bool *left;            /* faces as drawn */
   double overlap;        /* of joints under the dead load, m */
   QnFoundContact *found; /* last search; both directions of two blocks adjacent */
   bool *active;
+  QnId *origins; /* by listed contact: its place in the list before, or QN_NONE */
   size_t count, capacity;
   double margin;     /* of the last search, m; 0: none yet */
   double *at_search; /* block_count x 3: displacements then */
@@ -78,20 +81,19 @@ void qn_contact_follow_set_overlap (QnContactFollow *follow, const double *elong
 /* The slip and overhang that count between two blocks, m. */
 double qn_contact_follow_band (const QnContactFollow *follow, QnId a, QnId b);
 
-/* Releases the joints that have slid (slips of the pairs as drawn, m) or turned; true if any was released.
+/* Releases the joints that have slid (responses of the pairs as drawn) or turned; true if any was released.
  * displacements: block_count x 3. Joints crossed by bars are never released. */
 bool qn_contact_follow_leave (QnContactFollow *follow, const double *displacements,
-                              const double *slips);
+                              const QnPairResponse *responses);
 
 /* Whether a block has moved by so much since the last search that another one is due. */
 bool qn_contact_follow_is_due (const QnContactFollow *follow, const double *displacements,
                                double margin);
 
-/* Lists the contacts within the margin anew. Contacts that remain keep foot and activity. places[i]
- * (old count, nullable): new index of old contact i, or QN_NONE. *changed: the list differs. */
+/* Lists the contacts within the margin anew. Contacts that remain keep foot and activity. *changed: the list
+ * differs. */
 QnStatus qn_contact_follow_search (QnContactFollow *follow, const double *displacements,
-                                   double margin, QnId *places, bool *changed,
-                                   QnDiag *diag);
+                                   double margin, bool *changed, QnDiag *diag);
 
 /* Makes pairs inactive, or active with inset 0; sets the inset of corners outside the block to 0. True if
  * any pair changed. */

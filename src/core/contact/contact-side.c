@@ -110,3 +110,13 @@ qn_sides_init (QnSides *sides, const QnModel *model, double tolerance, QnPool *p
   }
   sides->first[model->block_count] = sides->count;
 }
+
+const QnSide *
+qn_sides_find (const QnSides *sides, QnId block, QnId vertex)
+{
+  size_t i = sides->first[block];
+
+  while (i < sides->first[block + 1] && sides->items[i].vertex != vertex)
+    i++;
+  return i < sides->first[block + 1] ? &sides->items[i] : NULL;
+}

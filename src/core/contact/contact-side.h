@@ -26,3 +26,6 @@ typedef struct QnSides {
 /* Collects the sides of a prepared model. Vertices within `tolerance` (m) of the line between
  * the ends of a run are on it. `sides` is overwritten, and in memory of the pool. */
 void qn_sides_init (QnSides *sides, const QnModel *model, double tolerance, QnPool *pool);
+
+/* The side of a block that begins with this vertex; NULL: none. */
+const QnSide *qn_sides_find (const QnSides *sides, QnId block, QnId vertex);

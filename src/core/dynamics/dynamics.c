@@ -295,7 +295,8 @@ renew_contacts (Run *run, QnDiag *diag)
     return status;
   if (changed)
     qn_energy_renew (&run->step, &run->energy);
-  return qn_moving_contacts_record (run->moving, run->eq, time, -1, run->result)
+  return qn_moving_contacts_record (run->moving, &run->eq->assembly, time, NULL,
+                                    run->result)
            ? QN_OK
            : qn_diag_no_memory (diag);
 }
@@ -357,21 +358,15 @@ follow (Run *run, QnDiag *diag)
 
 /* --- Setting up -------------------------------------------------------------------------- */
 
-/* Extent of the structure, m. */
+/* Height of the structure, m. */
 static double
-extent (const QnModel *model)
+height (const QnModel *model)
 {
-  double low = INFINITY, high = -INFINITY;
+  QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
 
-  for (size_t i = 0; i < model->vertex_count; i++) {
-    low = fmin (low, model->vertices[i].y);
-    high = fmax (high, model->vertices[i].y);
-  }
-  for (size_t i = 0; i < model->node_count; i++) {
-    low = fmin (low, model->nodes[i].at.y);
-    high = fmax (high, model->nodes[i].at.y);
-  }
-  return fmax (high - low, model->characteristic_length);
+  for (size_t i = 0; i < model->node_count; i++)
+    qn_box_add_point (&box, model->nodes[i].at);
+  return fmax (box.max.y - box.min.y, model->characteristic_length);
 }
 
 static QnStatus
@@ -402,7 +397,7 @@ set_up (Run *run, QnDiag *diag)
   run->length = longest;
   run->rest_speed =
     QN_REST_SPEED * sqrt (run->model->gravity * run->model->characteristic_length);
-  run->rest_time = sqrt (extent (run->model) / run->model->gravity);
+  run->rest_time = sqrt (height (run->model) / run->model->gravity);
   run->still_since = -1;
   size_t body;
   QnDof dof;

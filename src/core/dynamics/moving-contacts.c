@@ -14,10 +14,7 @@ qn_moving_contacts_init (QnMovingContacts *moving, const QnAssembly *as, QnDiag 
   *moving = (QnMovingContacts){ 0 };
   moving->displacements =
     qn_alloc (qn_model_body_count (model) * QN_DOF_COUNT, sizeof (double));
-  moving->slips = qn_alloc (as->pair_count, sizeof (double));
-  QnStatus status = moving->displacements != NULL && moving->slips != NULL
-                      ? QN_OK
-                      : qn_diag_no_memory (diag);
+  QnStatus status = moving->displacements != NULL ? QN_OK : qn_diag_no_memory (diag);
   if (status == QN_OK)
     status = qn_contact_follow_init (&moving->follow, model, as->contacts, diag);
   if (status == QN_OK)
@@ -25,23 +22,14 @@ qn_moving_contacts_init (QnMovingContacts *moving, const QnAssembly *as, QnDiag 
   return status;
 }
 
-static void
-contacts_free (QnContacts *contacts)
-{
-  if (contacts != NULL)
-    qn_contacts_clear (contacts);
-  free (contacts);
-}
-
 void
 qn_moving_contacts_clear (QnMovingContacts *moving)
 {
   qn_contact_follow_clear (&moving->follow);
-  contacts_free (moving->contacts);
+  qn_contacts_clear (&moving->lists[0]);
+  qn_contacts_clear (&moving->lists[1]);
   free (moving->displacements);
   free (moving->noted);
-  free (moving->slips);
-  free (moving->results);
   *moving = (QnMovingContacts){ 0 };
 }
 
@@ -54,25 +42,20 @@ typedef struct {
 } Exchange;
 
 static void
-add_exchange (const QnAssembly *old, size_t pair, bool becomes_inactive, Exchange *sum)
+add_exchange (const QnAssembly *as, size_t pair, bool becomes_inactive, Exchange *sum)
 {
-  if (old->inactive[pair])
+  if (as->inactive[pair])
     return;
-  QnPairElasticity elastic = qn_pair_elasticity (&old->springs[pair]);
-  QnPairInstant at = {
-    .q = { old->elongations[2 * pair], old->elongations[2 * pair + 1] },
-    .response = &old->responses[pair],
-  };
+  QnPairElasticity elastic = qn_pair_elasticity (&as->springs[pair]);
+  QnPairInstant at = { .response = &as->responses[pair] };
   sum->normal += at.response->force[0];
   sum->shear += at.response->force[1];
   sum->released += becomes_inactive ? qn_pair_elastic_energy (&elastic, &at) : 0;
 }
 
-/* Between the blocks of the listed contacts from `first` to `end`; origins: places of the listed
- * contacts in the list of `old`, or QN_NONE (NULL: the same). */
+/* Between the blocks of the listed contacts from `first` to `end`. */
 static Exchange
-exchange (const QnContactFollow *follow, const QnAssembly *old, const QnId *origins,
-          size_t first, size_t end)
+exchange (const QnContactFollow *follow, const QnAssembly *as, size_t first, size_t end)
 {
   const QnContacts *drawn = follow->drawn;
   const QnFoundContact *c = &follow->found[first];
@@ -83,13 +66,10 @@ exchange (const QnContactFollow *follow, const QnAssembly *old, const QnId *orig
   for (; f < last; f++) {
     const QnContactFace *face = &drawn->faces[f];
     for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++)
-      add_exchange (old, (size_t) p, follow->left[f], &sum);
+      add_exchange (as, (size_t) p, follow->left[f], &sum);
   }
-  for (size_t i = first; i < end; i++) {
-    QnId origin = origins != NULL ? origins[i] : (QnId) i;
-    if (origin != QN_NONE)
-      add_exchange (old, drawn->pair_count + (size_t) origin, !follow->active[i], &sum);
-  }
+  for (size_t i = first; i < end; i++)
+    add_exchange (as, drawn->pair_count + i, !follow->active[i], &sum);
   return sum;
 }
 
@@ -113,31 +93,26 @@ carry_nothing (QnAssembly *as, size_t pair)
     (QnPairResponse){ .memory = as->committed[pair], .phase = QN_PHASE_OPEN };
 }
 
-/* Loads, memory and forces of all pairs, and which are inactive, of `as`. */
+/* Loads, memory and forces of all pairs, and which are inactive, as they were before. */
 static void
-transfer (QnMovingContacts *moving, const QnAssembly *old, QnAssembly *as,
-          const QnId *origins)
+transfer (const QnContactFollow *follow, const QnAssembly *old, QnAssembly *as)
 {
-  const QnContactFollow *follow = &moving->follow;
   size_t drawn = follow->drawn->pair_count;
 
   qn_assembly_set_loads (as, old->held, old->driven);
   as->commits = old->commits;
   memcpy (as->committed, old->committed, drawn * sizeof *as->committed);
   memcpy (as->responses, old->responses, drawn * sizeof *as->responses);
-  for (size_t p = 0; p < drawn; p++) {
-    as->inactive[p] = follow->left[follow->drawn->pairs[p].face];
-    if (as->inactive[p])
-      carry_nothing (as, p);
-  }
+  memcpy (as->inactive, old->inactive, drawn * sizeof *as->inactive);
   for (size_t i = 0; i < follow->count; i++) {
-    as->inactive[drawn + i] = origins[i] == QN_NONE;
+    as->inactive[drawn + i] = true;
     carry_nothing (as, drawn + i);
-    if (origins[i] == QN_NONE)
+    if (follow->origins[i] == QN_NONE)
       continue;
-    as->committed[drawn + i] = old->committed[drawn + (size_t) origins[i]];
-    as->responses[drawn + i] = old->responses[drawn + (size_t) origins[i]];
-    as->inactive[drawn + i] = old->inactive[drawn + (size_t) origins[i]];
+    size_t origin = drawn + (size_t) follow->origins[i];
+    as->committed[drawn + i] = old->committed[origin];
+    as->responses[drawn + i] = old->responses[origin];
+    as->inactive[drawn + i] = old->inactive[origin];
   }
 }
 
@@ -167,12 +142,11 @@ activate (QnMovingContacts *moving, QnAssembly *as, size_t i, double ratio, doub
 
 /* Pairs between the same two blocks that become inactive or active, from `first` to `end`. */
 static void
-set_inactive (QnMovingContacts *moving, const QnAssembly *old, QnAssembly *as,
-              const QnId *origins, size_t first, size_t end)
+set_inactive (QnMovingContacts *moving, QnAssembly *as, size_t first, size_t end)
 {
   QnContactFollow *follow = &moving->follow;
   size_t drawn = follow->drawn->pair_count;
-  Exchange before = exchange (follow, old, origins, first, end);
+  Exchange before = exchange (follow, as, first, end);
   double ratio = before.normal < 0 ? before.shear / before.normal : 0, stored = 0;
 
   for (size_t i = first; i < end; i++)
@@ -198,16 +172,20 @@ set_inactive (QnMovingContacts *moving, const QnAssembly *old, QnAssembly *as,
 
 /* Takes up which pairs are inactive now, and where their contact begins. */
 static void
-take_changes (QnMovingContacts *moving, const QnAssembly *old, QnContacts *contacts,
-              QnAssembly *as, const QnId *origins)
+take_changes (QnMovingContacts *moving, QnContacts *contacts, QnAssembly *as)
 {
   QnContactFollow *follow = &moving->follow;
   size_t drawn = follow->drawn->pair_count;
 
   for (size_t first = 0, end; first < follow->count; first = end) {
     end = qn_contact_follow_end (follow, first);
-    set_inactive (moving, old, as, origins, first, end);
+    set_inactive (moving, as, first, end);
   }
+  for (size_t p = 0; p < drawn; p++)
+    if (follow->left[follow->drawn->pairs[p].face]) {
+      as->inactive[p] = true;
+      carry_nothing (as, p);
+    }
   for (size_t i = 0; i < follow->count; i++)
     if (qn_contacts_set_inset (contacts, drawn + i, follow->found[i].inset))
       qn_assembly_place_pair (as, drawn + i);
@@ -215,30 +193,28 @@ take_changes (QnMovingContacts *moving, const QnAssembly *old, QnContacts *conta
 
 /* A new assembly for a new list. */
 static QnStatus
-rebuild (QnMovingContacts *moving, QnEquilibrium *eq, const QnId *origins, QnDiag *diag)
+rebuild (QnMovingContacts *moving, QnEquilibrium *eq, QnDiag *diag)
 {
   const QnContactFollow *follow = &moving->follow;
-  QnContacts *contacts = qn_alloc (1, sizeof *contacts);
+  QnContacts *before = moving->contacts;
+  QnContacts *contacts = &moving->lists[before == moving->lists ? 1 : 0];
   QnAssembly next = { 0 };
-  QnStatus status =
-    contacts == NULL
-      ? qn_diag_no_memory (diag)
-      : qn_contacts_with_found (follow->model, follow->drawn, &follow->sides,
-                                follow->found, follow->count, contacts, diag);
+  QnStatus status = qn_contacts_with_found (follow->model, follow->drawn, &follow->sides,
+                                            follow->found, follow->count, contacts, diag);
 
   if (status == QN_OK)
     status = qn_assembly_setup (&next, follow->model, contacts, diag);
   if (status == QN_OK) {
-    transfer (moving, &eq->assembly, &next, origins);
-    take_changes (moving, &eq->assembly, contacts, &next, origins);
+    transfer (follow, &eq->assembly, &next);
+    take_changes (moving, contacts, &next);
     status = qn_equilibrium_exchange (eq, &next, diag);
   }
-  if (status == QN_OK) {
-    contacts_free (moving->contacts);
-    moving->contacts = contacts;
-  } else
-    contacts_free (contacts);
-  return status;
+  if (status != QN_OK)
+    return status;
+  if (before != NULL)
+    qn_contacts_clear (before);
+  moving->contacts = contacts;
+  return QN_OK;
 }
 
 /* --- After a step ------------------------------------------------------------------------ */
@@ -250,11 +226,7 @@ leave_joints (QnMovingContacts *moving, const QnAssembly *old, double time,
   QnContactFollow *follow = &moving->follow;
   const QnContacts *drawn = follow->drawn;
 
-  for (size_t p = 0; p < drawn->pair_count; p++) {
-    const QnPairMemory *memory = &old->responses[p].memory;
-    moving->slips[p] = memory->a.slip + memory->b.slip;
-  }
-  *any = qn_contact_follow_leave (follow, moving->displacements, moving->slips);
+  *any = qn_contact_follow_leave (follow, moving->displacements, old->responses);
   if (!*any)
     return true;
   for (size_t f = 0; f < drawn->face_count; f++) {
@@ -266,40 +238,24 @@ leave_joints (QnMovingContacts *moving, const QnAssembly *old, double time,
   return true;
 }
 
-/* Lists contacts anew. *origins: of those that are listed now the places in the list before, or
- * QN_NONE. */
+/* Lists contacts anew. */
 static QnStatus
-search (QnMovingContacts *moving, double margin, bool *changed, QnId **origins,
-        QnDiag *diag)
+search (QnMovingContacts *moving, double margin, bool *changed, QnDiag *diag)
 {
   QnContactFollow *follow = &moving->follow;
-  size_t before = follow->count;
-  QnId *places = qn_alloc (before, sizeof *places), *noted = NULL;
-  QnStatus status = places == NULL
-                      ? qn_diag_no_memory (diag)
-                      : qn_contact_follow_search (follow, moving->displacements, margin,
-                                                  places, changed, diag);
-  if (status == QN_OK) {
-    *origins = qn_alloc (follow->count, sizeof **origins);
-    noted = qn_alloc (follow->count, sizeof *noted);
-    if (*origins == NULL || noted == NULL)
-      status = qn_diag_no_memory (diag);
-  }
-  if (status == QN_OK) {
-    for (size_t i = 0; i < follow->count; i++)
-      (*origins)[i] = noted[i] = QN_NONE;
-    for (size_t i = 0; i < before; i++)
-      if (places[i] != QN_NONE) {
-        (*origins)[places[i]] = (QnId) i;
-        noted[places[i]] = moving->noted[i];
-      }
-    free (moving->noted);
-    moving->noted = noted;
-  } else {
-    free (noted);
-  }
-  free (places);
-  return status;
+  QnStatus status =
+    qn_contact_follow_search (follow, moving->displacements, margin, changed, diag);
+  if (status != QN_OK)
+    return status;
+  QnId *noted = qn_alloc (follow->count, sizeof *noted);
+  if (noted == NULL)
+    return qn_diag_no_memory (diag);
+  for (size_t i = 0; i < follow->count; i++)
+    noted[i] =
+      follow->origins[i] != QN_NONE ? moving->noted[follow->origins[i]] : QN_NONE;
+  free (moving->noted);
+  moving->noted = noted;
+  return QN_OK;
 }
 
 QnStatus
@@ -307,45 +263,32 @@ qn_moving_contacts_update (QnMovingContacts *moving, QnEquilibrium *eq, double m
                            double time, QnResult *result, bool *changed, QnDiag *diag)
 {
   QnContactFollow *follow = &moving->follow;
-  QnId *origins = NULL;
-  double smallest = INFINITY;
   bool left, listed = false;
   QnStatus status = QN_OK;
 
-  for (size_t b = 0; b < follow->model->block_count; b++)
-    smallest = fmin (smallest, follow->sizes[b]);
-  margin = fmax (
-    margin, fmax (QN_FOLLOW_MARGIN * smallest, 2 * QN_FOLLOW_OVERLAP * follow->overlap));
+  margin = fmax (margin, fmax (QN_FOLLOW_MARGIN * follow->smallest,
+                               2 * QN_FOLLOW_OVERLAP * follow->overlap));
   qn_assembly_expand (&eq->assembly, eq->u, moving->displacements);
   if (!leave_joints (moving, &eq->assembly, time, result, &left))
     return qn_diag_no_memory (diag);
   if (left || qn_contact_follow_is_due (follow, moving->displacements, margin))
-    status = search (moving, 2 * margin, &listed, &origins, diag);
+    status = search (moving, 2 * margin, &listed, diag);
   bool activated =
     status == QN_OK && qn_contact_follow_activate (follow, moving->displacements);
   *changed = listed || left || activated;
   if (status == QN_OK && (listed || left))
-    status = rebuild (moving, eq, origins, diag);
+    status = rebuild (moving, eq, diag);
   else if (activated)
-    take_changes (moving, &eq->assembly, moving->contacts, &eq->assembly, NULL);
-  free (origins);
+    take_changes (moving, moving->contacts, &eq->assembly);
   return status;
 }
 
 bool
-qn_moving_contacts_record (QnMovingContacts *moving, const QnEquilibrium *eq, double time,
-                           int32_t step_index, QnResult *result)
+qn_moving_contacts_record (QnMovingContacts *moving, const QnAssembly *as, double time,
+                           const QnPairResult *pairs, QnResult *result)
 {
-  const QnAssembly *as = &eq->assembly;
   size_t drawn = moving->follow.drawn->pair_count;
 
-  if (step_index >= 0) {
-    if (!qn_array_reserve (&moving->results, &moving->result_capacity, as->pair_count,
-                           sizeof *moving->results))
-      return false;
-    qn_assembly_pair_results (as, eq->u, moving->results);
-    memcpy (result->pairs, moving->results, drawn * sizeof *moving->results);
-  }
   for (size_t p = drawn; p < as->pair_count; p++) {
     const double *force = as->responses[p].force;
     QnId *noted = &moving->noted[p - drawn];
@@ -358,13 +301,13 @@ qn_moving_contacts_record (QnMovingContacts *moving, const QnEquilibrium *eq, do
         return false;
       *noted = (QnId) result->found_count - 1;
     }
-    if (step_index < 0)
+    if (pairs == NULL)
       continue;
-    QnFoundForce stated = { .step = step_index,
+    QnFoundForce stated = { .step = (int32_t) result->step_count - 1,
                             .found = *noted,
                             .normal = force[0],
                             .shear = force[1],
-                            .state = moving->results[p].state };
+                            .state = pairs[p].state };
     if (!qn_result_add_found_force (result, stated))
       return false;
   }
@@ -382,6 +325,7 @@ qn_record_step (QnEquilibrium *eq, QnMovingContacts *moving, double multiplier,
     qn_pool_alloc (&pool, qn_model_body_count (model) * QN_DOF_COUNT, sizeof *rows);
   QnBeamForces *forces = qn_pool_alloc (&pool, model->element_count, sizeof *forces);
   QnTieResult *ties = qn_pool_alloc (&pool, qn_model_tie_count (model), sizeof *ties);
+  QnPairResult *pairs = qn_pool_alloc (&pool, as->pair_count, sizeof *pairs);
   bool ok = !pool.failed;
 
   if (ok) {
@@ -393,12 +337,11 @@ qn_record_step (QnEquilibrium *eq, QnMovingContacts *moving, double multiplier,
     ok = ok && qn_result_add_ties (result, ties);
     qn_assembly_reactions (as, multiplier, rows);
     ok = ok && qn_result_add_reactions (result, rows);
-    if (moving == NULL)
-      qn_assembly_pair_results (as, eq->u, result->pairs);
-    else
-      ok = ok
-           && qn_moving_contacts_record (moving, eq, step.time,
-                                         (int32_t) result->step_count - 1, result);
+    qn_assembly_pair_results (as, eq->u, pairs);
+    memcpy (result->pairs, pairs, result->pair_count * sizeof *pairs);
+    ok = ok
+         && (moving == NULL
+             || qn_moving_contacts_record (moving, as, step.time, pairs, result));
     ok = ok && qn_result_add_forces (result, model->analysis.all_forces);
   }
   qn_pool_clear (&pool);

@@ -16,11 +16,9 @@
 typedef struct QnMovingContacts {
   QnContactFollow follow;
   QnContacts *contacts; /* drawn and last listed contacts; NULL: drawn ones alone */
+  QnContacts lists[2];  /* of which it is one */
   QnId *noted; /* by listed contact: last index in the result's `found`, or QN_NONE */
   double *displacements; /* scratch, a row for every body */
-  double *slips;         /* scratch, of the pairs as drawn */
-  QnPairResult *results; /* scratch, of all pairs */
-  size_t result_capacity;
 } QnMovingContacts;
 
 /* From the state under the dead load. `moving` is overwritten without being cleared. */
@@ -41,7 +39,7 @@ QnStatus qn_moving_contacts_update (QnMovingContacts *moving, QnEquilibrium *eq,
 bool qn_record_step (QnEquilibrium *eq, QnMovingContacts *moving, double multiplier,
                      QnStep step, QnResult *result);
 
-/* Writes the current state of drawn pairs to result->pairs and, if step_index >= 0, the forces of found
- * contacts at this step; adds found contacts with a force to the result. */
-bool qn_moving_contacts_record (QnMovingContacts *moving, const QnEquilibrium *eq,
-                                double time, int32_t step_index, QnResult *result);
+/* Adds found contacts with a force to the result and, unless `pairs` (results of all pairs) is NULL, what they
+ * carry at its last step. */
+bool qn_moving_contacts_record (QnMovingContacts *moving, const QnAssembly *assembly,
+                                double time, const QnPairResult *pairs, QnResult *result);
