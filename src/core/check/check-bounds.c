@@ -15,66 +15,48 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST_SIDES = 4 * QN_STRENGTH_ROWS };
-
-/* A side of a strength: a . f <= b. */
-typedef struct {
-  double a[2], b;
-} Side;
-
-static int
-list_sides (const QnPairSprings *springs, Side sides[MOST_SIDES])
-{
-  QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
-  int count = qn_pair_rigid_strength (springs, rows), sides_count = 0;
-
-  for (int i = 0; i < count; i++) {
-    sides[sides_count++] = (Side){ { rows[i].normal, rows[i].shear }, rows[i].limit };
-    if (rows[i].shear > 0)
-      sides[sides_count++] = (Side){ { rows[i].normal, -rows[i].shear }, rows[i].limit };
-  }
-  return sides_count;
-}
-
-static bool
-carries (const Side *sides, int count, const double f[2], double little)
-{
-  for (int i = 0; i < count; i++)
-    if (sides[i].a[0] * f[0] + sides[i].a[1] * f[1] > sides[i].b + little)
-      return false;
-  return true;
-}
-
-/* Largest f . r of a joint; *away: how far r turns away from all that it can carry. */
+/* By how much r differs from the rate nearest to it that two rows of a strength give together, a sum of both with
+ * factors >= 0; what a joint dissipates at that rate. */
 static double
-dissipation (const QnPairSprings *springs, const double r[2], double little, double *away)
+flow (const QnStrengthRow *s, const QnStrengthRow *t, const double r[2],
+      double *dissipated)
 {
-  Side sides[MOST_SIDES];
-  int count = list_sides (springs, sides);
-  double most = -INFINITY;
+  double cross = s->normal * t->shear - s->shear * t->normal, l, m = 0;
 
-  *away = 0;
-  for (int i = 0; i < count; i++) {
-    /* Along the side for ever: a direction in which nothing limits the force. */
-    for (int sign = -1; sign <= 1; sign += 2) {
-      double d[2] = { sign * sides[i].a[1], -sign * sides[i].a[0] };
-      bool unlimited = true;
-      for (int j = 0; j < count && unlimited; j++)
-        unlimited = sides[j].a[0] * d[0] + sides[j].a[1] * d[1] <= 1e-12;
-      if (unlimited)
-        *away = fmax (*away, (d[0] * r[0] + d[1] * r[1]) / hypot (d[0], d[1]));
-    }
-    for (int j = 0; j < i; j++) {
-      double cross = sides[i].a[0] * sides[j].a[1] - sides[i].a[1] * sides[j].a[0];
-      if (fabs (cross) < 1e-12)
-        continue;
-      double f[2] = { (sides[i].b * sides[j].a[1] - sides[j].b * sides[i].a[1]) / cross,
-                      (sides[i].a[0] * sides[j].b - sides[j].a[0] * sides[i].b) / cross };
-      if (carries (sides, count, f, little))
-        most = fmax (most, f[0] * r[0] + f[1] * r[1]);
-    }
+  if (fabs (cross) < 1e-12) /* both are one */
+    l = (s->normal * r[0] + s->shear * r[1])
+        / (s->normal * s->normal + s->shear * s->shear);
+  else {
+    l = (r[0] * t->shear - r[1] * t->normal) / cross;
+    m = fmax ((s->normal * r[1] - s->shear * r[0]) / cross, 0);
   }
-  return isfinite (most) ? most : 0;
+  l = fmax (l, 0);
+  *dissipated = l * s->limit + m * t->limit;
+  return hypot (r[0] - l * s->normal - m * t->normal, r[1] - l * s->shear - m * t->shear);
+}
+
+/* Largest f . r of a joint: the least that two rows of its strength give with r (duality of linear programs). *away:
+ * how far r turns away from all that they give; within `little` it counts as given. */
+static double
+dissipation (const QnPairSprings *springs, const double rate[2], double little,
+             double *away)
+{
+  QnStrengthRow rows[2 * QN_STRENGTH_ROWS + 1];
+  int count = qn_pair_rigid_strength (springs, rows);
+  const double r[2] = { rate[0], fabs (rate[1]) };
+  double least = 0;
+
+  rows[count++] = (QnStrengthRow){ .shear = -1 }; /* no shear force against the slip */
+  *away = hypot (r[0], r[1]);
+  for (int i = 0; i < count; i++)
+    for (int j = 0; j <= i; j++) {
+      double dissipated, off = flow (&rows[i], &rows[j], r, &dissipated);
+      if (fmax (off, *away) <= little ? dissipated < least : off < *away) {
+        least = dissipated;
+        *away = off;
+      }
+    }
+  return least;
 }
 
 /* Largest dissipation of ties. */
@@ -110,8 +92,8 @@ kinematic_multiplier (QnCheck *check)
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairResult *pair = &check->result->pairs[p];
     double away;
-    dissipated += dissipation (&as->springs[p], rates + 2 * p,
-                               QN_CHECK_STATE * 1e-6 * check->scale, &away);
+    dissipated +=
+      dissipation (&as->springs[p], rates + 2 * p, QN_CHECK_TOLERANCE * largest, &away);
     if (away > QN_CHECK_TOLERANCE * largest)
       return NAN;
     dissipated += away * hypot (pair->normal_force, pair->shear_force);
