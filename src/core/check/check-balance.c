@@ -50,8 +50,9 @@ law_excess (const QnLaw *law, double area, const QnPairResult *pair, bool broken
 }
 
 double
-qn_check_excess (const QnCheck *check, size_t p, const QnPairResult *stated)
+qn_check_excess (const QnCheck *check, size_t p)
 {
+  const QnPairResult *stated = &check->stated[p];
   const QnModel *model = check->model;
   const QnContactPair *pair = &check->contacts->pairs[p];
   const QnContactFace *face = &check->contacts->faces[pair->face];
@@ -141,23 +142,24 @@ static void
 add_pairs (const QnCheck *check, const Sum *sum)
 {
   for (size_t p = 0; p < check->assembly.pair_count; p++) {
-    const double *f = check->forces + 2 * p;
+    const QnPairResult *f = &check->stated[p];
     QnVec2 point, normal;
     if (p >= check->contacts->pair_count) {
       size_t found = p - check->contacts->pair_count;
       const QnFoundContact *c = &check->result->found[found].contact;
+      const QnFoundForce force = { .normal = f->normal_force, .shear = f->shear_force };
       add_both (sum, c->block, c->other,
-                qn_found_force (sum->model, c, &check->found[found], sum->moved),
+                qn_found_force (sum->model, c, &force, sum->moved),
                 qn_block_place (sum->model, c->other, sum->moved,
                                 qn_found_corner (sum->model, c)));
       continue;
     }
     const QnContactFace *face = &check->contacts->faces[check->contacts->pairs[p].face];
     qn_result_contact_place (sum->model, check->contacts, p, sum->moved, &point, &normal);
-    add_both (
-      sum, face->a, face->b,
-      qn_vec2_add_scaled (qn_vec2_scale (f[0], normal), f[1], qn_vec2_perp (normal)),
-      point);
+    add_both (sum, face->a, face->b,
+              qn_vec2_add_scaled (qn_vec2_scale (f->normal_force, normal), f->shear_force,
+                                  qn_vec2_perp (normal)),
+              point);
   }
 }
 
@@ -232,18 +234,6 @@ add_tie (const Sum *sum, const QnTie *tie, double force)
            at[end]);
 }
 
-/* What rounding of stated forces adds to a moment, relative to the characteristic length: where blocks
- * have moved far apart, forces between them have arms as long as that. */
-static double
-rounding_of_moments (const QnCheck *check, size_t step)
-{
-  bool is_last = step + 1 == check->result->step_count;
-
-  if (is_last || !check->assembly.nonlinear)
-    return 0;
-  return QN_CHECK_DIGITS * check->scale * check->largest / check->assembly.length;
-}
-
 /* NaN counts as the largest. */
 static bool
 is_worse (double out, double worst)
@@ -297,7 +287,9 @@ qn_check_balance (QnCheck *check, size_t step)
     last->index = (QnId) (node ? body - model->block_count : body);
   }
   last->out_of_balance = check->scale > 0 ? worst / check->scale : 0;
-  if (!(worst <= check->tolerance * check->scale + rounding_of_moments (check, step)))
+  /* Where blocks have moved far apart, forces between them, which files round, have arms as long as that. */
+  double arm = is_deformed ? check->largest / as->length : 0;
+  if (!(worst <= (check->tolerance + QN_CHECK_DIGITS * arm) * check->scale))
     qn_check_tell (check, QN_CLAIM_BALANCE, (QnId) step, last->entity,
                    last->entity == QN_ENTITY_BEAM ? model->elements[last->index].beam
                                                   : last->index,

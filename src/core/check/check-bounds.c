@@ -83,7 +83,7 @@ kinematic_multiplier (QnCheck *check)
 {
   QnAssembly *as = &check->assembly;
   const double none[QN_MAX_LOAD_SETS] = { 0 }, live[QN_MAX_LOAD_SETS] = { 1 };
-  double *rates = check->forces, dissipated = 0;
+  double *rates = check->rates, dissipated = 0;
 
   qn_assembly_set_loads (as, none, live);
   qn_check_gather (as, check->result->mechanism, check->velocity);

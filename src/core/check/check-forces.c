@@ -63,39 +63,19 @@ is_held (const QnAssembly *as, size_t p)
   return held;
 }
 
-/* Force of a pair as the result states it at a step, at the last one in all digits; false where it
- * does not. */
-static bool
-stated_pair (const QnCheck *check, size_t step, size_t pair, QnPairResult *at)
+/* What the result states of drawn pairs at a step, at the last one in all digits. */
+static void
+take_stated (QnCheck *check, size_t step)
 {
-  const QnResult *result = check->result;
-  bool is_last = step + 1 == result->step_count;
+  size_t drawn = check->contacts->pair_count;
 
-  if (pair >= check->contacts->pair_count) {
-    const QnFoundForce *found = &check->found[pair - check->contacts->pair_count];
-    *at = (QnPairResult){ .normal_force = found->normal,
-                          .shear_force = found->shear,
-                          .state = found->state };
-    return true;
+  check->known = drawn == 0 || qn_result_has_forces (check->result, step);
+  for (size_t p = 0; p < drawn; p++) {
+    const double *answer = check->assembly.responses[p].force;
+    check->stated[p] = check->known ? qn_result_pair_at (check->result, step, p)
+                                    : (QnPairResult){ .normal_force = answer[0],
+                                                      .shear_force = answer[1] };
   }
-  if (!is_last && !qn_result_has_forces (result, step))
-    return false;
-  *at = is_last ? result->pairs[pair] : qn_result_pair_at (result, step, pair);
-  return true;
-}
-
-static bool
-stated_force (const QnCheck *check, size_t step, size_t pair, double force[2],
-              QnPairState *state)
-{
-  QnPairResult at;
-
-  if (!stated_pair (check, step, pair, &at))
-    return false;
-  force[0] = at.normal_force;
-  force[1] = at.shear_force;
-  *state = at.state;
-  return true;
 }
 
 static bool
@@ -225,16 +205,6 @@ force_tolerance (const QnCheck *check, const QnPairSprings *springs, const doubl
   return QN_CHECK_FORCES * check->scale + rounding;
 }
 
-/* Whether a pair was found on the way and carried nothing at the step before: where it has slid since is
- * not known. */
-static bool
-begins (const QnCheck *check, size_t pair)
-{
-  size_t drawn = check->contacts->pair_count;
-
-  return pair >= drawn && check->begins[pair - drawn];
-}
-
 static bool
 is_plastic (const QnPairSprings *springs)
 {
@@ -287,10 +257,7 @@ take_damage (QnCheck *check, size_t step, size_t p)
   QnPairResponse *response = &as->responses[p];
   QnPairMemory *before = &as->committed[p];
   double found = qn_pair_damage (springs, &response->memory);
-  QnPairResult at;
-
-  if (!stated_pair (check, step, p, &at))
-    return;
+  const QnPairResult at = check->stated[p];
   bool moved =
     check->result->steps[step].relaxed || check->lost || check->result->history.width > 0;
   bool bond = qn_spring_has_bond (&springs->a) || qn_spring_has_bond (&springs->b);
@@ -354,7 +321,8 @@ explain (QnCheck *check, size_t p, const double force[2], QnPairResponse *respon
 {
   bool in_time = check->result->history.width > 0;
 
-  if (check->assembly.inactive[p] || !(check->relaxed || in_time || begins (check, p)))
+  /* Where a pair that was found has slid before it carries is not known. */
+  if (check->assembly.inactive[p] || !(check->relaxed || in_time || check->begins[p]))
     return false;
   if (flow_to (check, p, force, response))
     return true;
@@ -388,16 +356,15 @@ check_forces (QnCheck *check, size_t step)
   for (size_t p = 0; p < as->pair_count; p++) {
     const double *q = as->elongations + 2 * p;
     const QnPairSprings *springs = &as->springs[p];
-    QnPairState state;
-    double force[2], tolerance = force_tolerance (check, springs, q);
-    take_damage (check, step, p);
+    double tolerance = force_tolerance (check, springs, q);
+    const double force[2] = { check->stated[p].normal_force,
+                              check->stated[p].shear_force };
     /* The force of a crack tells as little of its way where it is what would have been without. */
     if (told->relaxed && qn_law_softens (springs->a.kind) && !is_plastic (springs))
       check->unknown[p] = true;
-    if (!stated_force (check, step, p, force, &state)) {
-      check->lost = check->lost || told->relaxed;
-      return;
-    }
+    if (!check->known)
+      continue;
+    take_damage (check, step, p);
     QnPairResponse *response = &as->responses[p];
     if (!is_held (as, p) && !same_force (response->force, force, tolerance)) {
       QnPairResponse replayed = *response;
@@ -411,7 +378,7 @@ check_forces (QnCheck *check, size_t step)
     /* What follows is checked with the forces as they are stated. */
     memcpy (response->force, force, sizeof force);
   }
-  check->lost = false;
+  check->lost = !check->known && (check->lost || told->relaxed);
 }
 
 /* Largest force at a step, in the loads or in joints, beams and ties. */
@@ -421,15 +388,15 @@ find_scale (QnCheck *check, size_t step)
   const QnAssembly *as = &check->assembly;
   const QnBeamForces *beams = qn_result_step_beam_forces (check->result, step);
   const QnTieResult *ties = qn_result_step_ties (check->result, step);
-  double scale = as->force_scale, force[2];
-  QnPairState state;
+  double scale = as->force_scale;
 
   for (int32_t i = 0; i < as->unknown_count; i++)
     if (!as->settles[i])
       scale = fmax (scale, fabs (as->dead[i]));
-  for (size_t p = 0; p < as->pair_count; p++)
-    if (!is_held (as, p) && stated_force (check, step, p, force, &state))
-      scale = fmax (scale, hypot (force[0], force[1]));
+  for (size_t p = check->known ? 0 : check->contacts->pair_count; p < as->pair_count; p++)
+    if (!is_held (as, p))
+      scale =
+        fmax (scale, hypot (check->stated[p].normal_force, check->stated[p].shear_force));
   for (size_t e = 0; beams != NULL && e < check->model->element_count; e++)
     for (int end = 0; end < 2; end++)
       scale = fmax (scale, hypot (beams[e].normal[end], beams[e].shear[end]));
@@ -449,9 +416,7 @@ check_strength (QnCheck *check, size_t step)
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairSprings *springs = &as->springs[p];
     QnStrengthRow rows[2 * QN_STRENGTH_ROWS];
-    QnPairResult at;
-    if (!stated_pair (check, step, p, &at))
-      return;
+    const QnPairResult at = check->stated[p];
     largest = fmax (largest, hypot (at.normal_force, at.shear_force));
     int count = check->result->limit.given
                   ? qn_pair_rigid_strength (springs, rows)
@@ -463,7 +428,7 @@ check_strength (QnCheck *check, size_t step)
                             + rows[i].shear * fabs (at.shear_force) - rows[i].limit);
     excess -= QN_BOND_ROUNDING * springs->a.cohesion;
     if (p < check->contacts->pair_count)
-      excess = qn_worse (excess, qn_check_excess (check, p, &at));
+      excess = qn_worse (excess, qn_check_excess (check, p));
     if (is_held (as, p))
       continue;
     if (!(excess <= worst)) {
@@ -479,22 +444,18 @@ check_strength (QnCheck *check, size_t step)
 }
 
 /* Whether a joint stands open by more than what little force would close; rigid blocks do not
- * tell, nor do joints in time that dilate between the steps that are kept, nor those whose
- * dilation adds up on the way of a motion that has come to rest. */
+ * tell, nor do joints that have dilated on a way that no result tells. */
 static bool
 is_apart (const QnCheck *check, size_t p)
 {
   const QnPairSprings *springs = &check->assembly.springs[p];
+  const QnPairMemory *memory = &check->assembly.responses[p].memory;
   bool dilates = springs->a.dilatancy > 0 || springs->b.dilatancy > 0;
-  bool adds_up = springs->a.associative || springs->b.associative;
-  const QnAssembly *as = &check->assembly;
-  const QnPairMemory *memory = &as->responses[p].memory;
-  double gap = as->elongations[2 * p] - memory->a.opening
-               - (as->springs[p].equal ? 0 : memory->b.opening);
+  double gap = check->assembly.elongations[2 * p] - memory->a.opening - memory->b.opening;
 
-  return !check->result->limit.given && !(dilates && check->result->history.width > 0)
-         && !(adds_up && check->relaxed)
-         && gap > check->slack + QN_CHECK_STATE * check->scale / as->springs[p].a.kn;
+  return !check->result->limit.given
+         && !(dilates && (check->relaxed || check->result->history.width > 0))
+         && gap > check->slack + QN_CHECK_STATE * check->scale / springs->a.kn;
 }
 
 /* Whether a state is that of the forces alone, where displacements or what came before do not tell it. A
@@ -562,7 +523,8 @@ flows_to_state (const QnCheck *check, size_t p, const double force[2], QnPairSta
          && qn_pair_state (springs, response.phase) == state;
 }
 
-/* Whether a pair has hardly flown since the step before, as its forces and displacements tell. */
+/* Whether a pair has hardly flown since the step before, as its forces and displacements tell; without friction the
+ * force does not. */
 static bool
 stays (const QnCheck *check, size_t p)
 {
@@ -584,13 +546,12 @@ check_states (QnCheck *check, size_t step)
 
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairSprings *springs = &as->springs[p];
-    QnPairState state;
-    double force[2];
-    if (!stated_force (check, step, p, force, &state))
-      return;
+    QnPairState state = check->stated[p].state;
+    const double force[2] = { check->stated[p].normal_force,
+                              check->stated[p].shear_force };
     double size = hypot (force[0], force[1]);
     bool by_little = size <= QN_CHECK_FORCES * check->scale;
-    bool told = by_force || begins (check, p) || stays (check, p)
+    bool told = by_force || check->begins[p] || stays (check, p)
                 || ((by_little || state != QN_PAIR_STICK)
                     && qn_pair_strength (springs, &as->responses[p].memory, rows) > 0);
     bool suits = is_held (as, p) || check->unknown[p] ? true
@@ -606,18 +567,6 @@ check_states (QnCheck *check, size_t step)
 }
 
 /* --- Balance ------------------------------------------------------------------------------ */
-
-static void
-check_balance (QnCheck *check, size_t step)
-{
-  const QnAssembly *as = &check->assembly;
-  QnPairState state;
-
-  for (size_t p = 0; p < as->pair_count; p++)
-    if (!stated_force (check, step, p, check->forces + 2 * p, &state))
-      memcpy (check->forces + 2 * p, as->responses[p].force, 2 * sizeof (double));
-  qn_check_balance (check, step);
-}
 
 static void
 check_reactions (QnCheck *check, size_t step)
@@ -762,6 +711,7 @@ qn_check_forces (QnCheck *check, size_t step)
   const QnResult *result = check->result;
   bool in_time = result->history.width > 0, last = step + 1 == result->step_count;
 
+  take_stated (check, step);
   check->scale = find_scale (check, step);
   check_displacements (check, step);
   if (!result->limit.given) {
@@ -770,13 +720,14 @@ qn_check_forces (QnCheck *check, size_t step)
     check_beam_forces (check, step);
   }
   check_ties (check, step);
-  /* These say nothing where forces are not known. */
-  check_strength (check, step);
-  check_states (check, step);
+  if (check->known) {
+    check_strength (check, step);
+    check_states (check, step);
+  }
   if (!check->lost) {
     /* Rigid blocks have no forces but at collapse. */
     if (!(in_time && step > 0) && !(result->limit.given && !last))
-      check_balance (check, step);
+      qn_check_balance (check, step);
     check_reactions (check, step);
   }
   if (last)

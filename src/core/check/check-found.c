@@ -1,57 +1,27 @@
 /* Contacts that blocks found on their way: forces, and that none is missing. */
 #include "core/base/memory.h"
 #include "core/check/check-parts.h"
+#include "core/result/result-contact.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static bool
-is_side (const QnSides *sides, const QnFoundContact *contact)
-{
-  bool is_one = false;
-
-  for (size_t i = sides->first[contact->block]; i < sides->first[contact->block + 1]; i++)
-    is_one = is_one || sides->items[i].vertex == contact->side;
-  return is_one;
-}
-
-static bool
-exists (const QnCheck *check, const QnFoundContact *contact)
-{
-  const QnModel *model = check->model;
-  size_t blocks = model->block_count;
-
-  return contact->block >= 0 && (size_t) contact->block < blocks && contact->other >= 0
-         && (size_t) contact->other < blocks && contact->block != contact->other
-         && contact->corner >= 0
-         && contact->corner < model->blocks[contact->other].vertex_count
-         && isfinite (contact->foot) && contact->inset >= 0 && isfinite (contact->inset)
-         && is_side (&check->follow.sides, contact);
-}
 
 /* Whether all that the result says of found contacts refers to something. */
 static bool
 refers (const QnCheck *check)
 {
   const QnResult *r = check->result;
-  size_t last = 0;
+  bool exist = qn_result_found_exist (r, check->model);
 
-  for (size_t i = 0; i < r->found_count; i++)
-    if (!exists (check, &r->found[i].contact))
-      return false;
-  for (size_t i = 0; i < r->left_count; i++)
-    if (r->left[i].face < 0 || (size_t) r->left[i].face >= check->contacts->face_count)
-      return false;
-  for (size_t i = 0; i < r->found_force_count; i++) {
-    const QnFoundForce *f = &r->found_forces[i];
-    if (f->found < 0 || (size_t) f->found >= r->found_count || f->step < (int32_t) last
-        || (size_t) f->step >= r->step_count || !isfinite (f->normal)
-        || !isfinite (f->shear))
-      return false;
-    last = (size_t) f->step;
+  for (size_t i = 0; exist && i < r->found_count; i++) {
+    const QnFoundContact *c = &r->found[i].contact;
+    exist = c->block != c->other && c->inset >= 0
+            && qn_sides_find (&check->follow.sides, c->block, c->side) != NULL;
   }
-  return true;
+  for (size_t i = 0; i < r->left_count; i++)
+    exist = exist && (size_t) r->left[i].face < check->contacts->face_count;
+  return exist;
 }
 
 bool
@@ -73,8 +43,6 @@ qn_check_found_init (QnCheck *check, QnDiag *diag)
   if (qn_contact_follow_init (&check->follow, check->model, check->contacts, diag)
       != QN_OK)
     return false;
-  check->found = qn_pool_alloc (&check->pool, r->found_count, sizeof *check->found);
-  check->begins = qn_pool_alloc (&check->pool, r->found_count, sizeof *check->begins);
   QnFoundContact *contacts = qn_alloc (r->found_count, sizeof *contacts);
   bool known = refers (check), ok = !check->pool.failed && contacts != NULL;
   if (!known)
@@ -108,19 +76,20 @@ qn_check_found_take (QnCheck *check, size_t step)
   if (!check->follows)
     return;
   for (size_t i = 0; i < r->found_count; i++) {
-    check->found[i] = (QnFoundForce){ .state = QN_PAIR_OPEN };
-    check->begins[i] = as->inactive[drawn + i];
+    check->stated[drawn + i] = (QnPairResult){ .state = QN_PAIR_OPEN };
+    check->begins[drawn + i] = as->inactive[drawn + i];
     as->inactive[drawn + i] = true;
   }
-  check->first_force = check->next_force;
-  for (; check->next_force < r->found_force_count
-         && r->found_forces[check->next_force].step == (int32_t) step;
-       check->next_force++) {
-    const QnFoundForce *force = &r->found_forces[check->next_force];
-    check->found[force->found] = *force;
-    if (!as->inactive[drawn + (size_t) force->found]) /* stated twice */
+  check->found = qn_step_found (r, step, &check->found_count);
+  for (size_t i = 0; i < check->found_count; i++) {
+    const QnFoundForce *force = &check->found[i];
+    size_t pair = drawn + (size_t) force->found;
+    check->stated[pair] = (QnPairResult){ .normal_force = force->normal,
+                                          .shear_force = force->shear,
+                                          .state = force->state };
+    if (!as->inactive[pair]) /* stated twice */
       qn_check_tell_model (check, QN_CLAIM_HISTORY, (QnId) step, force->normal, NAN);
-    as->inactive[drawn + (size_t) force->found] = false;
+    as->inactive[pair] = false;
   }
   for (size_t i = 0; i < r->left_count; i++) {
     const QnContactFace *face = &check->contacts->faces[r->left[i].face];
@@ -139,10 +108,9 @@ find_stated (const QnCheck *check, bool *stated)
 {
   const QnContactFollow *follow = &check->follow;
 
-  for (size_t i = check->first_force; i < check->next_force; i++) {
-    const QnFoundForce *force = &check->result->found_forces[i];
-    size_t at =
-      qn_contact_follow_find (follow, &check->result->found[force->found].contact);
+  for (size_t i = 0; i < check->found_count; i++) {
+    const QnFound *found = &check->result->found[check->found[i].found];
+    size_t at = qn_contact_follow_find (follow, &found->contact);
     if (at < follow->count)
       stated[at] = true;
   }

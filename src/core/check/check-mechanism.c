@@ -43,40 +43,33 @@ find_freedom (const QnPairSprings *springs, const QnPairMemory *memory,
   return freedom;
 }
 
-/* Opening per slip in the sense of the shear force, from `least` to `most`: that outwards, less
- * where the joint slides back, none where dilation has ended. */
+/* Opening per slip in the sense of the shear force, from `least` to `most`, of the spring that has `outwards` until
+ * it slides back or its dilation ends. */
 static void
 find_dilation (const QnCheck *check, size_t p, double shear, double outwards,
                double *least, double *most)
 {
   const QnPairSprings *springs = &check->assembly.springs[p];
   const QnPairMemory *memory = &check->assembly.responses[p].memory;
-  double slip = memory->a.slip + (springs->equal ? 0 : memory->b.slip);
-  double along = shear < 0 ? -slip : slip, slack = check->slack;
-  double end = fmin (springs->a.dilation_end, springs->b.dilation_end);
+  bool second = !springs->equal && springs->a.dilatancy != outwards;
+  const QnSpring *s = second ? &springs->b : &springs->a;
+  double slip = second ? memory->b.slip : memory->a.slip, sign = shear < 0 ? -1 : 1;
 
   *least = *most = outwards;
-  if (check->result->limit.given || outwards == 0 || springs->a.associative)
+  if (check->result->limit.given)
     return;
-  if (along < slack)
-    *least = -outwards;
-  else if (along > end - slack)
-    *least = 0;
-  if (along < -slack)
-    *most = along < slack - end ? 0 : -outwards;
-  else if (along > end + slack)
-    *most = 0;
+  for (int way = -1; way <= 1; way += 2) {
+    double rate = qn_spring_dilation_rate (s, slip + way * check->slack, sign);
+    *least = fmin (*least, rate);
+    *most = way < 0 ? rate : fmax (*most, rate);
+  }
 }
 
 static void
 check_joint (QnCheck *check, size_t p, const double rate[2], double none)
 {
   const QnAssembly *as = &check->assembly;
-  size_t drawn = check->contacts->pair_count;
-  const QnPairResult *pair = p < drawn ? &check->result->pairs[p] : NULL;
-  const QnFoundForce *found = p < drawn ? NULL : &check->found[p - drawn];
-  const double force[2] = { pair != NULL ? pair->normal_force : found->normal,
-                            pair != NULL ? pair->shear_force : found->shear };
+  const double force[2] = { check->stated[p].normal_force, check->stated[p].shear_force };
   const QnPairSprings *springs = &as->springs[p];
   QnStrengthRow rows[QN_STRENGTH_ROWS];
   double little = QN_CHECK_LITTLE * check->scale;
@@ -290,7 +283,7 @@ qn_check_mechanism (QnCheck *check)
     check_second_order_work (check);
     return;
   }
-  double *rates = check->forces;
+  double *rates = check->rates;
   double none = RATE * qn_largest (check->velocity, (size_t) as->unknown_count);
   qn_assembly_elongation_rates (as, check->velocity, rates);
   for (size_t p = 0; p < as->pair_count; p++)

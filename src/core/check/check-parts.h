@@ -40,13 +40,16 @@ typedef struct QnCheck {
   const QnResult *result;
   QnCheckDepth depth;
   QnResultFaults *faults;
-  QnAssembly assembly;    /* of the contacts as drawn and those found on the way */
-  bool follows;           /* contacts follow the blocks */
-  QnContactFollow follow; /* if `follows` */
-  QnContacts all;         /* drawn and found contacts; empty unless `follows` */
-  size_t first_force, next_force; /* range of the step in the result's found_forces */
-  QnFoundForce *found;            /* scratch, by found contact: forces of the step */
-  bool *begins;     /* scratch, by found contact: no force at the step before */
+  QnAssembly assembly;       /* of the contacts as drawn and those found on the way */
+  bool follows;              /* contacts follow the blocks */
+  QnContactFollow follow;    /* if `follows` */
+  QnContacts all;            /* drawn and found contacts; empty unless `follows` */
+  const QnFoundForce *found; /* of the step */
+  size_t found_count;
+  QnPairResult
+    *stated;    /* by pair: what the step states, or the laws answer; found ones last */
+  bool known;   /* the step states the forces of drawn pairs */
+  bool *begins; /* by pair: found on the way, without force at the step before */
   double tolerance; /* of forces, relative to `scale` */
   double scale;     /* N: largest force of the step */
   double largest;   /* m: largest displacement of the step */
@@ -57,7 +60,7 @@ typedef struct QnCheck {
   double stiffness_at_rest;  /* N/m: against the mechanism, at the first step */
   double *u, *residual;      /* unknowns */
   double *rows, *live;       /* scratch, a row for every body */
-  double *forces;            /* scratch, 2 per pair */
+  double *rates;             /* scratch, 2 per pair */
   QnBeamForces *beam_forces; /* scratch, by element */
   double *velocity;          /* scratch, unknowns */
   bool *unknown;             /* by pair: memory of its law is unknown */
@@ -108,16 +111,14 @@ void qn_check_found_take (QnCheck *check, size_t step);
 /* No corner lies within another block without a contact. After qn_check_found_take(). */
 QnStatus qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag);
 
-/* Displacements, forces, states and balance at an evaluated step (check-forces.c). Leaves the stated forces
- * in check->forces. */
+/* Displacements, forces, states and balance at an evaluated step (check-forces.c). */
 void qn_check_forces (QnCheck *check, size_t step);
 
-/* Balance of every body at a step with the pair forces of check->forces; writes faults->last
- * (check-balance.c). */
+/* Balance of every body at a step with the forces of check->stated; writes faults->last (check-balance.c). */
 void qn_check_balance (QnCheck *check, size_t step);
 
 /* Excess of the stated force of a drawn pair over the strength of its laws, N. */
-double qn_check_excess (const QnCheck *check, size_t pair, const QnPairResult *stated);
+double qn_check_excess (const QnCheck *check, size_t pair);
 
 /* Unknowns from a row of displacements or velocities for every body. */
 void qn_check_gather (const QnAssembly *assembly, const double *rows, double *u);

@@ -114,7 +114,9 @@ init (QnCheck *check, QnDiag *diag)
   check->residual = qn_pool_alloc (pool, unknowns, sizeof *check->residual);
   check->rows = qn_pool_alloc (pool, bodies * QN_DOF_COUNT, sizeof *check->rows);
   check->live = qn_pool_alloc (pool, bodies * QN_DOF_COUNT, sizeof *check->live);
-  check->forces = qn_pool_alloc (pool, 2 * pairs, sizeof *check->forces);
+  check->rates = qn_pool_alloc (pool, 2 * pairs, sizeof *check->rates);
+  check->stated = qn_pool_alloc (pool, pairs, sizeof *check->stated);
+  check->begins = qn_pool_alloc (pool, pairs, sizeof *check->begins);
   check->beam_forces =
     qn_pool_alloc (pool, model->element_count, sizeof *check->beam_forces);
   check->elongations = qn_pool_alloc (pool, 2 * pairs, sizeof *check->elongations);

@@ -31,6 +31,26 @@ qn_result_contact_place (const QnModel *model, const QnContacts *contacts, size_
   *normal = qn_vec2_rotate (*normal, cos (turn), sin (turn));
 }
 
+bool
+qn_result_found_exist (const QnResult *result, const QnModel *model)
+{
+  bool exist = true;
+
+  for (size_t i = 0; exist && i < result->found_count; i++) {
+    const QnFoundContact *c = &result->found[i].contact;
+    exist = c->block >= 0 && (size_t) c->block < model->block_count && c->other >= 0
+            && (size_t) c->other < model->block_count && c->side >= 0
+            && c->side < model->blocks[c->block].vertex_count && c->corner >= 0
+            && c->corner < model->blocks[c->other].vertex_count;
+  }
+  for (size_t i = 0; exist && i < result->found_force_count; i++)
+    exist = result->found_forces[i].found >= 0
+            && (size_t) result->found_forces[i].found < result->found_count
+            && result->found_forces[i].step >= 0
+            && (size_t) result->found_forces[i].step < result->step_count;
+  return exist;
+}
+
 const QnFoundForce *
 qn_step_found (const QnResult *result, size_t step, size_t *count)
 {

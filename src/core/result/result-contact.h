@@ -19,6 +19,10 @@ void qn_result_contact_place (const QnModel *model, const QnContacts *contacts,
                               size_t pair, const double *deformation, QnVec2 *point,
                               QnVec2 *normal);
 
+/* Whether found contacts are at sides and corners of the model's blocks, and their forces of such contacts and of
+ * steps. */
+bool qn_result_found_exist (const QnResult *result, const QnModel *model);
+
 /* Forces of the found contacts at a step: *count, contiguous. */
 const QnFoundForce *qn_step_found (const QnResult *result, size_t step, size_t *count);
 

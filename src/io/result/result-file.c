@@ -1,5 +1,6 @@
 #include "io/result/result-file.h"
 
+#include "core/result/result-contact.h"
 #include "io/text/io-error.h"
 
 #include <glib/gi18n-lib.h>
@@ -38,29 +39,6 @@ match_beams (const QnResultFile *file, const char *name, const QnModel *model,
          || fail (error, name, _ ("the result is of another model: it has other beams"));
 }
 
-/* Whether what blocks found on their way are a side and a corner of theirs. */
-static gboolean
-match_found (const QnResult *result, const char *name, const QnModel *model,
-             GError **error)
-{
-  gboolean exist = TRUE;
-  for (size_t i = 0; exist && i < result->found_count; i++) {
-    const QnFoundContact *c = &result->found[i].contact;
-    exist = c->block >= 0 && (size_t) c->block < model->block_count && c->other >= 0
-            && (size_t) c->other < model->block_count && c->side >= 0
-            && c->side < model->blocks[c->block].vertex_count && c->corner >= 0
-            && c->corner < model->blocks[c->other].vertex_count;
-  }
-  for (size_t i = 0; exist && i < result->found_force_count; i++)
-    exist = result->found_forces[i].found >= 0
-            && (size_t) result->found_forces[i].found < result->found_count
-            && result->found_forces[i].step >= 0
-            && (size_t) result->found_forces[i].step < result->step_count;
-  return exist
-         || fail (error, name,
-                  _ ("the result is of another model: it has found other contacts"));
-}
-
 static gboolean
 match_blocks (const QnResultFile *file, const char *name, const QnModel *model,
               GError **error)
@@ -73,7 +51,9 @@ match_blocks (const QnResultFile *file, const char *name, const QnModel *model,
                    _ ("the result is of another model: its blocks have other names"));
   }
   return match_beams (file, name, model, error)
-         && match_found (&file->result, name, model, error);
+         && (qn_result_found_exist (&file->result, model)
+             || fail (error, name,
+                      _ ("the result is of another model: it has found other contacts")));
 }
 
 static gboolean
