@@ -8,12 +8,10 @@ elastic (const QnTimeStep *step, const QnInstant *instant)
   const QnAssembly *as = &step->equation.eq->assembly;
   double sum = instant->beam_energy;
 
-  for (size_t p = 0; p < as->pair_count; p++) {
-    QnPairInstant at = qn_instant_pair (instant, instant->at.responses, p);
-    if (as->inactive[p])
-      continue;
-    sum += qn_pair_elastic_energy (&step->elasticity[p], &at);
-  }
+  for (size_t p = 0; p < as->pair_count; p++)
+    if (!as->inactive[p])
+      sum +=
+        qn_pair_elastic_energy (&step->elasticity[p], instant->at.responses[p].force);
   return sum;
 }
 

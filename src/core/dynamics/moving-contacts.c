@@ -47,10 +47,10 @@ add_exchange (const QnAssembly *as, size_t pair, bool becomes_inactive, Exchange
   if (as->inactive[pair])
     return;
   QnPairElasticity elastic = qn_pair_elasticity (&as->springs[pair]);
-  QnPairInstant at = { .response = &as->responses[pair] };
-  sum->normal += at.response->force[0];
-  sum->shear += at.response->force[1];
-  sum->released += becomes_inactive ? qn_pair_elastic_energy (&elastic, &at) : 0;
+  const double *force = as->responses[pair].force;
+  sum->normal += force[0];
+  sum->shear += force[1];
+  sum->released += becomes_inactive ? qn_pair_elastic_energy (&elastic, force) : 0;
 }
 
 /* Between the blocks of the listed contacts from `first` to `end`. */
@@ -73,14 +73,20 @@ exchange (const QnContactFollow *follow, const QnAssembly *as, size_t first, siz
   return sum;
 }
 
-/* Normal force of a pair without inset whose corner lies within the block, and the shear force that goes
- * with it. */
-static void
-undiminished (const QnPairElasticity *elastic, double apart, double ratio,
-              double force[2])
+/* Where the corner of a listed contact lies, and the force of its pair were there no inset, with the shear force that
+ * goes with it. */
+static QnCornerPlace
+undiminished (const QnMovingContacts *moving, const QnAssembly *as, size_t i,
+              double ratio, QnPairElasticity *elastic, double force[2])
 {
-  force[0] = elastic->k[0] * fmin (apart, 0);
+  const QnContactFollow *follow = &moving->follow;
+  QnCornerPlace at =
+    qn_contact_follow_place (follow, &follow->found[i], moving->displacements);
+
+  *elastic = qn_pair_elasticity (&as->springs[follow->drawn->pair_count + i]);
+  force[0] = elastic->k[0] * fmin (at.apart, 0);
   force[1] = ratio * force[0];
+  return at;
 }
 
 /* --- Transfer ---------------------------------------------------------------------------- */
@@ -116,57 +122,46 @@ transfer (const QnContactFollow *follow, const QnAssembly *old, QnAssembly *as)
   }
 }
 
-static bool
-becomes_active (const QnMovingContacts *moving, const QnAssembly *as, size_t i)
-{
-  return moving->follow.active[i] && as->inactive[moving->follow.drawn->pair_count + i];
-}
-
 /* Activates a pair: `share` of how deep its corner lies counts, with the shear force that goes with it. */
 static void
 activate (QnMovingContacts *moving, QnAssembly *as, size_t i, double ratio, double share)
 {
-  QnContactFollow *follow = &moving->follow;
-  QnFoundContact *c = &follow->found[i];
-  size_t pair = follow->drawn->pair_count + i;
-  QnCornerPlace at = qn_contact_follow_place (follow, c, moving->displacements);
-  QnPairElasticity elastic = qn_pair_elasticity (&as->springs[pair]);
-  double force[2], slip = at.along - c->foot;
+  QnFoundContact *c = &moving->follow.found[i];
+  QnPairMemory *memory = &as->committed[moving->follow.drawn->pair_count + i];
+  QnPairElasticity elastic;
+  double force[2];
+  QnCornerPlace at = undiminished (moving, as, i, ratio, &elastic, force);
+  double slip = at.along - c->foot;
 
-  undiminished (&elastic, at.apart, ratio, force);
   c->inset = (1 - share) * fmax (-at.apart, 0);
-  as->committed[pair] = (QnPairMemory){ 0 };
-  as->committed[pair].a.slip = slip - share * force[1] / elastic.k[1];
-  as->committed[pair].qa[1] = slip;
+  *memory = (QnPairMemory){ .qa = { 0, slip } };
+  memory->a.slip = slip - share * force[1] / elastic.k[1];
 }
 
 /* Pairs between the same two blocks that become inactive or active, from `first` to `end`. */
 static void
 set_inactive (QnMovingContacts *moving, QnAssembly *as, size_t first, size_t end)
 {
-  QnContactFollow *follow = &moving->follow;
-  size_t drawn = follow->drawn->pair_count;
-  Exchange before = exchange (follow, as, first, end);
+  const bool *active = moving->follow.active;
+  bool *inactive = as->inactive + moving->follow.drawn->pair_count;
+  Exchange before = exchange (&moving->follow, as, first, end);
   double ratio = before.normal < 0 ? before.shear / before.normal : 0, stored = 0;
 
   for (size_t i = first; i < end; i++)
-    if (becomes_active (moving, as, i)) {
-      QnPairElasticity elastic = qn_pair_elasticity (&as->springs[drawn + i]);
-      QnCornerPlace at =
-        qn_contact_follow_place (follow, &follow->found[i], moving->displacements);
+    if (active[i] && inactive[i]) {
+      QnPairElasticity elastic;
       double force[2];
-      undiminished (&elastic, at.apart, ratio, force);
-      stored +=
-        0.5 * (force[0] * force[0] / elastic.k[0] + force[1] * force[1] / elastic.k[1]);
+      undiminished (moving, as, i, ratio, &elastic, force);
+      stored += qn_pair_elastic_energy (&elastic, force);
     }
   double share = stored > before.released ? sqrt (before.released / stored) : 1;
   for (size_t i = first; i < end; i++) {
-    bool changes = as->inactive[drawn + i] == follow->active[i];
-    if (becomes_active (moving, as, i))
+    if (inactive[i] != active[i])
+      continue;
+    if (active[i])
       activate (moving, as, i, ratio, share);
-    as->inactive[drawn + i] = !follow->active[i];
-    if (changes)
-      carry_nothing (as, drawn + i);
+    inactive[i] = !active[i];
+    carry_nothing (as, moving->follow.drawn->pair_count + i);
   }
 }
 

@@ -309,10 +309,8 @@ qn_pair_branch_is_still (int branch)
 }
 
 double
-qn_pair_elastic_energy (const QnPairElasticity *pair, const QnPairInstant *at)
+qn_pair_elastic_energy (const QnPairElasticity *pair, const double f[2])
 {
-  const double *f = at->response->force;
-
   return 0.5 * (f[0] * f[0] / pair->k[0] + f[1] * f[1] / pair->k[1]);
 }
 
@@ -321,7 +319,7 @@ qn_pair_friction (const QnPairElasticity *pair, const QnPairForces *forces,
                   const QnPairInstant *start, const QnPairInstant *end)
 {
   const double *f0 = start->response->force, *f1 = end->response->force;
-  double work = qn_pair_elastic_energy (pair, start) - qn_pair_elastic_energy (pair, end);
+  double work = qn_pair_elastic_energy (pair, f0) - qn_pair_elastic_energy (pair, f1);
 
   for (int i = 0; i < 2; i++)
     work += (0.5 * (f0[i] + f1[i]) + forces->correction[i]) * (end->q[i] - start->q[i]);

@@ -95,9 +95,8 @@ int qn_pair_branch (const QnPairElasticity *elasticity, const QnPairInstant *sta
 /* Whether a pair on that branch neither opens, closes nor slips. */
 bool qn_pair_branch_is_still (int branch);
 
-/* Energy that the pair stores, J. */
-double qn_pair_elastic_energy (const QnPairElasticity *elasticity,
-                               const QnPairInstant *instant);
+/* Energy that the pair stores with a force, J. */
+double qn_pair_elastic_energy (const QnPairElasticity *elasticity, const double force[2]);
 
 /* Energy dissipated by slip, dilatancy and plastic deformation in a step, J, with the forces of the step. */
 double qn_pair_friction (const QnPairElasticity *elasticity, const QnPairForces *forces,
