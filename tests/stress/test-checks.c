@@ -74,13 +74,12 @@ test_strength (Fixture *f, gconstpointer data)
   g_assert_cmpuint (faults_of (f), ==, STRESS_STRENGTH);
 }
 
-/* The mechanism backwards: joints close where they should open. */
+/* A block of the mechanism moves into those below that carry it; joints that stand open already may close. */
 static void
 test_mechanism (Fixture *f, gconstpointer data)
 {
   (void) data;
-  for (size_t i = 0; i < f->result.block_count * QN_DOF_COUNT; i++)
-    f->result.mechanism[i] *= -1;
+  f->result.mechanism[QN_DOF_COUNT + QN_DOF_UY] -= 1;
   g_assert_cmpuint (faults_of (f), ==, STRESS_MECHANISM);
   f->result.mechanism_uncertain = true;
   g_assert_cmpuint (faults_of (f), ==, 0);
