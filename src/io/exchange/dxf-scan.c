@@ -203,27 +203,24 @@ take_coordinate (Scanner *scanner, QnDxfEntity *entity, int code, double number,
 static void
 take_points (Scanner *scanner, QnDxfEntity *entity, double z)
 {
-  GArray *points = scanner->scan->points;
-  guint weights = 0;
+  gboolean spline = entity->kind == QN_DXF_SPLINE;
   for (guint i = 0; i < scanner->pairs->len; i++) {
     const Pair *pair = &g_array_index (scanner->pairs, Pair, i);
     double number;
     if (!is_real_code (pair->code) || !parse_number (pair->value, &number))
       continue;
     take_coordinate (scanner, entity, pair->code, number, z);
-    if (pair->code == 40 && entity->kind == QN_DXF_SPLINE)
+    if (pair->code == 40 && spline)
       g_array_append_val (scanner->scan->knots, number);
-    else if (pair->code == 41 && entity->kind == QN_DXF_SPLINE)
-      weights++;
   }
   entity->knot_count = scanner->scan->knots->len - entity->first_knot;
   /* Weights may stand before the points. */
-  for (guint i = 0, k = 0; weights > 0 && i < scanner->pairs->len; i++) {
+  for (guint i = 0, k = 0; spline && i < scanner->pairs->len; i++) {
     const Pair *pair = &g_array_index (scanner->pairs, Pair, i);
     double number;
     if (pair->code == 41 && k < entity->point_count
         && parse_number (pair->value, &number))
-      g_array_index (points, QnDxfPoint, entity->first_point + k++).extra =
+      g_array_index (scanner->scan->points, QnDxfPoint, entity->first_point + k++).extra =
         number != 0 ? number : 1;
   }
 }

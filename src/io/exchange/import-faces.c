@@ -144,7 +144,7 @@ qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag)
     if (outline->role == role)
       qn_import_add_segments (work, &outline->ring, TRUE, role);
   }
-  QnRings faces = { 0 };
+  g_auto (QnRings) faces = { 0 };
   QnHealing healing = { 0 };
   gsize holes = 0;
   QnStatus status =
@@ -158,7 +158,6 @@ qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag)
     take_faces (work, role, &faces, &lines, outlines);
   if (role == QN_ROLE_BLOCK && outlines == 0)
     look_for_openings (work, &faces);
-  qn_rings_clear (&faces);
   qn_segments_clear (&lines);
   return status;
 }

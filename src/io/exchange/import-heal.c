@@ -26,7 +26,7 @@ exchange_rings (QnImportWork *work, QnRings *rings, gboolean out)
 QnStatus
 qn_import_heal (QnImportWork *work, QnDiag *diag)
 {
-  QnRings rings = { 0 };
+  g_auto (QnRings) rings = { 0 };
   QnHealing welded = { 0 }, snapped = { 0 };
   exchange_rings (work, &rings, TRUE);
   QnStatus status = qn_weld_vertices (&rings, 1e-6 * work->tolerance, work->tolerance,
@@ -34,7 +34,6 @@ qn_import_heal (QnImportWork *work, QnDiag *diag)
   if (status == QN_OK)
     status = qn_snap_neighbours (&rings, work->tolerance, &snapped, diag);
   exchange_rings (work, &rings, FALSE);
-  qn_rings_clear (&rings);
   qn_import_tell_healing (work, _ ("vertices merged"), &welded);
   qn_import_tell_healing (work, _ ("gaps and overlaps between neighbours closed"),
                           &snapped);
@@ -85,7 +84,7 @@ tell_gaps (QnImportWork *work, const QnGapClosing *closing)
 QnStatus
 qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
 {
-  QnRings rings = { 0 };
+  g_auto (QnRings) rings = { 0 };
   QnGapClosing closing = { 0 };
   QnGapTreatment treatment = work->settings->gaps;
   exchange_rings (work, &rings, TRUE);
@@ -98,10 +97,9 @@ qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
   if (any && treatment == QN_GAPS_CLOSED)
     status = qn_gaps_close (&rings, work->tolerance, width, &closing, diag);
   exchange_rings (work, &rings, FALSE);
-  qn_rings_clear (&rings);
   if (any && status == QN_OK && treatment == QN_GAPS_FILLED) {
     /* A block for every gap; openings are no blocks. */
-    QnRings bodies = { 0 };
+    g_auto (QnRings) bodies = { 0 };
     QnOutline mortar = { .role = QN_ROLE_BLOCK };
     for (guint i = 0; i < work->outlines->len; i++)
       mortar.thickness =
@@ -110,7 +108,6 @@ qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
     work->no_memory |= bodies.failed;
     for (gsize i = 0; i < bodies.count; i++)
       qn_import_add_outline (work, &bodies.items[i], &mortar);
-    qn_rings_clear (&bodies);
     work->has_mortar = TRUE;
     status = work->no_memory ? qn_diag_no_memory (diag) : QN_OK;
   }
@@ -122,7 +119,7 @@ qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
 QnStatus
 qn_import_cut_openings (QnImportWork *work, QnDiag *diag)
 {
-  QnRings cutters = { 0 };
+  g_auto (QnRings) cutters = { 0 };
   gsize changed = 0;
   for (guint i = 0; i < work->outlines->len; i++) {
     QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
@@ -137,7 +134,7 @@ qn_import_cut_openings (QnImportWork *work, QnDiag *diag)
     QnOutline outline = g_array_index (work->outlines, QnOutline, i);
     if (outline.role == QN_ROLE_OPENING)
       continue;
-    QnRings parts = { 0 };
+    g_auto (QnRings) parts = { 0 };
     double area = qn_ring_area (&outline.ring), left = 0;
     status = qn_polygon_difference (&outline.ring, &cutters, &parts, diag);
     for (gsize k = 0; k < parts.count; k++)
@@ -151,12 +148,10 @@ qn_import_cut_openings (QnImportWork *work, QnDiag *diag)
           qn_import_add_outline (work, &parts.items[k], &outline);
       g_array_index (work->outlines, QnOutline, i).ring.count = 0;
     }
-    qn_rings_clear (&parts);
   }
   if (cutters.count > 0)
     qn_import_tell (work, FALSE, _ ("openings cut out: %zu, blocks cut or removed: %zu"),
                     cutters.count, changed);
-  qn_rings_clear (&cutters);
   qn_import_drop_empty (work);
   return status;
 }

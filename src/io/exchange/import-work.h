@@ -7,6 +7,8 @@
 #include "io/exchange/drawing-import.h"
 #include "stereotomy/linework.h"
 
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnRings, qn_rings_clear)
+
 /* One outline on its way to a block. */
 typedef struct QnOutline {
   QnRing ring; /* m; counter-clockwise */

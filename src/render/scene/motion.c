@@ -87,10 +87,8 @@ double
 qn_motion_auto_scale (const QnMotion *motion)
 {
   const QnModel *model = motion->model;
-  QnBox box = QN_BOX_EMPTY;
+  QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
   double turn = 0;
-  for (size_t i = 0; i < model->vertex_count; i++)
-    qn_box_add_point (&box, model->vertices[i]);
   for (size_t i = 0; i < model->node_count; i++)
     qn_box_add_point (&box, model->nodes[i].at);
   for (size_t b = 0; motion->displacements != NULL && b < model->block_count; b++)

@@ -199,21 +199,17 @@ add_node_support (QnSceneBuilder *b, QnId node)
   QnVec2 down = sideways ? qn_vec2 (-1, 0) : qn_vec2 (0, -1), along = qn_vec2_perp (down);
   QnVec2 foot = qn_vec2_add_scaled (at, size, down);
 
-  if (held[QN_DOF_RZ]) {
-    QnVec2 clamp[4] = { qn_vec2_add_scaled (at, -size, along),
-                        qn_vec2_add_scaled (at, size, along),
-                        qn_vec2_add_scaled (foot, size, along),
-                        qn_vec2_add_scaled (foot, -size, along) };
-    qn_scene_fill (b->scene, QN_LAYER_BLOCKS, clamp, 4, fill);
-    qn_scene_stroke (b->scene, QN_LAYER_OUTLINES, clamp, 4, true, QN_WIDTH_OUTLINE,
-                     color);
-  } else {
-    QnVec2 triangle[3] = { at, qn_vec2_add_scaled (foot, -0.7 * size, along),
-                           qn_vec2_add_scaled (foot, 0.7 * size, along) };
-    qn_scene_fill (b->scene, QN_LAYER_BLOCKS, triangle, 3, fill);
-    qn_scene_stroke (b->scene, QN_LAYER_OUTLINES, triangle, 3, true, QN_WIDTH_OUTLINE,
-                     color);
-  }
+  const QnVec2 clamp[4] = { qn_vec2_add_scaled (at, -size, along),
+                            qn_vec2_add_scaled (at, size, along),
+                            qn_vec2_add_scaled (foot, size, along),
+                            qn_vec2_add_scaled (foot, -size, along) };
+  const QnVec2 triangle[3] = { at, qn_vec2_add_scaled (foot, -0.7 * size, along),
+                               qn_vec2_add_scaled (foot, 0.7 * size, along) };
+  const QnVec2 *shape = held[QN_DOF_RZ] ? clamp : triangle;
+  const size_t corners = held[QN_DOF_RZ] ? 4 : 3;
+  qn_scene_fill (b->scene, QN_LAYER_BLOCKS, shape, corners, fill);
+  qn_scene_stroke (b->scene, QN_LAYER_OUTLINES, shape, corners, true, QN_WIDTH_OUTLINE,
+                   color);
   if (held[QN_DOF_UX] && held[QN_DOF_UY])
     return;
   QnVec2 ground = qn_vec2_add_scaled (foot, 0.3 * size, down);

@@ -232,14 +232,12 @@ qn_scene_build (const QnModel *model, const QnContacts *contacts, const QnResult
                        .contacts = contacts,
                        .result = result,
                        .options = options,
-                       .box = QN_BOX_EMPTY };
+                       .box = qn_box_of_points (model->vertices, model->vertex_count) };
   if (!check (&b, error))
     return NULL;
 
   b.scene = qn_scene_new ();
   b.scene->monochrome = options->monochrome;
-  for (size_t i = 0; i < model->vertex_count; i++)
-    qn_box_add_point (&b.box, model->vertices[i]);
   for (size_t i = 0; i < model->node_count; i++)
     qn_box_add_point (&b.box, model->nodes[i].at);
   for (size_t i = 0; i < 2 * model->tie_count; i++)
