@@ -105,31 +105,31 @@ write_stage (QnFileWriter *writer, const QnModel *model, int32_t stage, double w
 }
 
 static void
-write_curve (QnFileWriter *writer, const QnProject *project, const QnContacts *contacts,
+write_curve (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
              const QnResult *result)
 {
   (void) contacts;
   static const char *const events[QN_EVENT_COUNT] = { "", "snap", "collapse" };
   if (result->history.width > 0) {
-    write_history (writer, &project->model, &result->history);
+    write_history (writer, model, &result->history);
     return;
   }
-  gboolean staged = project->model.stage_count > 0;
+  gboolean staged = model->stage_count > 0;
   g_autofree double *works = staged ? g_new0 (double, result->step_count) : NULL;
-  if (staged && !qn_result_sum_work (&project->model, result, works))
+  if (staged && !qn_result_sum_work (model, result, works))
     qn_file_writer_fail (writer, ENOMEM);
-  QnId block = qn_result_curve_motion (&project->model, result).body;
+  QnId block = qn_result_curve_motion (model, result).body;
   const QnPathEvent *buckling = qn_result_find_buckling (result);
   ptrdiff_t buckles = buckling != NULL ? qn_result_buckling_step (result, buckling) : -1;
 
   qn_file_writer_puts (writer, "step,multiplier [-]");
   for (size_t dof = 0; block != QN_NONE && dof < QN_DOF_COUNT; dof++)
-    write_heading (writer, qn_result_body_name (&project->model, block), motions[dof]);
+    write_heading (writer, qn_result_body_name (model, block), motions[dof]);
   qn_file_writer_puts (writer, ",iterations,residual [-],event");
   if (staged)
     qn_file_writer_puts (writer, ",stage,cycle,work [J]");
   if (result->reactions != NULL)
-    write_settlements (writer, &project->model, result, NULL, 0);
+    write_settlements (writer, model, result, NULL, 0);
   qn_file_writer_puts (writer, "\n");
   for (size_t i = 0; i < result->step_count; i++) {
     const QnStep *step = &result->steps[i];
@@ -141,26 +141,25 @@ write_curve (QnFileWriter *writer, const QnProject *project, const QnContacts *c
     qn_file_writer_csv (writer, ",%d,%g,%s", step->iterations, step->residual,
                         (ptrdiff_t) i == buckles ? "buckling" : events[step->event]);
     if (staged)
-      write_stage (writer, &project->model, step->stage, works[i]);
+      write_stage (writer, model, step->stage, works[i]);
     if (result->reactions != NULL)
-      write_settlements (writer, &project->model, result, result, i);
+      write_settlements (writer, model, result, result, i);
     qn_file_writer_puts (writer, "\n");
   }
 }
 
 static void
-write_displacements (QnFileWriter *writer, const QnProject *project,
+write_displacements (QnFileWriter *writer, const QnModel *model,
                      const QnContacts *contacts, const QnResult *result)
 {
   (void) contacts;
   const size_t steps = result->step_count, last = steps > 0 ? steps - 1 : 0;
   qn_file_writer_puts (writer, "block,x [m],y [m],ux [m],uy [m],rz [rad]\n");
   for (size_t i = 0; steps > 0 && i < qn_result_body_count (result); i++) {
-    QnVec2 at = i < result->block_count
-                  ? project->model.blocks[i].centroid
-                  : project->model.nodes[i - result->block_count].at;
-    qn_file_writer_csv (writer, "%s,%g,%g",
-                        qn_result_body_name (&project->model, (QnId) i), at.x, at.y);
+    QnVec2 at = i < result->block_count ? model->blocks[i].centroid
+                                        : model->nodes[i - result->block_count].at;
+    qn_file_writer_csv (writer, "%s,%g,%g", qn_result_body_name (model, (QnId) i), at.x,
+                        at.y);
     write_numbers (writer, qn_result_step_displacements (result, last) + i * QN_DOF_COUNT,
                    QN_DOF_COUNT);
     qn_file_writer_puts (writer, "\n");
@@ -168,21 +167,21 @@ write_displacements (QnFileWriter *writer, const QnProject *project,
 }
 
 static void
-write_contacts (QnFileWriter *writer, const QnProject *project,
-                const QnContacts *contacts, const QnResult *result)
+write_contacts (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
+                const QnResult *result)
 {
-  const QnBlock *blocks = project->model.blocks;
+  const QnBlock *blocks = model->blocks;
   qn_file_writer_puts (writer,
                        "pair,face,block a,block b,x [m],y [m],normal x [-],normal y [-],"
                        "normal force [N],shear force [N],state,damage [-]\n");
-  const double *deformation = qn_result_deformation (&project->model, result);
+  const double *deformation = qn_result_deformation (model, result);
   size_t count = result->step_count > 0 ? contacts->pair_count : 0;
   for (size_t i = 0; i < count; i++) {
     const QnContactPair *pair = &contacts->pairs[i];
     const QnContactFace *face = &contacts->faces[pair->face];
     const QnPairResult *forces = &result->pairs[i];
     QnVec2 point, normal;
-    qn_result_contact_place (&project->model, contacts, i, deformation, &point, &normal);
+    qn_result_contact_place (model, contacts, i, deformation, &point, &normal);
     qn_file_writer_csv (writer, "%zu,%d,%s,%s,%g,%g,%g,%g,%g,%g,%s,%g\n", i, pair->face,
                         blocks[face->a].name, blocks[face->b].name, point.x, point.y,
                         normal.x, normal.y, forces->normal_force, forces->shear_force,
@@ -207,11 +206,10 @@ write_beam_end (QnFileWriter *writer, const QnModel *model, size_t element, int 
 }
 
 static void
-write_beams (QnFileWriter *writer, const QnProject *project, const QnContacts *contacts,
+write_beams (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
              const QnResult *result)
 {
   (void) contacts;
-  const QnModel *model = &project->model;
   qn_file_writer_puts (writer, "beam,element,node,x [m],y [m],s [m],normal force N [N],"
                                "shear force V [N],moment M [N m]\n");
   gboolean known = result->step_count > 0 && result->beam_forces != NULL
@@ -224,11 +222,10 @@ write_beams (QnFileWriter *writer, const QnProject *project, const QnContacts *c
 }
 
 static void
-write_ties (QnFileWriter *writer, const QnProject *project, const QnContacts *contacts,
+write_ties (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
             const QnResult *result)
 {
   (void) contacts;
-  const QnModel *model = &project->model;
   qn_file_writer_puts (writer,
                        "step,multiplier,time [s],tie,force [N],elongation [m],state\n");
   for (size_t s = 0;
@@ -256,10 +253,9 @@ line_start (const QnBar *bar, int32_t line)
 }
 
 static void
-write_bars (QnFileWriter *writer, const QnProject *project, const QnContacts *contacts,
+write_bars (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
             const QnResult *result)
 {
-  const QnModel *model = &project->model;
   size_t count = 0;
   QnBarCrossing *crossings = qn_bar_crossings (model, contacts, &count);
   if (crossings == NULL)
@@ -284,13 +280,13 @@ gboolean
 qn_result_table_write (const char *path, QnResultTable table, const QnProject *project,
                        const QnContacts *contacts, const QnResult *result, GError **error)
 {
-  static void (*const write[]) (QnFileWriter * writer, const QnProject *project,
+  static void (*const write[]) (QnFileWriter * writer, const QnModel *model,
                                 const QnContacts *contacts, const QnResult *result) = {
     [QN_TABLE_CURVE] = write_curve,       [QN_TABLE_DISPLACEMENTS] = write_displacements,
     [QN_TABLE_CONTACTS] = write_contacts, [QN_TABLE_BEAMS] = write_beams,
     [QN_TABLE_BARS] = write_bars,         [QN_TABLE_TIES] = write_ties,
   };
   QnFileWriter *writer = qn_file_writer_open (path);
-  write[table](writer, project, contacts, result);
+  write[table](writer, &project->model, contacts, result);
   return qn_file_writer_commit (writer, error);
 }
