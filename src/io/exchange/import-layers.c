@@ -220,9 +220,7 @@ qn_import_find_layers (QnImportWork *work, GError **error)
   for (char **entry = settings->layers; entry != NULL && *entry != NULL; entry++) {
     gboolean found = FALSE;
     for (guint i = 0; i < layers->len && !found; i++)
-      found =
-        means_layer (*entry, g_array_index (layers, QnImportLayer, i).name, FALSE)
-        || means_layer (*entry, g_array_index (layers, QnImportLayer, i).name, TRUE);
+      found = means_layer (*entry, g_array_index (layers, QnImportLayer, i).name, TRUE);
     if (found)
       continue;
     g_autoptr (GString) names = g_string_new (NULL);

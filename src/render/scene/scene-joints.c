@@ -7,11 +7,6 @@
 /* Joints shorter than this on paper get no symbol, pt. */
 #define SYMBOL_LEAST 7
 
-/* How many joints a picture shows of each kind. */
-typedef struct JointTally {
-  int open, hinge, sliding;
-} JointTally;
-
 /* The gap between the two sides of an open joint as drawn. */
 static void
 add_gap (QnSceneBuilder *b, QnId index, const QnContactFace *face, QnColor color)
@@ -95,8 +90,7 @@ qn_build_joints (QnSceneBuilder *b)
   QnColor open = qn_builder_ink (b, QN_INK_OPEN);
   QnColor slide = qn_builder_ink (b, QN_INK_SLIDE);
   QnColor hinge = qn_builder_ink (b, QN_INK_HINGE);
-  JointTally tally = { 0, 0, 0 };
-  int broken = 0;
+  int gaps = 0, rings = 0, slips = 0, broken = 0; /* of each kind */
   for (size_t f = 0; f < b->contacts->face_count; f++) {
     const QnContactFace *face = &b->contacts->faces[f];
     const QnJointMotion *joint = &b->joints[f];
@@ -107,30 +101,29 @@ qn_build_joints (QnSceneBuilder *b)
       joint->kind == QN_JOINT_HINGE_START || joint->kind == QN_JOINT_HINGE_END;
     if (hinges || joint->kind == QN_JOINT_OPENING) {
       add_gap (b, (QnId) f, face, open);
-      tally.open++;
+      gaps++;
     }
     if (hinges) {
       add_hinge (b, (QnId) f, face, joint->kind == QN_JOINT_HINGE_START, hinge);
-      tally.hinge++;
+      rings++;
     }
     if (joint->slides && joint->kind != QN_JOINT_OPENING) {
       add_sliding (b, (QnId) f, face, joint, slide);
-      tally.sliding++;
+      slips++;
     }
   }
   /* Of a mechanism as many as its text counts, also where symbols are left out since joints are too short. */
   bool counts = b->options->view == QN_VIEW_MECHANISM && b->options->counts;
   g_autofree char *hinges =
-    counts ? g_strdup_printf (_ ("hinge (%d)"), tally.hinge) : g_strdup (_ ("hinge"));
-  g_autofree char *slides = counts
-                              ? g_strdup_printf (_ ("sliding joint (%d)"), tally.sliding)
-                              : g_strdup (_ ("sliding joint"));
-  if (tally.open > 0)
+    counts ? g_strdup_printf (_ ("hinge (%d)"), rings) : g_strdup (_ ("hinge"));
+  g_autofree char *slides = counts ? g_strdup_printf (_ ("sliding joint (%d)"), slips)
+                                   : g_strdup (_ ("sliding joint"));
+  if (gaps > 0)
     qn_scene_legend (b->scene, QN_COMMAND_FILL, 0, open, "%s", _ ("open joint"));
-  if (tally.hinge > 0)
+  if (rings > 0)
     qn_scene_legend (b->scene, QN_COMMAND_MARKER, 4.2f, hinge, "%s", hinges)->marker =
       QN_MARKER_RING;
-  if (tally.sliding > 0)
+  if (slips > 0)
     qn_scene_legend (b->scene, QN_COMMAND_MARKER, 11, slide, "%s", slides)->marker =
       QN_MARKER_SLIDE;
   if (broken > 0)
