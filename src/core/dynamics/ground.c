@@ -1,16 +1,12 @@
 #include "core/dynamics/ground.h"
 
-#include "core/base/memory.h"
-
-#include <stdlib.h>
-
 /* Part of a pulse's duration that is rounding of times. */
 #define ROUNDING 1e-9
 
 static double *
-integrate (const QnGroundMotion *motion)
+integrate (const QnGroundMotion *motion, QnPool *pool)
 {
-  double *velocity = qn_alloc (motion->point_count, sizeof *velocity);
+  double *velocity = qn_pool_alloc (pool, motion->point_count, sizeof *velocity);
 
   for (size_t i = 1; velocity != NULL && i < motion->point_count; i++) {
     QnVec2 a = motion->points[i - 1], b = motion->points[i];
@@ -22,30 +18,25 @@ integrate (const QnGroundMotion *motion)
 bool
 qn_ground_init (QnGround *ground, const QnModel *model)
 {
-  bool ok = true;
-
   *ground = (QnGround){ .model = model };
-  ground->velocities = qn_alloc (model->ground_count, sizeof *ground->velocities);
+  ground->velocities =
+    qn_pool_alloc (&ground->pool, model->ground_count, sizeof *ground->velocities);
   for (size_t i = 0; ground->velocities != NULL && i < model->ground_count; i++) {
     const QnGroundMotion *motion = &model->ground[i];
     ground->end = fmax (ground->end, qn_ground_motion_end (motion));
-    if (motion->kind == QN_SIGNAL_PULSE)
-      continue;
-    ground->velocities[i] = integrate (motion);
-    ok &= ground->velocities[i] != NULL;
+    if (motion->kind != QN_SIGNAL_PULSE)
+      ground->velocities[i] = integrate (motion, &ground->pool);
   }
-  if (ground->velocities != NULL && ok)
-    return true;
-  qn_ground_clear (ground);
-  return false;
+  bool ok = !ground->pool.failed;
+  if (!ok)
+    qn_ground_clear (ground);
+  return ok;
 }
 
 void
 qn_ground_clear (QnGround *ground)
 {
-  for (size_t i = 0; ground->velocities != NULL && i < ground->model->ground_count; i++)
-    free (ground->velocities[i]);
-  free (ground->velocities);
+  qn_pool_clear (&ground->pool);
   *ground = (QnGround){ 0 };
 }
 

@@ -6,9 +6,11 @@
  */
 #pragma once
 
+#include "core/base/memory.h"
 #include "core/model/model.h"
 
 typedef struct QnGround {
+  QnPool pool; /* of velocities */
   const QnModel *model;
   double **velocities; /* integrals of every motion's points, m/s; NULL: pulse */
   double end;          /* when the last motion is over, s */

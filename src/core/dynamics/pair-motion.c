@@ -280,9 +280,12 @@ qn_pair_motion (const QnPairElasticity *pair, const QnPairStep *step,
   add_correction (pair, start, end, &out);
   if (step->damping > 0)
     add_dashpot (pair, step, start, end, &out);
-  for (int i = 0; i < 2; i++)
+  for (int i = 0; i < 2; i++) {
+    out.total[i] =
+      end->response->force[i] + (out.correction[i] + out.dashpot[i]) / weight;
     for (int j = 0; j < 2; j++)
       out.tangent[i][j] = end->response->tangent[i][j] + out.tangent[i][j] / weight;
+  }
   return out;
 }
 

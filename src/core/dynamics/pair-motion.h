@@ -71,10 +71,12 @@ typedef struct QnPairStep {
     *held; /* where a bond softens: qn_pair_holds_damage(); else NULL */
 } QnPairStep;
 
-/* Forces besides those of the law, N, and the tangent of the total force, dF/dq1 / (1 - af), N/m. */
+/* Forces besides those of the law, N; the total at the end of the step, f1 + (c + d) / (1 - af), and the tangent of
+ * F / (1 - af), N/m. */
 typedef struct QnPairForces {
   double correction[2]; /* c */
   double dashpot[2];    /* d */
+  double total[2];
   double tangent[2][2];
 } QnPairForces;
 

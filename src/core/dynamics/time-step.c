@@ -26,6 +26,9 @@ scheme_of (double rho)
                          .gamma = both - 0.5 };
 }
 
+/* Numbers from the forces of one pair to those of the next. */
+enum { PAIR_STRIDE = sizeof (QnPairForces) / sizeof (double) };
+
 static void measure (QnStepEquation *equation);
 static QnSolveStatus solve_for_step (QnStepEquation *equation);
 static void move_in_time (QnStepEquation *equation, double part);
@@ -61,8 +64,6 @@ allocate (QnTimeStep *step)
   step->inertia[0] = qn_pool_alloc (pool, n, sizeof (double));
   step->inertia[1] = qn_pool_alloc (pool, n, sizeof (double));
   step->increment = qn_pool_alloc (pool, n, sizeof (double));
-  step->tangents = qn_pool_alloc (pool, 4 * pairs, sizeof (double));
-  step->sums = qn_pool_alloc (pool, 2 * pairs, sizeof (double));
   step->branches = qn_pool_alloc (pool, QN_BRANCH * pairs, sizeof (double));
   step->factored = qn_pool_alloc (pool, QN_BRANCH * pairs, sizeof (double));
   step->elasticity = qn_pool_alloc (pool, pairs, sizeof *step->elasticity);
@@ -320,11 +321,8 @@ evaluate_pairs (QnTimeStep *step)
   for (size_t p = 0; p < as->pair_count; p++) {
     QnPairInstant start = qn_instant_pair (&step->start, step->start.at.responses, p);
     QnPairInstant end = qn_instant_pair (&step->end, as->responses, p);
-    QnPairForces *forces = &step->forces[p];
     if (as->inactive[p]) {
-      *forces = (QnPairForces){ 0 };
-      memset (step->sums + 2 * p, 0, 2 * sizeof *step->sums);
-      memset (step->tangents + 4 * p, 0, sizeof forces->tangent);
+      step->forces[p] = (QnPairForces){ 0 };
       memset (step->branches + QN_BRANCH * p, 0, QN_BRANCH * sizeof *step->branches);
       continue;
     }
@@ -335,12 +333,7 @@ evaluate_pairs (QnTimeStep *step)
                                                   &start, &end, &held)
                        ? &held
                        : NULL;
-    *forces = qn_pair_motion (&step->elasticity[p], &pair_step, &start, &end);
-    for (int i = 0; i < 2; i++)
-      step->sums[2 * p + i] =
-        end.response->force[i]
-        + (forces->correction[i] + forces->dashpot[i]) / (1 - s->alpha_f);
-    memcpy (step->tangents + 4 * p, forces->tangent, sizeof forces->tangent);
+    step->forces[p] = qn_pair_motion (&step->elasticity[p], &pair_step, &start, &end);
     double *branch = step->branches + QN_BRANCH * p;
     memcpy (branch, end.response->tangent, sizeof end.response->tangent);
     branch[QN_BRANCH - 1] = qn_pair_branch (&step->elasticity[p], &start, &end);
@@ -368,7 +361,7 @@ measure (QnStepEquation *equation)
   evaluate_pairs (step);
   double evaluated = qn_clock_seconds ();
   eq->statistics.law_seconds += evaluated - begun;
-  double scale = qn_assembly_residual_of (as, 0, step->sums, 2, r);
+  double scale = qn_assembly_residual_of (as, 0, step->forces[0].total, PAIR_STRIDE, r);
   bool damps_beams = as->beams.count > 0 && step->settings->joint_damping > 0;
 
   for (int32_t i = 0; i < as->unknown_count; i++) {
@@ -440,7 +433,7 @@ solve_for_step (QnStepEquation *equation)
   }
   double mass = (1 - s->alpha_m) / (s->beta * h * h * (1 - s->alpha_f))
                 + step->settings->mass_damping * gain;
-  qn_assembly_tangent_of (as, 0, 0, step->tangents, 4);
+  qn_assembly_tangent_of (as, 0, 0, step->forces[0].tangent[0], PAIR_STRIDE);
   for (int32_t k = 0; k < as->ap[as->unknown_count]; k++)
     as->ax[k] +=
       mass * step->mass[k] + step->settings->joint_damping * gain * step->beam_damping[k];

@@ -78,8 +78,6 @@ typedef struct QnTimeStep {
 
   double *increment;    /* end.u - start.u without cancellation, for accelerations */
   QnPairForces *forces; /* of all pairs */
-  double *tangents;     /* pair_count x 4 */
-  double *sums;         /* pair_count x 2: forces of pairs over 1 - af */
   double *branches; /* pair_count x QN_BRANCH: tangents of their laws, qn_pair_branch() */
   double *factored; /* `branches` of the last factorisation */
   double factored_length; /* length of its step; 0: no factorisation */
