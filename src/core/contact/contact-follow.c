@@ -270,16 +270,17 @@ is_same (const QnFoundContact *a, const QnFoundContact *b)
 }
 
 static bool
-is_between (const QnFoundContact *c, QnId low, QnId high)
+is_between (const QnFoundContact *c, QnId a, QnId b)
 {
-  return (c->block == low && c->other == high) || (c->block == high && c->other == low);
+  return (c->block == a && c->other == b) || (c->block == b && c->other == a);
 }
 
 /* The first listed contact between these blocks, or where it would stand. */
 static size_t
-first_between (const QnContactFollow *follow, QnId low, QnId high)
+first_between (const QnContactFollow *follow, QnId a, QnId b)
 {
   size_t first = 0, end = follow->count;
+  QnId low = a < b ? a : b, high = a < b ? b : a;
 
   while (first < end) {
     size_t middle = first + (end - first) / 2;
@@ -308,11 +309,10 @@ qn_contact_follow_end (const QnContactFollow *follow, size_t first)
 size_t
 qn_contact_follow_find (const QnContactFollow *follow, const QnFoundContact *contact)
 {
-  QnId low = contact->block < contact->other ? contact->block : contact->other,
-       high = contact->block < contact->other ? contact->other : contact->block;
+  QnId a = contact->block, b = contact->other;
 
-  for (size_t i = first_between (follow, low, high);
-       i < follow->count && is_between (&follow->found[i], low, high); i++)
+  for (size_t i = first_between (follow, a, b);
+       i < follow->count && is_between (&follow->found[i], a, b); i++)
     if (is_same (&follow->found[i], contact))
       return i;
   return follow->count;
@@ -391,14 +391,13 @@ is_met (const QnContactFollow *follow, size_t index, QnCornerPlace at)
   const QnSides *sides = &follow->sides;
   const QnSide *side = qn_sides_find (sides, contact->block, contact->side);
   QnVec2 end = at.along < 0.5 * at.length ? side->start : side->end;
-  QnId low = contact->block < contact->other ? contact->block : contact->other,
-       high = contact->block < contact->other ? contact->other : contact->block;
-  double near = qn_contact_follow_band (follow, low, high);
+  QnId a = contact->block, b = contact->other;
+  double near = qn_contact_follow_band (follow, a, b);
 
   if (fmin (at.along, at.length - at.along) > near)
     return false;
-  for (size_t k = first_between (follow, low, high);
-       k < follow->count && is_between (&follow->found[k], low, high); k++) {
+  for (size_t k = first_between (follow, a, b);
+       k < follow->count && is_between (&follow->found[k], a, b); k++) {
     const QnFoundContact *c = &follow->found[k];
     if (!follow->active[k] || c->block != contact->other)
       continue;
