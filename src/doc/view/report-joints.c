@@ -110,7 +110,7 @@ write_numbered (QnPages *pages, const QnReportRun *run, const size_t *shown, siz
   figure.options.numbered = numbered;
   figure.title = _ ("Joints of the table");
   figure.caption = "";
-  return qn_pages_figure (pages, &figure, 0.5, error);
+  return qn_pages_figures (pages, &figure, 1, 1, 0.5, error);
 }
 
 /* The forces of joints at the last step, then of contacts that were found on the way. */
@@ -245,7 +245,7 @@ qn_report_write_contacts (QnPages *pages, const QnReport *report, GError **error
   write_pairs (pages, report);
   qn_report_say (pages, _ ("Where they are: figure\u00a0%d."),
                  qn_pages_next_figure (pages));
-  if (!qn_pages_figure (pages, &figure, 0.45, error))
+  if (!qn_pages_figures (pages, &figure, 1, 1, 0.45, error))
     return false;
   if (report->run_count == 0)
     write_faces (pages, report);

@@ -19,7 +19,7 @@ write_bodies (QnPages *pages, const QnReportRun *run, GError **error)
     qn_pages_paragraph (pages, words);
   qn_report_say (pages, _ ("%s: figure\u00a0%d."), figure.title,
                  qn_pages_next_figure (pages));
-  return qn_pages_figure (pages, &figure, 0.3, error);
+  return qn_pages_figures (pages, &figure, 1, 1, 0.3, error);
 }
 
 static void

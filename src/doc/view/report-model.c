@@ -61,7 +61,7 @@ qn_report_write_model (QnPages *pages, const QnReport *report, GError **error)
   figure.options.dimensions = figure.options.loads = true;
   figure.title = _ ("Model");
   figure.caption = "";
-  return qn_pages_figure (pages, &figure, 0.55, error);
+  return qn_pages_figures (pages, &figure, 1, 1, 0.55, error);
 }
 
 static char *

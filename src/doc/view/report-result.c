@@ -71,7 +71,7 @@ show_field (Pictures *p, QnView view, QnField field, int step, const char *title
   if (step >= 0)
     figure.options.step = step;
   figure.title = title;
-  return qn_pages_figure (p->pages, &figure, 0.42, p->error);
+  return qn_pages_figures (p->pages, &figure, 1, 1, 0.42, p->error);
 }
 
 static bool

@@ -260,7 +260,7 @@ write_title (QnPages *pages, const QnReport *report, GError **error)
                     QN_VIEW_MODEL);
     figure.title = _ ("Model");
   }
-  if (!qn_pages_figure (pages, &figure, share, error))
+  if (!qn_pages_figures (pages, &figure, 1, 1, share, error))
     return false;
   for (size_t i = 0; i < report->run_count; i++)
     write_answer (pages, &report->runs[i], report->plan.demand, report->run_count > 1);

@@ -460,12 +460,6 @@ qn_pages_figures (QnPages *pages, const QnFigure *figures, size_t count, size_t 
   return true;
 }
 
-bool
-qn_pages_figure (QnPages *pages, const QnFigure *figure, double share, GError **error)
-{
-  return qn_pages_figures (pages, figure, 1, 1, share, error);
-}
-
 void
 qn_pages_plot (QnPages *pages, const QnPlot *plot, double share)
 {

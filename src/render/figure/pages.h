@@ -38,13 +38,9 @@ void qn_pages_foot (QnPages *pages, const char *text);
  * next one has, for words that refer to it. */
 int qn_pages_next_figure (const QnPages *pages);
 
-/* A figure and a plot over the width of the page, with at most this share of the page's height; a figure
- * takes no more than its structure fills, and somewhat less where it then stays on the page. False
- * with an error where the figure cannot be drawn. */
-bool qn_pages_figure (QnPages *pages, const QnFigure *figure, double share,
-                      GError **error);
-
-/* Figures beside each other, `columns` in a row, of one height. */
+/* Figures beside each other, `columns` in a row, of one height: at most this share of the page's, no more than
+ * their structures fill, and somewhat less where they then stay on the page. False with an error where one
+ * cannot be drawn. A plot has the width of the page. */
 bool qn_pages_figures (QnPages *pages, const QnFigure *figures, size_t count,
                        size_t columns, double share, GError **error);
 void qn_pages_plot (QnPages *pages, const QnPlot *plot, double share);

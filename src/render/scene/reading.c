@@ -256,13 +256,6 @@ add_face_reading (QnBlockReading *reading, const QnModel *model,
 }
 
 static void
-add_touch (QnBlockReading *reading, const QnModel *model, const QnTouch *touch, int which)
-{
-  add_force (reading, &model->blocks[touch->block[which]], touch->at[which],
-             touch->on[which]);
-}
-
-static void
 complete (QnBlockReading *reading, const QnBlock *block)
 {
   double volume = block->area * block->thickness;
@@ -288,8 +281,12 @@ qn_block_readings (const QnModel *model, const QnContacts *contacts,
     add_face_reading (&readings[face->a], model, contacts, face, pairs, face->a);
     add_face_reading (&readings[face->b], model, contacts, face, pairs, face->b);
   }
-  for (size_t i = 0; i < 2 * touch_count; i++)
-    add_touch (&readings[touches[i / 2].block[i % 2]], model, &touches[i / 2], i % 2);
+  for (size_t i = 0; i < touch_count; i++)
+    for (int side = 0; side < 2; side++) {
+      const QnId block = touches[i].block[side];
+      add_force (&readings[block], &model->blocks[block], touches[i].at[side],
+                 touches[i].on[side]);
+    }
   for (size_t i = 0; i < model->block_count; i++)
     complete (&readings[i], &model->blocks[i]);
   return readings;
