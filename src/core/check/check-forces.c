@@ -13,16 +13,13 @@ check_displacements (QnCheck *check, size_t step)
 {
   const QnAssembly *as = &check->assembly;
   const double *rows = qn_result_step_displacements (check->result, step);
-  size_t count = qn_model_body_count (check->model) * QN_DOF_COUNT;
+  size_t bodies = qn_model_body_count (check->model);
 
   qn_assembly_expand (as, check->u, check->rows);
   if (check->result->limit.given)
-    memset (check->rows, 0, count * sizeof *check->rows);
-  double largest = qn_largest (check->rows, count);
-  for (size_t i = 0; i < count; i++)
-    if (!qn_check_agrees (rows[i], check->rows[i], QN_CHECK_EXACT * largest))
-      qn_check_tell_body (check, QN_CLAIM_DISPLACEMENTS, (QnId) step, i / QN_DOF_COUNT,
-                          rows[i], check->rows[i]);
+    memset (check->rows, 0, bodies * QN_DOF_COUNT * sizeof *check->rows);
+  qn_check_rows (check, QN_CLAIM_DISPLACEMENTS, (QnId) step, rows, bodies,
+                 QN_CHECK_EXACT * qn_largest (check->rows, bodies * QN_DOF_COUNT));
 }
 
 static void

@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Whether all that the result says of found contacts refers to something. */
 static bool
@@ -102,20 +101,6 @@ qn_check_found_take (QnCheck *check, size_t step)
   }
 }
 
-/* Of the contacts that are listed, those that the result states something of at this step. */
-static void
-find_stated (const QnCheck *check, bool *stated)
-{
-  const QnContactFollow *follow = &check->follow;
-
-  for (size_t i = 0; i < check->found_count; i++) {
-    const QnFound *found = &check->result->found[check->found[i].found];
-    size_t at = qn_contact_follow_find (follow, &found->contact);
-    if (at < follow->count)
-      stated[at] = true;
-  }
-}
-
 /* Whether a corner lies within the block and between the ends of the side. */
 static bool
 is_within (const QnContactFollow *follow, const QnFoundContact *contact,
@@ -147,19 +132,21 @@ qn_check_found_missing (QnCheck *check, size_t step, QnDiag *diag)
     follow, until, QN_FOLLOW_MARGIN * follow->smallest, &changed, diag);
   if (status != QN_OK)
     return status;
-  bool *stated = qn_alloc (follow->count, sizeof *stated);
-  if (stated == NULL)
-    return qn_diag_no_memory (diag);
-  find_stated (check, stated);
-  memcpy (follow->active, stated, follow->count * sizeof *stated);
+  for (size_t i = 0; i < check->found_count; i++) {
+    const QnFound *found = &check->result->found[check->found[i].found];
+    size_t at = qn_contact_follow_find (follow, &found->contact);
+    if (at < follow->count) {
+      follow->active[at] = true;
+      follow->origins[at] = (QnId) i; /* where the step states it */
+    }
+  }
   qn_contact_follow_activate (follow, until);
   for (size_t i = 0; i < follow->count; i++) {
     const QnFoundContact *c = &follow->found[i];
-    if (follow->active[i] && !stated[i] && is_within (follow, c, until, depth)
-        && is_within (follow, c, rows, depth))
+    if (follow->active[i] && follow->origins[i] == QN_NONE
+        && is_within (follow, c, until, depth) && is_within (follow, c, rows, depth))
       qn_check_tell (check, QN_CLAIM_FORCES, (QnId) step, QN_ENTITY_BLOCK, c->other, 0,
                      qn_contact_follow_place (follow, c, rows).apart);
   }
-  free (stated);
   return QN_OK;
 }

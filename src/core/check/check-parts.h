@@ -73,11 +73,13 @@ typedef struct QnCheck {
 void qn_check_tell (QnCheck *check, QnClaim claim, QnId step, QnEntity entity, QnId index,
                     double stated, double found);
 
-/* A false claim on the whole structure; on a block or node by the number of its body. */
+/* A false claim on the whole structure. */
 void qn_check_tell_model (QnCheck *check, QnClaim claim, QnId step, double stated,
                           double found);
-void qn_check_tell_body (QnCheck *check, QnClaim claim, QnId step, size_t body,
-                         double stated, double found);
+
+/* Compares rows of so many bodies with check->rows. */
+void qn_check_rows (QnCheck *check, QnClaim claim, QnId step, const double *stated,
+                    size_t bodies, double tolerance);
 
 /* A false claim on a pair; a found one is named by its block. */
 void qn_check_tell_pair (QnCheck *check, QnClaim claim, size_t step, size_t pair,

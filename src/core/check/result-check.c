@@ -27,16 +27,16 @@ qn_check_tell_model (QnCheck *check, QnClaim claim, QnId step, double stated,
 }
 
 void
-qn_check_tell_body (QnCheck *check, QnClaim claim, QnId step, size_t body, double stated,
-                    double found)
+qn_check_rows (QnCheck *check, QnClaim claim, QnId step, const double *stated,
+               size_t bodies, double tolerance)
 {
-  size_t blocks = check->model->block_count;
-
-  if (body < blocks)
-    qn_check_tell (check, claim, step, QN_ENTITY_BLOCK, (QnId) body, stated, found);
-  else
-    qn_check_tell (check, claim, step, QN_ENTITY_NODE, (QnId) (body - blocks), stated,
-                   found);
+  for (size_t i = 0; i < bodies * QN_DOF_COUNT; i++) {
+    size_t body = i / QN_DOF_COUNT, blocks = check->model->block_count;
+    bool is_block = body < blocks;
+    if (!qn_check_agrees (stated[i], check->rows[i], tolerance))
+      qn_check_tell (check, claim, step, is_block ? QN_ENTITY_BLOCK : QN_ENTITY_NODE,
+                     (QnId) (is_block ? body : body - blocks), stated[i], check->rows[i]);
+  }
 }
 
 void

@@ -2,6 +2,7 @@
 
 #include "core/base/integer.h"
 #include "core/base/memory.h"
+#include "core/base/numbers.h"
 #include "core/dynamics/energy.h"
 
 #include <string.h>
@@ -168,11 +169,11 @@ has_overturned (const Run *run)
 static bool
 is_at_rest (Run *run)
 {
-  double time = time_of (run, run->now), fastest = 0;
+  double time = time_of (run, run->now);
 
-  for (int32_t i = 0; i < run->eq->assembly.unknown_count; i++)
-    fastest = fmax (fastest, fabs (run->step.start.v[i]));
-  if (fastest > run->rest_speed || time < run->ground.end)
+  if (qn_largest (run->step.start.v, (size_t) run->eq->assembly.unknown_count)
+        > run->rest_speed
+      || time < run->ground.end)
     run->still_since = -1;
   else if (run->still_since < 0)
     run->still_since = time;
