@@ -49,24 +49,30 @@ pair_rates (const QnModel *model, const QnContactFace *face, QnVec2 point,
                   fabs (qn_vec2_dot (apart, face->tangent)) };
 }
 
-/* The law of the spring whose cone is nearer to the forces: the weaker of the two. */
+/* The law of the spring whose cone is nearer to the forces: the weaker of the two; and the area that its
+ * strengths refer to, or 1. */
 static QnId
-governing_law (const QnModel *model, const QnContacts *contacts, size_t pair, double area,
-               const QnPairResult *force)
+governing_law (const QnModel *model, const QnContacts *contacts, size_t pair,
+               const QnPairResult *force, double *unit)
 {
-  double slack[2];
+  const QnContactPair *at = &contacts->pairs[pair];
+  double slack[2], units[2];
   QnId laws[2];
 
   for (int side = 0; side < 2; side++) {
     laws[side] = qn_contacts_pair_law (model, contacts, pair, side);
     const QnLaw *law = &model->laws[laws[side]];
-    double unit = law->basis == QN_BASIS_CONTACT ? 1.0 : area;
+    units[side] = law->basis == QN_BASIS_CONTACT
+                    ? 1.0
+                    : at->tributary * contacts->faces[at->face].thickness;
     slack[side] = !qn_law_may_bond (law->kind)
                     ? (double) INFINITY
-                    : law->cohesion * unit - law->friction * force->normal_force
+                    : law->cohesion * units[side] - law->friction * force->normal_force
                         - fabs (force->shear_force);
   }
-  return slack[1] < slack[0] ? laws[1] : laws[0];
+  int weaker = slack[1] < slack[0];
+  *unit = units[weaker];
+  return laws[weaker];
 }
 
 /* The dual of a pair with friction: `cone` of its two shear rows together, `cut` of the tension. Where
@@ -87,21 +93,26 @@ add_strength (QnLawSensitivity *out, const QnLaw *law, double unit, Rates rates,
     out->tension += cut * unit;
 }
 
+static bool
+has_law (const QnModel *model, const QnBlock *block, QnId law)
+{
+  return (block->law != QN_NONE ? block->law : model->contact.law) == law;
+}
+
 /* Areas grow where both blocks become thicker, or the thinner one does. */
 static bool
-thickens (const QnModel *model, const QnContactFace *face, const bool *grows)
+thickens (const QnModel *model, const QnContactFace *face, QnId law)
 {
   const QnBlock *a = &model->blocks[face->a], *b = &model->blocks[face->b];
 
-  if (a->thickness == b->thickness)
-    return grows[face->a] && grows[face->b];
-  return a->thickness < b->thickness ? grows[face->a] : grows[face->b];
+  return (a->thickness > b->thickness || has_law (model, a, law))
+         && (b->thickness > a->thickness || has_law (model, b, law));
 }
 
 /* What joints dissipate grows with their area: forces times rates. */
 static double
 area_power (const QnModel *model, const QnContacts *contacts, const QnResult *result,
-            const double *v, const bool *grows)
+            const double *v, QnId law)
 {
   double power = 0.0;
 
@@ -109,10 +120,10 @@ area_power (const QnModel *model, const QnContacts *contacts, const QnResult *re
     const QnContactPair *pair = &contacts->pairs[p];
     const QnContactFace *face = &contacts->faces[pair->face];
     const QnPairResult *force = &result->pairs[p];
-    double area = pair->tributary * face->thickness;
-    QnId id = governing_law (model, contacts, p, area, force);
+    double unit;
+    QnId id = governing_law (model, contacts, p, force, &unit);
     if (pair->bar != QN_NONE || model->laws[id].basis == QN_BASIS_CONTACT
-        || !thickens (model, face, grows))
+        || !thickens (model, face, law))
       continue;
     Rates rates = pair_rates (model, face, pair->point, v);
     power +=
@@ -138,17 +149,13 @@ part_of (const QnLoad *load, double multiplier)
 /* Weight and thickness of the blocks that have a law. */
 static void
 add_blocks (const QnModel *model, const QnContacts *contacts, const QnResult *result,
-            const double *v, QnId law, bool *grows, QnLawSensitivity *out)
+            const double *v, QnId law, QnLawSensitivity *out)
 {
   double power = 0.0, pressure = 0.0, lambda = result->collapse_multiplier;
 
   for (size_t b = 0; b < model->block_count; b++) {
-    QnId own =
-      model->blocks[b].law != QN_NONE ? model->blocks[b].law : model->contact.law;
-    grows[b] = own == law;
-    if (!grows[b])
-      continue;
-    for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+    bool grows = has_law (model, &model->blocks[b], law);
+    for (size_t i = 0; grows && i < qn_model_acting_count (model); i++) {
       const QnLoad load = qn_model_acting_load (model, i);
       double part = part_of (&load, lambda);
       if (load.kind == QN_LOAD_WEIGHT)
@@ -160,7 +167,7 @@ add_blocks (const QnModel *model, const QnContacts *contacts, const QnResult *re
     }
   }
   out->weight = -power;
-  out->thickness = -power - pressure + area_power (model, contacts, result, v, grows);
+  out->thickness = -power - pressure + area_power (model, contacts, result, v, law);
   for (size_t i = 0; i < qn_model_load_count (model); i++)
     if (model->soil_tie_count > 0 || qn_model_load (model, i)->kind == QN_LOAD_VEHICLE)
       out->thickness = NAN;
@@ -175,7 +182,6 @@ qn_limit_sensitivity (const QnModel *model, const QnContacts *contacts,
   size_t count = model->block_count * QN_DOF_COUNT;
   QnPool pool = { 0 };
   double *v = qn_pool_alloc (&pool, count, sizeof *v), power = 0.0;
-  bool *grows = qn_pool_alloc (&pool, model->block_count, sizeof *grows);
 
   *out = (QnLimitSensitivity){
     .multiplier = result->collapse_multiplier,
@@ -198,17 +204,15 @@ qn_limit_sensitivity (const QnModel *model, const QnContacts *contacts,
     v[i] = result->mechanism[i] / power;
   for (size_t p = 0; p < contacts->pair_count; p++) {
     const QnContactPair *pair = &contacts->pairs[p];
-    const QnContactFace *face = &contacts->faces[pair->face];
-    double area = pair->tributary * face->thickness;
-    QnId id = governing_law (model, contacts, p, area, &result->pairs[p]);
-    const QnLaw *law = &model->laws[id];
-    if (qn_law_may_bond (law->kind))
-      add_strength (&out->laws[id], law, law->basis == QN_BASIS_CONTACT ? 1.0 : area,
-                    pair_rates (model, face, pair->point, v),
+    double unit;
+    QnId id = governing_law (model, contacts, p, &result->pairs[p], &unit);
+    if (qn_law_may_bond (model->laws[id].kind))
+      add_strength (&out->laws[id], &model->laws[id], unit,
+                    pair_rates (model, &contacts->faces[pair->face], pair->point, v),
                     result->pairs[p].normal_force);
   }
   for (size_t l = 0; l < model->law_count; l++)
-    add_blocks (model, contacts, result, v, (QnId) l, grows, &out->laws[l]);
+    add_blocks (model, contacts, result, v, (QnId) l, &out->laws[l]);
   for (size_t i = 0; i < qn_model_acting_count (model); i++) {
     const QnLoad load = qn_model_acting_load (model, i);
     size_t source = qn_model_acting_source (model, i), dead = model->dead_load_count;

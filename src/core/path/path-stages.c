@@ -75,7 +75,6 @@ begin_stage (QnPath *path, const QnStage *stage, const double *at, bool *idle)
   qn_result_clear_collapse (path->result);
   set_loads (path, stage, at, 1);
   eq->multiplier = eq->committed.multiplier = 0;
-  qn_equilibrium_restore (eq);
   *idle = false;
   if (stage->has_target || settles) {
     double way = (stage->has_target ? stage->target : 1) - path->origin;
