@@ -1,19 +1,10 @@
 /* Equilibrium of a whole increment by a primal–dual interior-point iteration.
  *
- * One increment of Coulomb joints is a complementarity problem: every pair has strengths s and
- * plastic flows z of which one vanishes,
- *
- *   y = k (q - q_p - flow z)      forces from the elongations q of the pair
- *   G y + s = h,  s >= 0          strength: cap of the normal force, friction both ways
- *   z >= 0,  s z = 0              flow only at the strength
- *
- * together with equilibrium. Newton's method on s z = mu, mu -> 0, approaches the solution along the
- * central path without choosing an active set. It converges for any number of pairs that change state
- * and for large increments, where Newton's method on the law may diverge; it cannot start from the last
- * solution. The flow need not be associative: the flexibility of a pair,
- *
- *   H = 1/k + flow diag (z/s) G   (2 x 2, inverted in closed form)
- *
+ * One increment of Coulomb joints is the problem of interior-point.h, with Q = 1/k and the elongations of pairs
+ * less plastic ones, q - q_p, in place of B'v. Newton's method on s z = mu, mu -> 0, approaches the solution along
+ * the central path without choosing an active set. It converges for any number of pairs that change state and for
+ * large increments, where Newton's method on the law may diverge; it cannot start from the last solution. The flow
+ * need not be associative: the flexibility H of a pair
  * is unsymmetric then and so is the tangent stiffness, whose pattern is the usual one. Without
  * associativity there may be several solutions or none, and no guarantee.
  *
@@ -21,7 +12,7 @@
  * reduced at the rate of mu. Otherwise an infeasible start reaches the boundary of some pairs early, steps
  * become very short, and the path seems to turn back.
  *
- * The step is that of limit analysis (interior-point.h). For interior points on friction without
+ * The step is that of limit analysis. For interior points on friction without
  * associativity: Kleinert, Simeon & Obermayr 2014, on rigid bodies in time.
  */
 #pragma once

@@ -23,15 +23,10 @@
 #include "core/linalg/block-lu.h"
 #include "core/result/result.h"
 
-/* The one matrix that is factorised,
- *
- *     M = B H^-1 B' + r I
- *
- * with H^-1 given cell by cell. It is symmetric and positive definite where flow is associative; its
- * sparsity is that of the graph of bodies and does not change: the order of elimination is chosen once,
- * every later factorisation is numeric only. It is done in dense fronts (block-lu.h), twice the arithmetic of
- * Cholesky's, of which the processor does far more at a time than of the sparse one's.
- */
+/* M is symmetric and positive definite where flow is associative; its sparsity is that of the graph of bodies and
+ * does not change: the order of elimination is chosen once, every later factorisation is numeric only. It is done
+ * in dense fronts (block-lu.h), twice the arithmetic of Cholesky's, of which the processor does far more at a time
+ * than of the sparse one's. */
 typedef struct QnIpKkt {
   QnPool pool;  /* of all arrays */
   QnIpStep *ip; /* borrowed, with its problem, weights and the inverse of H+r */
