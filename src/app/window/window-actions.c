@@ -17,17 +17,12 @@ static void
 on_table_action (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   const QnWindowAction *row = g_object_get_data (G_OBJECT (action), ROW);
-  g_autoptr (GVariant) name = g_variant_ref_sink (g_variant_new_string (row->name));
-  row->func (data, parameter != NULL ? parameter : name);
-}
-
-/* Keeps what an action does, and when it can be carried out. */
-static void
-set_row (QnWindow *self, const QnWindowAction *row)
-{
-  g_object_set_data (
-    G_OBJECT (g_action_map_lookup_action (G_ACTION_MAP (self), row->name)), ROW,
-    (gpointer) row);
+  if (parameter == NULL)
+    row->func (data, row->name);
+  else if (g_variant_is_of_type (parameter, G_VARIANT_TYPE_STRING))
+    row->func (data, g_variant_get_string (parameter, NULL));
+  else
+    row->take (data, parameter);
 }
 
 static void
@@ -38,43 +33,43 @@ add_table (QnWindow *self, const QnWindowAction *actions)
     g_autoptr (GSimpleAction) action =
       g_simple_action_new (actions->name, type != NULL ? G_VARIANT_TYPE (type) : NULL);
     g_signal_connect (action, "activate", G_CALLBACK (on_table_action), self);
+    g_object_set_data (G_OBJECT (action), ROW, (gpointer) actions);
     g_action_map_add_action (G_ACTION_MAP (self), G_ACTION (action));
-    set_row (self, actions);
   }
 }
 
 /* ---- viewing ---- */
 
 static void
-new_drawing (QnWindow *self, GVariant *parameter)
+new_drawing (QnWindow *self, const char *name)
 {
   qn_window_show_work (self);
   gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s", "wall");
 }
 
 static void
-zoom (QnWindow *self, GVariant *name)
+zoom (QnWindow *self, const char *name)
 {
-  const gboolean in = g_str_equal (g_variant_get_string (name, NULL), "zoom-in");
-  qn_canvas_zoom (self->canvas, in ? ZOOM_FACTOR : 1.0 / ZOOM_FACTOR);
+  qn_canvas_zoom (self->canvas,
+                  g_str_equal (name, "zoom-in") ? ZOOM_FACTOR : 1.0 / ZOOM_FACTOR);
 }
 
 static void
-fit (QnWindow *self, GVariant *parameter)
+fit (QnWindow *self, const char *name)
 {
   qn_canvas_fit (self->canvas);
 }
 
 static void
-play (QnWindow *self, GVariant *parameter)
+play (QnWindow *self, const char *name)
 {
   qn_playback_bar_toggle (self->playback);
 }
 
 static void
-go_by_step (QnWindow *self, GVariant *name)
+go_by_step (QnWindow *self, const char *name)
 {
-  const int by = g_str_equal (g_variant_get_string (name, NULL), "next-step") ? 1 : -1;
+  const int by = g_str_equal (name, "next-step") ? 1 : -1;
   const QnRun *run = qn_document_get_run (self->document);
   if (run == NULL || run->result.step_count == 0)
     return;
@@ -86,9 +81,8 @@ go_by_step (QnWindow *self, GVariant *name)
 }
 
 static void
-show_panel (QnWindow *self, GVariant *parameter)
+show_panel (QnWindow *self, const char *name)
 {
-  const char *name = g_variant_get_string (parameter, NULL);
   if (gtk_stack_get_child_by_name (self->side_stack, name) == NULL)
     return;
   gtk_stack_set_visible_child_name (self->side_stack, name);
@@ -97,14 +91,14 @@ show_panel (QnWindow *self, GVariant *parameter)
 }
 
 static void
-toggle_fullscreen (QnWindow *self, GVariant *parameter)
+toggle_fullscreen (QnWindow *self, const char *name)
 {
   g_object_set (self, "fullscreened", !gtk_window_is_fullscreen (GTK_WINDOW (self)),
                 NULL);
 }
 
 static void
-show_shortcuts (QnWindow *self, GVariant *parameter)
+show_shortcuts (QnWindow *self, const char *name)
 {
   qn_action_show_shortcuts (GTK_WINDOW (self));
 }
@@ -242,38 +236,39 @@ qn_window_forget_settings (QnWindow *self)
     g_action_map_remove_action (G_ACTION_MAP (self), kept[i]);
 }
 
+static const QnWindowAction view_actions[] = {
+  { "draw", NULL, { new_drawing }, 0 },
+  { "zoom-in", NULL, { zoom }, 0 },
+  { "zoom-out", NULL, { zoom }, 0 },
+  { "fit", NULL, { fit }, 0 },
+  { "play", NULL, { play }, QN_NEEDS_RUN },
+  { "next-step", NULL, { go_by_step }, QN_NEEDS_RUN },
+  { "previous-step", NULL, { go_by_step }, QN_NEEDS_RUN },
+  { "show-panel", "s", { show_panel }, 0 },
+  { "fullscreen", NULL, { toggle_fullscreen }, 0 },
+  { "shortcuts", NULL, { show_shortcuts }, 0 },
+  { .name = NULL },
+};
+
+/* The first ones have a state. */
+static const QnWindowAction stateful_actions[] = {
+  { "field", .needs = QN_NEEDS_RUN },
+  { "diagram", .needs = QN_NEEDS_RUN | QN_NEEDS_BEAM_FORCES },
+  { .name = NULL },
+};
+static const QnWindowAction *const tables[] = {
+  stateful_actions,         view_actions,
+  qn_window_edit_actions,   qn_window_file_actions,
+  qn_window_import_actions, qn_window_analysis_actions,
+  qn_window_export_actions, qn_window_page_actions
+};
+
 void
 qn_window_add_actions (QnWindow *self)
 {
-  static const QnWindowAction actions[] = {
-    { "draw", NULL, new_drawing, 0 },
-    { "zoom-in", NULL, zoom, 0 },
-    { "zoom-out", NULL, zoom, 0 },
-    { "fit", NULL, fit, 0 },
-    { "play", NULL, play, QN_NEEDS_RUN },
-    { "next-step", NULL, go_by_step, QN_NEEDS_RUN },
-    { "previous-step", NULL, go_by_step, QN_NEEDS_RUN },
-    { "show-panel", "s", show_panel, 0 },
-    { "fullscreen", NULL, toggle_fullscreen, 0 },
-    { "shortcuts", NULL, show_shortcuts, 0 },
-    { .name = NULL },
-  };
-  static const QnWindowAction stateful[] = {
-    { "field", .needs = QN_NEEDS_RUN },
-    { "diagram", .needs = QN_NEEDS_RUN | QN_NEEDS_BEAM_FORCES },
-  };
-  const QnWindowAction *const tables[] = { actions,
-                                           qn_window_edit_actions,
-                                           qn_window_file_actions,
-                                           qn_window_import_actions,
-                                           qn_window_analysis_actions,
-                                           qn_window_export_actions,
-                                           qn_window_page_actions };
-  for (gsize i = 0; i < G_N_ELEMENTS (tables); i++)
-    add_table (self, tables[i]);
   add_stateful_actions (self);
-  for (gsize i = 0; i < G_N_ELEMENTS (stateful); i++)
-    set_row (self, &stateful[i]);
+  for (gsize i = 1; i < G_N_ELEMENTS (tables); i++)
+    add_table (self, tables[i]);
 }
 
 static QnNeeds
@@ -328,32 +323,30 @@ find_facts (QnWindow *self)
   return all;
 }
 
-static void
-set_state (QnWindow *self, const char *name, GVariant *state)
+static GSimpleAction *
+find_action (QnWindow *self, const char *name)
 {
-  GAction *action = g_action_map_lookup_action (G_ACTION_MAP (self), name);
-  g_simple_action_set_state (G_SIMPLE_ACTION (action), state);
+  return G_SIMPLE_ACTION (g_action_map_lookup_action (G_ACTION_MAP (self), name));
 }
 
 void
 qn_window_update_actions (QnWindow *self)
 {
   QnNeeds facts = find_facts (self);
-  g_auto (GStrv) names = g_action_group_list_actions (G_ACTION_GROUP (self));
-  for (char **name = names; *name != NULL; name++) {
-    GAction *action = g_action_map_lookup_action (G_ACTION_MAP (self), *name);
-    const QnWindowAction *row = g_object_get_data (G_OBJECT (action), ROW);
-    if (row != NULL)
-      g_simple_action_set_enabled (G_SIMPLE_ACTION (action), (row->needs & ~facts) == 0);
-  }
+  for (gsize i = 0; i < G_N_ELEMENTS (tables); i++)
+    for (const QnWindowAction *row = tables[i]; row->name != NULL; row++)
+      g_simple_action_set_enabled (find_action (self, row->name),
+                                   (row->needs & ~facts) == 0);
   for (gsize i = 0; i < G_N_ELEMENTS (switches); i++)
-    set_state (
-      self, switches[i],
+    g_simple_action_set_state (
+      find_action (self, switches[i]),
       g_variant_new_boolean (qn_view_state_get_switch (self->state, switches[i])));
-  set_state (self, "view",
-             g_variant_new_string (qn_view_names[qn_view_state_get_view (self->state)]));
-  set_state (self, "keep-history",
-             g_variant_new_boolean (qn_document_get_keeps_history (self->document)));
+  g_simple_action_set_state (
+    find_action (self, "view"),
+    g_variant_new_string (qn_view_names[qn_view_state_get_view (self->state)]));
+  g_simple_action_set_state (
+    find_action (self, "keep-history"),
+    g_variant_new_boolean (qn_document_get_keeps_history (self->document)));
 }
 
 /* ---- keys without an accelerator, which entries and the drawing's gestures see first ---- */

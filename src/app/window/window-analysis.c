@@ -126,7 +126,7 @@ start_next (QnWindow *self)
 
 /* HybriDFEM and both limit analyses of the same model. */
 static void
-run_all (QnWindow *self, GVariant *parameter)
+run_all (QnWindow *self, const char *name)
 {
   gtk_widget_set_visible (self->info_bar, FALSE);
   self->next_method = 0;
@@ -209,7 +209,7 @@ begin (QnWindow *self, gboolean begun, GError **error)
 }
 
 static void
-run (QnWindow *self, GVariant *parameter)
+run (QnWindow *self, const char *name)
 {
   g_autoptr (GError) error = NULL;
   qn_window_commit_entry (self);
@@ -218,15 +218,15 @@ run (QnWindow *self, GVariant *parameter)
 
 /* What is in sight: the study, or the drawing. */
 static void
-run_shown (QnWindow *self, GVariant *parameter)
+run_shown (QnWindow *self, const char *name)
 {
   qn_window_commit_entry (self);
   if (!qn_window_page_does (self, "run"))
-    run (self, NULL);
+    run (self, name);
 }
 
 static void
-cancel (QnWindow *self, GVariant *parameter)
+cancel (QnWindow *self, const char *name)
 {
   if (self->reporting != NULL)
     g_cancellable_cancel (self->reporting);
@@ -235,7 +235,7 @@ cancel (QnWindow *self, GVariant *parameter)
 }
 
 static void
-pause_or_resume (QnWindow *self, GVariant *parameter)
+pause_or_resume (QnWindow *self, const char *name)
 {
   QnJob *job = qn_document_get_job (self->document);
   if (job == NULL)
@@ -249,9 +249,8 @@ pause_or_resume (QnWindow *self, GVariant *parameter)
 
 /* HybriDFEM against limit analysis, on the same model. */
 static void
-run_limit (QnWindow *self, GVariant *parameter)
+run_limit (QnWindow *self, const char *flow)
 {
-  const char *flow = g_variant_get_string (parameter, NULL);
   g_autoptr (GError) error = NULL;
   begin (self,
          qn_document_analyse_with (self->document, QN_PROCEDURE_LIMIT,
@@ -266,15 +265,15 @@ run_limit (QnWindow *self, GVariant *parameter)
 #define MODES 6
 
 static void
-run_modes (QnWindow *self, GVariant *parameter)
+run_modes (QnWindow *self, const char *state)
 {
-  gboolean loaded = g_str_equal (g_variant_get_string (parameter, NULL), "loaded");
+  const gboolean loaded = g_str_equal (state, "loaded");
   g_autoptr (GError) error = NULL;
   begin (self, qn_document_find_modes (self->document, MODES, loaded, &error), &error);
 }
 
 static void
-run_stability (QnWindow *self, GVariant *parameter)
+run_stability (QnWindow *self, const char *name)
 {
   g_autoptr (GError) error = NULL;
   begin (self, qn_document_find_stability (self->document, &error), &error);
@@ -317,13 +316,13 @@ qn_window_connect_analysis (QnWindow *self)
 }
 
 const QnWindowAction qn_window_analysis_actions[] = {
-  { "run", NULL, run, QN_NEEDS_SOLVABLE },
-  { "run-shown", NULL, run_shown, QN_NEEDS_SOLVABLE | QN_NEEDS_READY },
-  { "cancel", NULL, cancel, QN_NEEDS_JOB },
-  { "pause", NULL, pause_or_resume, QN_NEEDS_JOB },
-  { "run-limit", "s", run_limit, QN_NEEDS_SOLVABLE },
-  { "run-all", NULL, run_all, QN_NEEDS_SOLVABLE },
-  { "run-modes", "s", run_modes, QN_NEEDS_SOLVABLE },
-  { "run-stability", NULL, run_stability, QN_NEEDS_SOLVABLE },
+  { "run", NULL, { run }, QN_NEEDS_SOLVABLE },
+  { "run-shown", NULL, { run_shown }, QN_NEEDS_SOLVABLE | QN_NEEDS_READY },
+  { "cancel", NULL, { cancel }, QN_NEEDS_JOB },
+  { "pause", NULL, { pause_or_resume }, QN_NEEDS_JOB },
+  { "run-limit", "s", { run_limit }, QN_NEEDS_SOLVABLE },
+  { "run-all", NULL, { run_all }, QN_NEEDS_SOLVABLE },
+  { "run-modes", "s", { run_modes }, QN_NEEDS_SOLVABLE },
+  { "run-stability", NULL, { run_stability }, QN_NEEDS_SOLVABLE },
   { .name = NULL },
 };

@@ -22,7 +22,7 @@ edit_blocks (QnWindow *self, const char *name,
   if (qn_canvas_begin_edit (self->canvas, &draft))
     qn_canvas_end_edit (
       self->canvas, &draft, name, NULL,
-      func (draft.model, qn_canvas_get_selected (self->canvas), &draft.error));
+      func (draft.model, qn_canvas_get_parts (self->canvas).blocks, &draft.error));
 }
 
 /* ---- openings ---- */
@@ -92,7 +92,7 @@ edit_item (QnWindow *self, gboolean copy)
 /* ---- actions ---- */
 
 static void
-delete_selected (QnWindow *self, GVariant *parameter)
+delete_selected (QnWindow *self, const char *name)
 {
   OpeningEdit opening = { 0 };
   const gboolean is_opening = selected_opening (self, &opening);
@@ -111,20 +111,20 @@ delete_selected (QnWindow *self, GVariant *parameter)
 }
 
 static void
-detach (QnWindow *self, GVariant *parameter)
+detach (QnWindow *self, const char *name)
 {
   edit_blocks (self, _ ("Detach into Free Blocks"), qn_edit_detach);
 }
 
 static void
-join (QnWindow *self, GVariant *parameter)
+join (QnWindow *self, const char *name)
 {
   edit_blocks (self, _ ("Join Blocks"), qn_edit_join_blocks);
 }
 
 /* Each body of the mechanism that is shown becomes one block, whose corners can be dragged. */
 static void
-join_bodies (QnWindow *self, GVariant *parameter)
+join_bodies (QnWindow *self, const char *name)
 {
   const QnRun *run = qn_document_get_run (self->document);
   QnMechanism mechanism = { 0 };
@@ -142,13 +142,13 @@ join_bodies (QnWindow *self, GVariant *parameter)
 }
 
 static void
-mirror (QnWindow *self, GVariant *parameter)
+mirror (QnWindow *self, const char *axis)
 {
   QnVec2 low, high;
   if (!qn_canvas_get_parts_box (self->canvas, &low, &high))
     return;
   QnVec2 middle = qn_vec2_lerp (low, high, 0.5);
-  gboolean vertical = g_str_equal (g_variant_get_string (parameter, NULL), "vertical");
+  gboolean vertical = g_str_equal (axis, "vertical");
   QnVec2 other =
     vertical ? qn_vec2 (middle.x, middle.y + 1.0) : qn_vec2 (middle.x + 1.0, middle.y);
   qn_canvas_transform (self->canvas, _ ("Mirror"), NULL,
@@ -202,7 +202,7 @@ select_added (QnWindow *self, const QnModel *before)
 /* A copy beside the original, selected for the next step; beside it by a part of its height where
  * it has no width. */
 static void
-duplicate (QnWindow *self, GVariant *parameter)
+duplicate (QnWindow *self, const char *name)
 {
   QnVec2 low, high;
   QnModel before;
@@ -252,11 +252,10 @@ nudge (QnWindow *self, GVariant *parameter)
 }
 
 static void
-undo_or_redo (QnWindow *self, GVariant *name)
+undo_or_redo (QnWindow *self, const char *name)
 {
-  const char *what = g_variant_get_string (name, NULL);
-  if (!qn_window_page_does (self, what))
-    (g_str_equal (what, "undo") ? qn_document_undo : qn_document_redo) (self->document);
+  if (!qn_window_page_does (self, name))
+    (g_str_equal (name, "undo") ? qn_document_undo : qn_document_redo) (self->document);
 }
 
 static void
@@ -267,22 +266,21 @@ go_to_step (QnWindow *self, GVariant *parameter)
 
 /* The run that is shown leaves the list. */
 static void
-remove_run (QnWindow *self, GVariant *parameter)
+remove_run (QnWindow *self, const char *name)
 {
   qn_document_remove_run (self->document, qn_document_get_run (self->document));
 }
 
 static void
-select_all (QnWindow *self, GVariant *parameter)
+select_all (QnWindow *self, const char *name)
 {
   qn_selection_select_all (qn_document_get_selection (self->document),
                            qn_document_get_model (self->document));
 }
 
 static void
-select_like (QnWindow *self, GVariant *parameter)
+select_like (QnWindow *self, const char *what)
 {
-  const char *what = g_variant_get_string (parameter, NULL);
   QnSelection *selection = qn_document_get_selection (self->document);
   const QnModel *model = qn_document_get_model (self->document);
   guint count = 0;
@@ -296,9 +294,8 @@ select_like (QnWindow *self, GVariant *parameter)
 }
 
 static void
-select_faces_like (QnWindow *self, GVariant *parameter)
+select_faces_like (QnWindow *self, const char *what)
 {
-  const char *what = g_variant_get_string (parameter, NULL);
   QnSelection *selection = qn_document_get_selection (self->document);
   const QnContacts *contacts = qn_document_get_contacts (self->document);
   QnId face = qn_selection_get_face (selection);
@@ -313,7 +310,7 @@ select_faces_like (QnWindow *self, GVariant *parameter)
 /* ---- supports, joints, loads of context menus ---- */
 
 static void
-hold (QnWindow *self, GVariant *parameter)
+hold (QnWindow *self, const char *how)
 {
   static const struct {
     const char *name;
@@ -324,30 +321,27 @@ hold (QnWindow *self, GVariant *parameter)
                 { "free", { false, false, false } } };
   QnCanvasDraft draft;
   for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++)
-    if (g_str_equal (kinds[i].name, g_variant_get_string (parameter, NULL))
-        && qn_canvas_begin_edit (self->canvas, &draft))
+    if (g_str_equal (kinds[i].name, how) && qn_canvas_begin_edit (self->canvas, &draft))
       qn_canvas_end_edit (
         self->canvas, &draft, _ ("Set Support"), NULL,
-        qn_edit_set_support (draft.model, qn_canvas_get_selected (self->canvas),
+        qn_edit_set_support (draft.model, qn_canvas_get_parts (self->canvas).blocks,
                              QN_DOF_UX, QN_DOF_COUNT, kinds[i].support, &draft.error));
 }
 
 static void
-set_joint_law (QnWindow *self, GVariant *parameter)
+set_joint_law (QnWindow *self, const char *law)
 {
   guint count = 0;
   const QnId *ids =
     qn_selection_get (qn_document_get_selection (self->document), QN_PART_FACE, &count);
-  qn_tool_joint_set_law (self->canvas, ids, count,
-                         g_variant_get_string (parameter, NULL));
+  qn_tool_joint_set_law (self->canvas, ids, count, law);
 }
 
 /* A row of a list. */
 static void
-copy_text (QnWindow *self, GVariant *parameter)
+copy_text (QnWindow *self, const char *text)
 {
-  gdk_clipboard_set_text (gtk_widget_get_clipboard (GTK_WIDGET (self)),
-                          g_variant_get_string (parameter, NULL));
+  gdk_clipboard_set_text (gtk_widget_get_clipboard (GTK_WIDGET (self)), text);
 }
 
 /* ---- clipboard: blocks travel as text ---- */
@@ -357,9 +351,9 @@ copy_text (QnWindow *self, GVariant *parameter)
 #define BLOCK_FORMAT "(bdd@a(dd))"
 
 static void
-copy (QnWindow *self, GVariant *parameter)
+copy (QnWindow *self, const char *name)
 {
-  QnBlockSet set = qn_canvas_get_selected (self->canvas);
+  QnBlockSet set = qn_canvas_get_parts (self->canvas).blocks;
   const QnModel *model = qn_document_get_model (self->document);
   GVariantBuilder blocks;
   g_variant_builder_init (&blocks, G_VARIANT_TYPE (BLOCKS_TYPE));
@@ -379,9 +373,9 @@ copy (QnWindow *self, GVariant *parameter)
 }
 
 static void
-cut (QnWindow *self, GVariant *parameter)
+cut (QnWindow *self, const char *name)
 {
-  copy (self, parameter);
+  copy (self, name);
   edit_blocks (self, _ ("Cut"), qn_edit_delete_blocks);
 }
 
@@ -487,34 +481,34 @@ on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
 }
 
 static void
-paste (QnWindow *self, GVariant *parameter)
+paste (QnWindow *self, const char *name)
 {
   gdk_clipboard_read_text_async (gtk_widget_get_clipboard (GTK_WIDGET (self)), NULL,
                                  on_clipboard_text, g_object_ref (self));
 }
 
 const QnWindowAction qn_window_edit_actions[] = {
-  { "delete", NULL, delete_selected, QN_NEEDS_THING },
-  { "detach", NULL, detach, QN_NEEDS_BLOCKS },
-  { "mirror", "s", mirror, QN_NEEDS_PARTS },
-  { "rotate", "d", rotate, QN_NEEDS_PARTS },
-  { "duplicate", NULL, duplicate, QN_NEEDS_COPYABLE },
-  { "join", NULL, join, QN_NEEDS_TWO_BLOCKS },
-  { "join-bodies", NULL, join_bodies, QN_NEEDS_RUN },
-  { "array", "(iddd)", array, QN_NEEDS_PARTS },
-  { "nudge", "(dd)", nudge, QN_NEEDS_MOVABLE },
-  { "support", "s", hold, QN_NEEDS_BLOCKS },
-  { "joint-law", "s", set_joint_law, QN_NEEDS_FACE },
-  { "copy-text", "s", copy_text, 0 },
-  { "undo", NULL, undo_or_redo, QN_NEEDS_WORK | QN_NEEDS_UNDO },
-  { "redo", NULL, undo_or_redo, QN_NEEDS_WORK | QN_NEEDS_REDO },
-  { "go-to-step", "i", go_to_step, QN_NEEDS_WORK },
-  { "remove-run", NULL, remove_run, QN_NEEDS_RUN },
-  { "select-all", NULL, select_all, QN_NEEDS_MODEL },
-  { "select-like", "s", select_like, QN_NEEDS_BLOCKS },
-  { "select-faces-like", "s", select_faces_like, QN_NEEDS_FACE },
-  { "copy", NULL, copy, QN_NEEDS_BLOCKS },
-  { "cut", NULL, cut, QN_NEEDS_BLOCKS },
-  { "paste", NULL, paste, QN_NEEDS_WORK },
+  { "delete", NULL, { delete_selected }, QN_NEEDS_THING },
+  { "detach", NULL, { detach }, QN_NEEDS_BLOCKS },
+  { "mirror", "s", { mirror }, QN_NEEDS_PARTS },
+  { "rotate", "d", { .take = rotate }, QN_NEEDS_PARTS },
+  { "duplicate", NULL, { duplicate }, QN_NEEDS_COPYABLE },
+  { "join", NULL, { join }, QN_NEEDS_TWO_BLOCKS },
+  { "join-bodies", NULL, { join_bodies }, QN_NEEDS_RUN },
+  { "array", "(iddd)", { .take = array }, QN_NEEDS_PARTS },
+  { "nudge", "(dd)", { .take = nudge }, QN_NEEDS_MOVABLE },
+  { "support", "s", { hold }, QN_NEEDS_BLOCKS },
+  { "joint-law", "s", { set_joint_law }, QN_NEEDS_FACE },
+  { "copy-text", "s", { copy_text }, 0 },
+  { "undo", NULL, { undo_or_redo }, QN_NEEDS_WORK | QN_NEEDS_UNDO },
+  { "redo", NULL, { undo_or_redo }, QN_NEEDS_WORK | QN_NEEDS_REDO },
+  { "go-to-step", "i", { .take = go_to_step }, QN_NEEDS_WORK },
+  { "remove-run", NULL, { remove_run }, QN_NEEDS_RUN },
+  { "select-all", NULL, { select_all }, QN_NEEDS_MODEL },
+  { "select-like", "s", { select_like }, QN_NEEDS_BLOCKS },
+  { "select-faces-like", "s", { select_faces_like }, QN_NEEDS_FACE },
+  { "copy", NULL, { copy }, QN_NEEDS_BLOCKS },
+  { "cut", NULL, { cut }, QN_NEEDS_BLOCKS },
+  { "paste", NULL, { paste }, QN_NEEDS_WORK },
   { .name = NULL },
 };

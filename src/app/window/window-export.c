@@ -137,7 +137,7 @@ export_to (QnWindow *self, gsize i, const char *path)
 /* ---- figures and what else has a dialog of its own ---- */
 
 static void
-repeat_export (QnWindow *self, GVariant *parameter)
+repeat_export (QnWindow *self, const char *name)
 {
   g_autoptr (GError) error = NULL;
   if (self->last_export == NULL)
@@ -163,7 +163,7 @@ write_figure (GtkWindow *window, const char *path, QnRecipe *recipe)
 }
 
 static void
-export_figure (QnWindow *self, GVariant *parameter)
+export_figure (QnWindow *self, const char *name)
 {
   qn_export_dialog_show (GTK_WINDOW (self), self->state, write_figure,
                          qn_window_show_message);
@@ -176,9 +176,8 @@ choose_report (GtkWindow *window)
 }
 
 static void
-export_result (QnWindow *self, GVariant *parameter)
+export_result (QnWindow *self, const char *name)
 {
-  const char *name = g_variant_get_string (parameter, NULL);
   if (g_str_equal (name, "animation")) {
     qn_animation_dialog_show (GTK_WINDOW (self), self->state, qn_window_show_message,
                               NULL);
@@ -194,7 +193,7 @@ export_result (QnWindow *self, GVariant *parameter)
 }
 
 static void
-export_drawing (QnWindow *self, GVariant *parameter)
+export_drawing (QnWindow *self, const char *name)
 {
   export_to (self, DRAWING, NULL);
 }
@@ -231,13 +230,7 @@ qn_window_open_result (QnWindow *self, const char *path)
 }
 
 static void
-open_result_path (QnWindow *self, GVariant *parameter)
-{
-  qn_window_open_result (self, g_variant_get_string (parameter, NULL));
-}
-
-static void
-open_result (QnWindow *self, GVariant *parameter)
+open_result (QnWindow *self, const char *name)
 {
   static const char *const suffixes[] = { "json", NULL };
   static const QnFileKind results = { .title = N_ ("Open Result"),
@@ -249,12 +242,12 @@ open_result (QnWindow *self, GVariant *parameter)
 }
 
 const QnWindowAction qn_window_export_actions[] = {
-  { "export", NULL, export_figure, QN_NEEDS_DRAWN },
-  { "repeat-export", NULL, repeat_export, QN_NEEDS_WORK | QN_NEEDS_EXPORTED },
-  { "export-result", "s", export_result, QN_NEEDS_RUN },
-  { "export-drawing", NULL, export_drawing, QN_NEEDS_DRAWN },
-  { "export-path", "(ss)", export_path, 0 },
-  { "open-result", NULL, open_result, QN_NEEDS_DRAWN },
-  { "open-result-path", "s", open_result_path, QN_NEEDS_DRAWN },
+  { "export", NULL, { export_figure }, QN_NEEDS_DRAWN },
+  { "repeat-export", NULL, { repeat_export }, QN_NEEDS_WORK | QN_NEEDS_EXPORTED },
+  { "export-result", "s", { export_result }, QN_NEEDS_RUN },
+  { "export-drawing", NULL, { export_drawing }, QN_NEEDS_DRAWN },
+  { "export-path", "(ss)", { .take = export_path }, 0 },
+  { "open-result", NULL, { open_result }, QN_NEEDS_DRAWN },
+  { "open-result-path", "s", { qn_window_open_result }, QN_NEEDS_DRAWN },
   { .name = NULL },
 };

@@ -4,8 +4,6 @@
 #include "doc/view/carry-files.h"
 #include <glib/gi18n.h>
 
-static void save_as (QnWindow *self, GVariant *parameter);
-
 static const char *const project_suffixes[] = { "quoin", NULL };
 static const QnFileKind projects = { .title = N_ ("Open"),
                                      .accept = N_ ("_Open"),
@@ -73,21 +71,15 @@ qn_window_open (QnWindow *self, const char *path)
     qn_window_open_with (self, path, qn_window_open_path);
 }
 
-static void
-open_path (QnWindow *self, GVariant *parameter)
-{
-  qn_window_open (self, g_variant_get_string (parameter, NULL));
-}
-
 /* An example opens as a drawing of its own, which is saved elsewhere. */
 static void
-open_example (QnWindow *self, GVariant *parameter)
+open_example (QnWindow *self, const char *path)
 {
-  qn_window_open_with (self, g_variant_get_string (parameter, NULL), qn_window_open_copy);
+  qn_window_open_with (self, path, qn_window_open_copy);
 }
 
 static void
-open_dialog (QnWindow *self, GVariant *parameter)
+open_dialog (QnWindow *self, const char *name)
 {
   qn_window_choose_file (self, &projects);
 }
@@ -174,7 +166,7 @@ use_saved (gpointer data, const char *path, GError **error)
 }
 
 static void
-save_as (QnWindow *self, GVariant *parameter)
+save_as (QnWindow *self, const char *name)
 {
   static const char *const endings[] = { ".quoin", ".json", NULL };
   qn_window_commit_entry (self);
@@ -214,11 +206,11 @@ on_changed_answer (QnAnswer answer, gpointer data)
 }
 
 static void
-save (QnWindow *self, GVariant *parameter)
+save (QnWindow *self, const char *action)
 {
   qn_window_commit_entry (self);
   if (qn_document_get_path (self->document) == NULL)
-    save_as (self, parameter);
+    save_as (self, action);
   else if (qn_document_is_changed_elsewhere (self->document)) {
     /* What somebody else has written since must not be lost without a word. */
     g_autofree char *name = g_path_get_basename (qn_document_get_path (self->document));
@@ -235,9 +227,9 @@ save (QnWindow *self, GVariant *parameter)
 
 /* For tests and scripts: saves to a given path without asking. */
 static void
-save_to_path (QnWindow *self, GVariant *parameter)
+save_to_path (QnWindow *self, const char *path)
 {
-  save_to (self, g_variant_get_string (parameter, NULL));
+  save_to (self, path);
 }
 
 /* ---- closing ---- */
@@ -363,7 +355,7 @@ qn_window_quit (GtkApplication *application)
 }
 
 static void
-close_window (QnWindow *self, GVariant *parameter)
+close_window (QnWindow *self, const char *name)
 {
   GtkWidget *apart = self->page_window;
   gboolean page = apart != NULL && gtk_window_is_active (GTK_WINDOW (apart));
@@ -371,12 +363,12 @@ close_window (QnWindow *self, GVariant *parameter)
 }
 
 const QnWindowAction qn_window_file_actions[] = {
-  { "open", NULL, open_dialog, 0 },
-  { "open-path", "s", open_path, 0 },
-  { "open-example", "s", open_example, 0 },
-  { "save", NULL, save, QN_NEEDS_WORK },
-  { "save-as", NULL, save_as, QN_NEEDS_WORK },
-  { "save-path", "s", save_to_path, 0 },
-  { "close", NULL, close_window, 0 },
+  { "open", NULL, { open_dialog }, 0 },
+  { "open-path", "s", { qn_window_open }, 0 },
+  { "open-example", "s", { open_example }, 0 },
+  { "save", NULL, { save }, QN_NEEDS_WORK },
+  { "save-as", NULL, { save_as }, QN_NEEDS_WORK },
+  { "save-path", "s", { save_to_path }, 0 },
+  { "close", NULL, { close_window }, 0 },
   { .name = NULL },
 };

@@ -25,7 +25,7 @@ insert_picture (QnWindow *self, const char *path)
 }
 
 static void
-remove_picture (QnWindow *self, GVariant *parameter)
+remove_picture (QnWindow *self, const char *name)
 {
   g_autoptr (GError) error = NULL;
   if (!qn_document_remove_picture (self->document, &error))
@@ -61,7 +61,7 @@ take_strip (GtkWindow *window, const QnProject *project)
 }
 
 static void
-facade_strip (QnWindow *self, GVariant *parameter)
+facade_strip (QnWindow *self, const char *name)
 {
   qn_facade_dialog_show (GTK_WINDOW (self), take_strip);
 }
@@ -81,12 +81,6 @@ qn_window_take_file (QnWindow *self, const char *path)
     gtk_widget_activate_action (GTK_WIDGET (self), "win.open-path", "s", path);
 }
 
-static void
-take_path (QnWindow *self, GVariant *parameter)
-{
-  qn_window_take_file (self, g_variant_get_string (parameter, NULL));
-}
-
 static gboolean
 use_dropped (gpointer window, const char *path, GError **error)
 {
@@ -104,7 +98,7 @@ qn_window_accept_drops (QnWindow *self)
 /* ---- choosing ---- */
 
 static void
-import_drawing (QnWindow *self, GVariant *parameter)
+import_drawing (QnWindow *self, const char *name)
 {
   static const char *const suffixes[] = { "dxf", "svg", "svgz", "json", "txt", NULL };
   static const QnFileKind drawings = { .title = N_ ("Import Drawing"),
@@ -117,7 +111,7 @@ import_drawing (QnWindow *self, GVariant *parameter)
 }
 
 static void
-picture (QnWindow *self, GVariant *parameter)
+picture (QnWindow *self, const char *name)
 {
   static const char *const suffixes[] = { "png", "jpg",  "jpeg", "tif",
                                           "bmp", "tiff", "webp", NULL };
@@ -130,10 +124,10 @@ picture (QnWindow *self, GVariant *parameter)
 }
 
 const QnWindowAction qn_window_import_actions[] = {
-  { "import", NULL, import_drawing, 0 },
-  { "facade-strip", NULL, facade_strip, 0 },
-  { "take-path", "s", take_path, 0 },
-  { "picture", NULL, picture, 0 },
-  { "remove-picture", NULL, remove_picture, 0 },
+  { "import", NULL, { import_drawing }, 0 },
+  { "facade-strip", NULL, { facade_strip }, 0 },
+  { "take-path", "s", { qn_window_take_file }, 0 },
+  { "picture", NULL, { picture }, 0 },
+  { "remove-picture", NULL, { remove_picture }, 0 },
   { .name = NULL },
 };

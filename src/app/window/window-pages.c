@@ -51,7 +51,7 @@ qn_window_show_drawing (QnWindow *self, gboolean alone)
 }
 
 static void
-show_drawing (QnWindow *self, GVariant *parameter)
+show_drawing (QnWindow *self, const char *name)
 {
   qn_window_show_drawing (self, FALSE);
 }
@@ -65,7 +65,7 @@ on_close_apart (QnWindow *self)
 
 /* The pages with the actions and keys of this window, or back from there. */
 static void
-own_window (QnWindow *self, GVariant *parameter)
+own_window (QnWindow *self, const char *name)
 {
   if (self->page_window != NULL) {
     qn_window_take_pages_back (self);
@@ -143,7 +143,7 @@ qn_window_remove_pages (QnWindow *self)
 
 /* Another one comes into sight, or the drawing alone. */
 static void
-close_page (QnWindow *self, GVariant *parameter)
+close_page (QnWindow *self, const char *name)
 {
   GtkWidget *page = gtk_stack_get_visible_child (self->pages), *other;
   if (page != NULL)
@@ -208,7 +208,7 @@ new_compare (QnDocument *document)
 
 /* The page of that name, made where it is not there. */
 static void
-show_or_add (QnWindow *self, GVariant *name)
+show_or_add (QnWindow *self, const char *wanted)
 {
   static const struct {
     const char *name, *title;
@@ -217,7 +217,6 @@ show_or_add (QnWindow *self, GVariant *name)
                 { "capacity", N_ ("Capacity Curve"), qn_capacity_page_new },
                 { "envelope", N_ ("Moving Load"), qn_envelope_page_new },
                 { "figures", N_ ("Figures of the Project"), qn_figures_page_new } };
-  const char *wanted = g_variant_get_string (name, NULL);
   GtkWidget *page = gtk_stack_get_child_by_name (self->pages, wanted);
   qn_window_commit_entry (self);
   if (page != NULL)
@@ -254,7 +253,7 @@ show_study (QnWindow *self, const char *path, const char *action, GVariant *para
 }
 
 static void
-study (QnWindow *self, GVariant *parameter)
+study (QnWindow *self, const char *name)
 {
   show_study (self, NULL, "study", NULL);
 }
@@ -289,14 +288,14 @@ qn_window_open_study (QnWindow *self, const char *path)
 }
 
 const QnWindowAction qn_window_page_actions[] = {
-  { "compare", NULL, show_or_add, 0 },
-  { "envelope", NULL, show_or_add, QN_NEEDS_DRAWN },
-  { "capacity", NULL, show_or_add, QN_NEEDS_SOLVABLE },
-  { "figures", NULL, show_or_add, QN_NEEDS_WORK },
-  { "study", NULL, study, QN_NEEDS_DRAWN },
-  { "vary", "(sd)", vary, QN_NEEDS_DRAWN },
-  { "close-page", NULL, close_page, 0 },
-  { "show-drawing", NULL, show_drawing, 0 },
-  { "own-window", NULL, own_window, 0 },
+  { "compare", NULL, { show_or_add }, 0 },
+  { "envelope", NULL, { show_or_add }, QN_NEEDS_DRAWN },
+  { "capacity", NULL, { show_or_add }, QN_NEEDS_SOLVABLE },
+  { "figures", NULL, { show_or_add }, QN_NEEDS_WORK },
+  { "study", NULL, { study }, QN_NEEDS_DRAWN },
+  { "vary", "(sd)", { .take = vary }, QN_NEEDS_DRAWN },
+  { "close-page", NULL, { close_page }, 0 },
+  { "show-drawing", NULL, { show_drawing }, 0 },
+  { "own-window", NULL, { own_window }, 0 },
   { .name = NULL },
 };

@@ -176,11 +176,15 @@ typedef enum {
 #define QN_NEEDS_DRAWN    (QN_NEEDS_WORK | QN_NEEDS_MODEL)
 #define QN_NEEDS_SOLVABLE (QN_NEEDS_DRAWN | QN_NEEDS_IDLE)
 
-/* Actions of one source; the last has no name. */
+/* Actions of one source; the last has no name. What is done gets the parameter where that is a text ("s"),
+ * or the name of an action without a parameter; `take` is in its place for parameters of other types. */
 typedef struct QnWindowAction {
   const char *name;
-  const char *parameter; /* type of the parameter, or NULL: the function gets the name */
-  void (*func) (QnWindow *window, GVariant *parameter);
+  const char *parameter; /* its type, or NULL */
+  union {
+    void (*func) (QnWindow *window, const char *text);
+    void (*take) (QnWindow *window, GVariant *parameter);
+  };
   QnNeeds needs;
 } QnWindowAction;
 extern const QnWindowAction qn_window_edit_actions[], qn_window_file_actions[],
