@@ -412,14 +412,6 @@ qn_canvas_get_masonry (QnCanvas *self)
   return &self->masonry;
 }
 
-QnBlockSet
-qn_canvas_get_selected (QnCanvas *self)
-{
-  QnBlockSet set = { 0 };
-  set.ids = qn_selection_get (qn_canvas_get_selection (self), QN_PART_BLOCK, &set.count);
-  return set;
-}
-
 QnPartSet
 qn_canvas_get_parts (QnCanvas *self)
 {

@@ -81,9 +81,8 @@ void qn_canvas_beams_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);
 /* The document's parametric masonry; borrowed until the next change. */
 const QnMasonries *qn_canvas_get_masonry (QnCanvas *canvas);
 
-/* The selected blocks; and with them the beams. Borrowed as long as the selection stays as it is: an edit
- * changes it when it ends. */
-QnBlockSet qn_canvas_get_selected (QnCanvas *canvas);
+/* The selected blocks and beams. Borrowed as long as the selection stays as it is: an edit changes it when it
+ * ends. */
 QnPartSet qn_canvas_get_parts (QnCanvas *canvas);
 /* Box around them; FALSE where there are none. */
 gboolean qn_canvas_get_parts_box (QnCanvas *canvas, QnVec2 *low, QnVec2 *high);

@@ -252,47 +252,28 @@ qn_handle_draw_all (QnCanvas *canvas, cairo_t *cr)
 
 /* ---- dragging ---- */
 
-typedef struct Drag {
-  QnGrip grip;
-  QnVec2 from, to;
-  double typed_angle; /* rad, or NAN */
-  gboolean snap;
-} Drag;
-
-/* Bonds have a grid of their own; what has none follows the magnet. */
-static Drag
-drag_of_gesture (QnCanvas *canvas)
+static double
+turn_angle (QnCanvas *canvas)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  return (Drag){ .grip = gesture->grip,
-                 .from = gesture->from,
-                 .to = gesture->to,
-                 .typed_angle = NAN,
-                 .snap = qn_canvas_snaps (canvas) };
-}
-
-static double
-turn_angle (const Drag *drag)
-{
-  QnVec2 a = qn_vec2_sub (drag->grip.at, drag->grip.center);
-  QnVec2 b = qn_vec2_sub (drag->to, drag->grip.center);
+  QnVec2 a = qn_vec2_sub (gesture->grip.at, gesture->grip.center);
+  QnVec2 b = qn_vec2_sub (gesture->to, gesture->grip.center);
   double angle = atan2 (qn_vec2_cross (a, b), qn_vec2_dot (a, b));
   /* Whole degrees, and the quarters with some pull. */
   double quarter = round (angle / G_PI_2) * G_PI_2, degree = G_PI / 180.0;
-  if (!isnan (drag->typed_angle))
-    return drag->typed_angle;
-  if (!drag->snap)
+  if (!qn_canvas_snaps (canvas))
     return angle;
   return fabs (angle - quarter) < 3.0 * degree ? quarter
                                                : round (angle / degree) * degree;
 }
 
+/* Bonds have a grid of their own; what has none follows the magnet. */
 static gboolean
-drag_masonry (QnMasonry *masonry, gpointer data, GError **error)
+drag_masonry (QnMasonry *masonry, gpointer canvas, GError **error)
 {
-  const Drag *drag = data;
-  qn_masonry_drag (masonry, drag->grip.opening, (QnHandleKind) drag->grip.handle,
-                   drag->from, drag->to, drag->snap);
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  qn_masonry_drag (masonry, gesture->grip.opening, (QnHandleKind) gesture->grip.handle,
+                   gesture->from, gesture->to, qn_canvas_snaps (canvas));
   return TRUE;
 }
 
@@ -319,62 +300,67 @@ step_name (QnCanvas *canvas, const QnGrip *grip)
 }
 
 static void
-finish (QnCanvas *canvas, double typed_angle)
+end_drag (QnCanvas *canvas)
 {
-  Drag drag = drag_of_gesture (canvas);
-  const QnGrip grip = drag.grip;
-  QnCanvasDraft draft;
-  drag.typed_angle = typed_angle;
-  const char *name = grip.kind == QN_GRIP_MASONRY  ? step_name (canvas, &grip)
-                     : grip.kind == QN_GRIP_CORNER ? _ ("Move Corner")
-                     : grip.kind == QN_GRIP_NODE   ? _ ("Move Beam End")
-                                                   : _ ("Move Tie End");
   qn_canvas_set_magnet_skip (canvas, NULL);
   qn_canvas_set_in_gesture (canvas, FALSE);
-  if (grip.kind == QN_GRIP_TURN)
-    qn_canvas_transform (canvas, _ ("Rotate"), NULL,
-                         qn_transform_rotation (grip.center, turn_angle (&drag)), 0);
-  if (grip.kind == QN_GRIP_TURN || grip.kind == QN_GRIP_NONE
-      || !qn_canvas_begin_edit (canvas, &draft))
-    return;
-  gboolean done = grip.kind == QN_GRIP_MASONRY ? qn_edit_change_masonry (
-                    &draft.project, grip.object, drag_masonry, &drag, &draft.error)
-                  : grip.kind == QN_GRIP_CORNER
-                    ? qn_edit_move_corner (draft.model, qn_canvas_get_selected (canvas),
-                                           drag.from, drag.to, &draft.error)
-                  : grip.kind == QN_GRIP_NODE
-                    ? qn_edit_place_node (draft.model, grip.object, drag.to, &draft.error)
-                    : qn_edit_place_tie_end (draft.model, grip.object, grip.handle,
-                                             drag.to, &draft.error);
-  qn_canvas_end_edit (canvas, &draft, name, NULL, done);
-}
-
-void
-qn_handle_finish (QnCanvas *canvas)
-{
-  finish (canvas, NAN);
 }
 
 void
 qn_handle_turn (QnCanvas *canvas, double angle)
 {
-  finish (canvas, angle);
+  const QnVec2 center = qn_canvas_get_gesture (canvas)->grip.center;
+  end_drag (canvas);
+  qn_canvas_transform (canvas, _ ("Rotate"), NULL, qn_transform_rotation (center, angle),
+                       0);
+}
+
+void
+qn_handle_finish (QnCanvas *canvas)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnGrip *grip = &gesture->grip;
+  QnCanvasDraft draft;
+  if (grip->kind == QN_GRIP_TURN) {
+    qn_handle_turn (canvas, turn_angle (canvas));
+    return;
+  }
+  const char *name = grip->kind == QN_GRIP_MASONRY  ? step_name (canvas, grip)
+                     : grip->kind == QN_GRIP_CORNER ? _ ("Move Corner")
+                     : grip->kind == QN_GRIP_NODE   ? _ ("Move Beam End")
+                                                    : _ ("Move Tie End");
+  const gboolean begun = qn_canvas_begin_edit (canvas, &draft);
+  const gboolean done =
+    !begun                          ? FALSE
+    : grip->kind == QN_GRIP_MASONRY ? qn_edit_change_masonry (
+        &draft.project, grip->object, drag_masonry, canvas, &draft.error)
+    : grip->kind == QN_GRIP_CORNER
+      ? qn_edit_move_corner (draft.model, qn_canvas_get_parts (canvas).blocks,
+                             gesture->from, gesture->to, &draft.error)
+    : grip->kind == QN_GRIP_NODE
+      ? qn_edit_place_node (draft.model, grip->object, gesture->to, &draft.error)
+      : qn_edit_place_tie_end (draft.model, grip->object, grip->handle, gesture->to,
+                               &draft.error);
+  end_drag (canvas);
+  if (begun)
+    qn_canvas_end_edit (canvas, &draft, name, NULL, done);
 }
 
 static void
-draw_masonry_drag (QnCanvas *canvas, cairo_t *cr, Drag *drag)
+draw_masonry_drag (QnCanvas *canvas, cairo_t *cr)
 {
+  const QnGrip *grip = &qn_canvas_get_gesture (canvas)->grip;
   const QnProject *project = qn_document_get_project (qn_canvas_get_document (canvas));
   QnMasonries list;
   if (!qn_project_get_masonry (project, &list, NULL))
     return;
-  if ((gsize) drag->grip.object < list.count) {
-    QnMasonry *masonry = &list.items[drag->grip.object];
-    drag_masonry (masonry, drag, NULL);
+  if ((gsize) grip->object < list.count) {
+    QnMasonry *masonry = &list.items[grip->object];
+    drag_masonry (masonry, canvas, NULL);
     qn_gesture_draw_masonry (canvas, cr, masonry);
-    if (drag->grip.opening != QN_NO_OPENING) {
+    if (grip->opening != QN_NO_OPENING) {
       QnVec2 c[4];
-      qn_masonry_opening_corners (masonry, drag->grip.opening, c);
+      qn_masonry_opening_corners (masonry, grip->opening, c);
       qn_canvas_draw_dimension (canvas, cr, c[0], c[1]);
       qn_canvas_draw_dimension (canvas, cr, c[1], c[2]);
     }
@@ -383,61 +369,62 @@ draw_masonry_drag (QnCanvas *canvas, cairo_t *cr, Drag *drag)
 }
 
 static void
-draw_corner_drag (QnCanvas *canvas, cairo_t *cr, const Drag *drag)
+draw_corner_drag (QnCanvas *canvas, cairo_t *cr, const QnGesture *gesture)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
-  const QnBlockSet set = qn_canvas_get_selected (canvas);
+  const QnBlockSet set = qn_canvas_get_parts (canvas).blocks;
   if (set.count == 0)
     return;
   gsize n = (gsize) model->blocks[set.ids[0]].vertex_count;
   g_autofree QnVec2 *v =
     g_memdup2 (qn_model_block_vertices (model, set.ids[0]), n * sizeof (QnVec2));
   for (gsize i = 0; i < n; i++) {
-    if (v[i].x == drag->from.x && v[i].y == drag->from.y)
-      v[i] = drag->to;
+    if (v[i].x == gesture->from.x && v[i].y == gesture->from.y)
+      v[i] = gesture->to;
   }
   qn_canvas_trace (canvas, cr, v, n);
   qn_gesture_paint (cr);
-  qn_canvas_draw_dimension (canvas, cr, drag->from, drag->to);
+  qn_canvas_draw_dimension (canvas, cr, gesture->from, gesture->to);
 }
 
 /* All beams that end there, with their lengths. */
 static void
-draw_node_drag (QnCanvas *canvas, cairo_t *cr, const Drag *drag)
+draw_node_drag (QnCanvas *canvas, cairo_t *cr, const QnGesture *gesture)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
   for (gsize i = 0; i < model->beam_count; i++) {
     const QnId *ends = model->beams[i].nodes;
     for (int end = 0; end < 2; end++)
-      if (ends[end] == drag->grip.object)
-        qn_gesture_draw_line (canvas, cr, model->nodes[ends[1 - end]].at, drag->to);
+      if (ends[end] == gesture->grip.object)
+        qn_gesture_draw_line (canvas, cr, model->nodes[ends[1 - end]].at, gesture->to);
   }
 }
 
 void
 qn_handle_draw_drag (QnCanvas *canvas, cairo_t *cr)
 {
-  Drag drag = drag_of_gesture (canvas);
-  switch (drag.grip.kind) {
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  switch (gesture->grip.kind) {
   case QN_GRIP_MASONRY:
-    draw_masonry_drag (canvas, cr, &drag);
+    draw_masonry_drag (canvas, cr);
     break;
   case QN_GRIP_CORNER:
-    draw_corner_drag (canvas, cr, &drag);
+    draw_corner_drag (canvas, cr, gesture);
     break;
   case QN_GRIP_NODE:
-    draw_node_drag (canvas, cr, &drag);
+    draw_node_drag (canvas, cr, gesture);
     break;
   case QN_GRIP_TIE: {
-    const QnTieEnd *ends = qn_canvas_get_model (canvas)->ties[drag.grip.object].ends;
-    qn_gesture_draw_line (canvas, cr, ends[1 - drag.grip.handle].at, drag.to);
+    const QnTieEnd *ends = qn_canvas_get_model (canvas)->ties[gesture->grip.object].ends;
+    qn_gesture_draw_line (canvas, cr, ends[1 - gesture->grip.handle].at, gesture->to);
     break;
   }
   case QN_GRIP_TURN: {
-    double angle = turn_angle (&drag);
-    qn_gesture_draw_moved (canvas, cr, qn_transform_rotation (drag.grip.center, angle));
+    double angle = turn_angle (canvas);
+    qn_gesture_draw_moved (canvas, cr,
+                           qn_transform_rotation (gesture->grip.center, angle));
     g_autofree char *text = g_strdup_printf ("%.1f°", angle * 180.0 / G_PI);
-    QnVec2 s = qn_canvas_to_screen (canvas, drag.to);
+    QnVec2 s = qn_canvas_to_screen (canvas, gesture->to);
     qn_canvas_draw_label (canvas, cr, text, qn_vec2 (s.x + 14.0, s.y - 8.0));
     break;
   }

@@ -26,7 +26,7 @@ static gboolean
 look (gpointer data)
 {
   const QnBoundForm *form = data;
-  return qn_canvas_get_selected (form->canvas).count > 0;
+  return qn_canvas_get_parts (form->canvas).blocks.count > 0;
 }
 
 /* Whether not all have what the first one has. */
@@ -69,7 +69,7 @@ show (gpointer data, guint field, QnValue *value)
 {
   const QnBoundForm *form = data;
   const QnModel *model = qn_canvas_get_model (form->canvas);
-  QnBlockSet set = qn_canvas_get_selected (form->canvas);
+  QnBlockSet set = qn_canvas_get_parts (form->canvas).blocks;
   const QnBlock *block = &model->blocks[set.ids[0]];
   /* What masonry is made of is told by its own form. */
   gboolean masonry = TRUE;
@@ -125,7 +125,7 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   QnModel *model = &draft->model;
-  QnBlockSet set = qn_canvas_get_selected (((const QnBoundForm *) data)->canvas);
+  QnBlockSet set = qn_canvas_get_parts (((const QnBoundForm *) data)->canvas).blocks;
   switch (field) {
   case NAME:
     return qn_edit_rename_block (model, set.ids[0], value->text, error);

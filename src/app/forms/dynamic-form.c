@@ -140,7 +140,7 @@ initial_number (QnInitialMotion *motion, guint field)
 static gboolean
 show_initial (const Form *form, const QnModel *model, guint field, QnValue *value)
 {
-  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
+  QnBlockSet set = qn_canvas_get_parts (form->base.canvas).blocks;
   if (set.count == 0)
     return FALSE;
   QnInitialMotion motion = qn_initial_motion_of (model, set.ids[0]);
@@ -159,7 +159,7 @@ static gboolean
 take_initial (const Form *form, QnModel *model, guint field, double number,
               GError **error)
 {
-  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
+  QnBlockSet set = qn_canvas_get_parts (form->base.canvas).blocks;
   for (guint i = 0; i < set.count; i++) {
     QnInitialMotion motion = qn_initial_motion_of (model, set.ids[i]);
     *initial_number (&motion, field) = number;

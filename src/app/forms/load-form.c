@@ -363,7 +363,7 @@ show (gpointer data, guint field, QnValue *value)
 static QnBlockSet
 loaded_blocks (const Form *form)
 {
-  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
+  QnBlockSet set = qn_canvas_get_parts (form->base.canvas).blocks;
   const QnLoad *load = selected_load (form);
   if (set.count == 0 && load != NULL && load->block != QN_NONE)
     set = (QnBlockSet){ &load->block, 1 };

@@ -32,7 +32,7 @@ look (gpointer data)
   Form *form = data;
   QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
   int opening;
-  QnBlockSet set = qn_canvas_get_selected (form->base.canvas);
+  QnBlockSet set = qn_canvas_get_parts (form->base.canvas).blocks;
   if (set.count > 0)
     form->object = qn_canvas_get_model (form->base.canvas)->blocks[set.ids[0]].masonry;
   else if (!qn_selection_get_opening (selection, &form->object, &opening))

@@ -29,7 +29,7 @@ show (gpointer data, guint field, QnValue *value)
 {
   const QnBoundForm *form = data;
   const QnModel *model = qn_canvas_get_model (form->canvas);
-  const QnBlockSet set = qn_canvas_get_selected (form->canvas);
+  const QnBlockSet set = qn_canvas_get_parts (form->canvas).blocks;
   guint count = 0;
   value->number = -1;
   for (gsize i = 0; i < model->block_count + model->node_count; i++) {

@@ -8,8 +8,8 @@
 static gboolean
 edit (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 {
-  return qn_edit_cut_blocks (draft->model, qn_canvas_get_selected (canvas), gesture->from,
-                             gesture->to, &draft->error);
+  return qn_edit_cut_blocks (draft->model, qn_canvas_get_parts (canvas).blocks,
+                             gesture->from, gesture->to, &draft->error);
 }
 
 /* The line, and the blocks that it would part. */

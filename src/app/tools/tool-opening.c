@@ -9,12 +9,11 @@
 #include "io/project/project-masonry.h"
 #include <glib/gi18n.h>
 
+/* What is cut. */
 typedef struct Opening {
-  QnMasonryStyle style;
-  QnVec2 from, to;
-  gboolean snap;
+  QnCanvas *canvas; /* whose gesture says where */
   QnId object;
-  int number; /* what was cut */
+  int number;
 } Opening;
 
 /* The object whose rectangle contains a point, the last one first, or QN_NONE. */
@@ -30,10 +29,19 @@ wall_at (const QnMasonries *list, QnVec2 point)
 }
 
 static QnId
-wall_of_rectangle (const QnMasonries *list, QnVec2 from, QnVec2 to)
+wall_of_gesture (const QnMasonries *list, const QnGesture *gesture)
 {
-  QnId wall = wall_at (list, qn_vec2_lerp (from, to, 0.5));
-  return wall != QN_NONE ? wall : wall_at (list, from);
+  QnId wall = wall_at (list, qn_vec2_lerp (gesture->from, gesture->to, 0.5));
+  return wall != QN_NONE ? wall : wall_at (list, gesture->from);
+}
+
+/* The opening that the gesture makes in a wall; FALSE where it is none. */
+static gboolean
+plan_opening (QnCanvas *canvas, const QnMasonry *wall, QnOpening *plan)
+{
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  return qn_plan_opening (wall, &qn_canvas_get_tool_settings (canvas)->masonry,
+                          gesture->from, gesture->to, qn_canvas_snaps (canvas), plan);
 }
 
 static gboolean
@@ -41,7 +49,7 @@ add_opening (QnMasonry *masonry, gpointer data, GError **error)
 {
   Opening *o = data;
   QnOpening plan;
-  if (!qn_plan_opening (masonry, &o->style, o->from, o->to, o->snap, &plan))
+  if (!plan_opening (o->canvas, masonry, &plan))
     return qn_edit_refuse (
       error, _ ("The opening is smaller than half a block or outside the wall"));
   QnOpening *opening = qn_masonry_add_opening (masonry);
@@ -56,15 +64,16 @@ add_opening (QnMasonry *masonry, gpointer data, GError **error)
 static gboolean
 cut (QnProject *draft, Opening *o, GError **error)
 {
-  QnVec2 middle = qn_vec2_lerp (o->from, o->to, 0.5);
+  const QnGesture *gesture = qn_canvas_get_gesture (o->canvas);
   QnMasonries list;
   if (!qn_project_get_masonry (draft, &list, error))
     return FALSE;
-  o->object = wall_of_rectangle (&list, o->from, o->to);
+  o->object = wall_of_gesture (&list, gesture);
   gsize count = list.count;
   qn_masonries_clear (&list);
   if (o->object == QN_NONE) {
-    QnId wall = qn_model_wall_at (&draft->model, middle);
+    QnId wall =
+      qn_model_wall_at (&draft->model, qn_vec2_lerp (gesture->from, gesture->to, 0.5));
     if (wall == QN_NONE)
       return qn_edit_refuse (error, _ ("Openings are cut into walls: drag on a wall"));
     if (!qn_edit_convert_wall (draft, wall, error))
@@ -74,23 +83,14 @@ cut (QnProject *draft, Opening *o, GError **error)
   return qn_edit_change_masonry (draft, o->object, add_opening, o, error);
 }
 
-static Opening
-opening_of_gesture (QnCanvas *canvas)
-{
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  return (Opening){ .style = qn_canvas_get_tool_settings (canvas)->masonry,
-                    .from = gesture->from,
-                    .to = gesture->to,
-                    .snap = qn_canvas_snaps (canvas) };
-}
-
 static void
 complete (QnCanvas *canvas)
 {
-  Opening opening = opening_of_gesture (canvas);
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  Opening opening = { .canvas = canvas };
   QnCanvasDraft draft;
   qn_canvas_set_in_gesture (canvas, FALSE);
-  if (opening.from.x != opening.to.x && opening.from.y != opening.to.y
+  if (gesture->from.x != gesture->to.x && gesture->from.y != gesture->to.y
       && qn_canvas_begin_edit (canvas, &draft)
       && qn_canvas_end_edit (canvas, &draft, _ ("Cut Opening"), NULL,
                              cut (&draft.project, &opening, &draft.error)))
@@ -176,13 +176,12 @@ draw (QnCanvas *canvas, cairo_t *cr)
     qn_handle_draw_drag (canvas, cr);
     return;
   }
-  Opening o = opening_of_gesture (canvas);
+  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   const QnMasonries *list = qn_canvas_get_masonry (canvas);
-  QnId wall = wall_of_rectangle (list, o.from, o.to);
+  QnId wall = wall_of_gesture (list, gesture);
   QnOpening plan;
-  if (wall == QN_NONE
-      || !qn_plan_opening (&list->items[wall], &o.style, o.from, o.to, o.snap, &plan)) {
-    qn_gesture_draw_rectangle (canvas, cr, o.from, o.to);
+  if (wall == QN_NONE || !plan_opening (canvas, &list->items[wall], &plan)) {
+    qn_gesture_draw_rectangle (canvas, cr, gesture->from, gesture->to);
     return;
   }
   const QnMasonry *masonry = &list->items[wall];

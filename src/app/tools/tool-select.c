@@ -38,7 +38,7 @@ static void
 leave_to_magnet (QnCanvas *canvas)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
-  QnBlockSet set = qn_canvas_get_selected (canvas);
+  QnBlockSet set = qn_canvas_get_parts (canvas).blocks;
   qn_canvas_set_magnet_skip (canvas, qn_block_set_to_flags (set, model));
 }
 
