@@ -5,7 +5,6 @@
 #include "app/widgets/context-menu.h"
 #include "app/widgets/quantity-entry.h"
 #include "app/widgets/row.h"
-#include "core/base/integer.h"
 #include <glib/gi18n.h>
 #include <math.h>
 
@@ -27,9 +26,9 @@ qn_bound_form_item (gconstpointer data, const QnModel *model)
                                 + (gsize) form->selected * list->size;
 }
 
-/* Takes a number into the member of a field, or shows it; nothing where it has none, or there is no subject. */
+/* Takes a value into the member of a field, or shows it; nothing where it has none, or there is no subject. */
 static void
-exchange_member (QnBoundForm *form, QnModel *model, guint field, double *number,
+exchange_member (QnBoundForm *form, QnModel *model, guint field, QnValue *value,
                  gboolean takes)
 {
   const QnFormKind *kind = form->kind;
@@ -42,16 +41,19 @@ exchange_member (QnBoundForm *form, QnModel *model, guint field, double *number,
     return;
   const gpointer at = subject + kind->fields[field].offset;
   const gsize size = kind->fields[field].size;
-  if (!takes)
-    *number = size == sizeof (double) ? *(double *) at
-              : size == sizeof (bool) ? *(bool *) at
-                                      : *(int *) at;
+  if (kind->fields[field].is_text) {
+    if (!takes)
+      value->text = g_strdup (*(char **) at);
+  } else if (!takes)
+    value->number = size == sizeof (double) ? *(double *) at
+                    : size == sizeof (bool) ? *(bool *) at
+                                            : *(int *) at;
   else if (size == sizeof (double))
-    *(double *) at = *number;
+    *(double *) at = value->number;
   else if (size == sizeof (bool))
-    *(bool *) at = *number != 0.0;
+    *(bool *) at = value->number != 0.0;
   else
-    *(int *) at = (int) qn_to_integer (*number, 0, G_MAXINT32);
+    *(int *) at = qn_value_int (value);
 }
 
 /* ---- widgets ---- */
@@ -297,7 +299,7 @@ find_value (QnBoundForm *form, guint field, QnValue *value)
   QnModel *model =
     form->canvas != NULL ? (QnModel *) qn_canvas_get_model (form->canvas) : NULL;
   if (!is_list (form, field)) {
-    exchange_member (form, model, field, &value->number, FALSE);
+    exchange_member (form, model, field, value, FALSE);
     return form->kind->show (form, field, value);
   }
   value->number = form->selected;
@@ -414,9 +416,9 @@ typedef struct Entered {
 static gboolean
 take (const Entered *entered, QnProject *draft, GError **error)
 {
-  double number = entered->value.number;
+  QnValue value = entered->value;
   exchange_member (entered->form, draft != NULL ? &draft->model : NULL, entered->field,
-                   &number, TRUE);
+                   &value, TRUE);
   return entered->form->kind->take (entered->form, draft, entered->field, &entered->value,
                                     error);
 }
@@ -755,7 +757,7 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
   form->kind = kind;
   form->canvas = canvas;
   form->selected = form->wanted = -1;
-  form->root = GTK_WIDGET (gtk_builder_get_object (builder, "form"));
+  form->root = qn_builder_take_widget (builder, "form");
   form->widgets = g_new0 (GtkWidget *, kind->field_count + kind->row_count + 1);
   for (guint i = 0; i < kind->field_count; i++) {
     GtkWidget *widget = GTK_WIDGET (gtk_builder_get_object (builder, kind->fields[i].id));
@@ -778,9 +780,6 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
   g_object_set_data_full (G_OBJECT (form->root), QN_BOUND_FORM, form,
                           qn_bound_form_unref);
   g_signal_connect_swapped (form->root, "destroy", G_CALLBACK (on_destroy), form);
-  /* A window is kept by GTK, anything else by the parent that it gets. */
-  if (!GTK_IS_WINDOW (form->root))
-    g_object_force_floating (g_object_ref (G_OBJECT (form->root)));
   if (kind->init != NULL)
     kind->init (form);
   if (canvas == NULL)

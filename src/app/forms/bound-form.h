@@ -23,8 +23,10 @@ typedef struct QnFormField {
    * value is the form's own and changes no document. */
   const char *step;
   /* The member of the form's subject that it shows and changes, told apart by its size: a double, a flag
-   * (bool), a whole number or a choice (int, enumeration); size 0: none. */
+   * (bool), a whole number or a choice (int, enumeration); size 0: none. A text (char *) is shown alone: the
+   * form takes it, for names may be refused. */
   gsize offset, size;
+  gboolean is_text;
 } QnFormField;
 
 /* A source lists its fields once, in a macro FIELDS (FIELD, MEMBER) of lines FIELD (NUMBER, "id", step) and
@@ -35,9 +37,10 @@ typedef struct QnFormField {
   static const QnFormField fields[] = { FIELDS (QN_FIELD_ROW, QN_MEMBER_ROW) }
 #define QN_FIELD_NUMBER(number, id, step)                number,
 #define QN_MEMBER_NUMBER(number, id, step, type, member) number,
-#define QN_FIELD_ROW(number, id, step)                   { id, step, 0, 0 },
+#define QN_FIELD_ROW(number, id, step)                   { id, step, 0, 0, FALSE },
 #define QN_MEMBER_ROW(number, id, step, type, member)                                    \
-  { id, step, offsetof (type, member), sizeof ((type *) NULL)->member },
+  { id, step, offsetof (type, member), sizeof ((type *) NULL)->member,                   \
+    _Generic (((type *) NULL)->member, char *: TRUE, default: FALSE) },
 
 /* The list of a form whose subject is the selected item of an array of the model. Of it `show` and `take`
  * hear nothing. */

@@ -12,7 +12,7 @@
 #define FIELDS(FIELD, MEMBER)                                                            \
   FIELD (CASES, "cases", NULL)                                                           \
   FIELD (EMPTY, "empty", NULL)                                                           \
-  FIELD (NAME, "name", N_ ("Rename Load Case"))                                          \
+  MEMBER (NAME, "name", N_ ("Rename Load Case"), QnLoadCase, name)                       \
   MEMBER (FACTOR, "factor", N_ ("Change Factor"), QnLoadCase, factor)                    \
   FIELD (ACTION, "action", N_ ("Change Action"))                                         \
   FIELD (ADD, "add", N_ ("Add Load Case"))                                               \
@@ -76,8 +76,6 @@ show (gpointer form, guint field, QnValue *value)
 {
   const QnModel *model = qn_canvas_get_model (((QnBoundForm *) form)->canvas);
   const QnLoadCase *shown = qn_bound_form_item (form, model);
-  if (field == NAME && shown != NULL)
-    value->text = g_strdup (shown->name);
   if (field == ACTION && shown != NULL)
     set_names (value, _ ("the same in all"), qn_combinations_dup_actions (),
                shown->action);

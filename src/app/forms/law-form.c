@@ -48,13 +48,13 @@ typedef struct Form {
 
 #define FIELDS(FIELD, MEMBER)                                                            \
   FIELD (LAW, "law", NULL)                                                               \
-  FIELD (NAME, "name", N_ ("Rename Law"))                                                \
-  FIELD (SOURCE, "source", N_ ("Change Source"))                                         \
+  MEMBER (NAME, "name", N_ ("Rename Law"), QnLaw, name)                                  \
+  MEMBER (SOURCE, "source", N_ ("Change Source"), QnLaw, source)                         \
   FIELD (JOINT, "joint", N_ ("Use Typical Joint"))                                       \
   FIELD (KIND, "kind", CHANGE)                                                           \
-  FIELD (BASIS, "basis", CHANGE)                                                         \
+  MEMBER (BASIS, "basis", CHANGE, QnLaw, basis)                                          \
   FIELD (CELLS, "cells", CHANGE)                                                         \
-  FIELD (SOFTENING, "softening", CHANGE)                                                 \
+  MEMBER (SOFTENING, "softening", CHANGE, QnLaw, exponential)                            \
   FIELD (POINTS, "points", CHANGE)                                                       \
   FIELD (VIEW, "view", NULL)                                                             \
   FIELD (ADD, "add", N_ ("Add Law"))                                                     \
@@ -104,6 +104,12 @@ look (gpointer data)
   if (form->by >= (QnId) model->law_count || form->by == form->shown)
     form->by = QN_NONE;
   return model->law_count > 0;
+}
+
+static gpointer
+subject (gpointer form, QnModel *model, guint field)
+{
+  return &model->laws[((const Form *) form)->shown];
 }
 
 /* The typical joints, after a row that asks for a choice. */
@@ -165,12 +171,6 @@ show (gpointer data, guint field, QnValue *value)
         value, qn_law_dup_text (model, contacts, (QnId) i, qn_settings_get_units ()));
     value->number = form->shown;
     return TRUE;
-  case SOURCE:
-    value->text = g_strdup (law.source);
-    return TRUE;
-  case NAME:
-    value->text = g_strdup (law.name);
-    return TRUE;
   case KIND:
     for (int i = 0; i < QN_LAW_KIND_COUNT; i++)
       qn_value_add_row (value, _ (qn_law_kind_words[i]));
@@ -179,13 +179,11 @@ show (gpointer data, guint field, QnValue *value)
   case BASIS:
     for (int i = 0; i < QN_BASIS_COUNT; i++)
       qn_value_add_row (value, _ (qn_basis_words[i]));
-    value->number = law.basis;
     return TRUE;
   case CELLS:
     value->number = law.elasticity > 0.0 ? 1 + (int) law.arrangement : 0;
     return law.basis == QN_BASIS_MATERIAL;
   case SOFTENING:
-    value->number = law.exponential;
     return qn_law_may_bond (law.kind)
            && (law.fracture_energy_tension > 0.0 || law.fracture_energy_shear > 0.0);
   case POINTS:
@@ -211,6 +209,8 @@ show (gpointer data, guint field, QnValue *value)
   case SELECT:
     value->disabled = uses == 0;
     return TRUE;
+  case NAME:
+  case SOURCE:
   case DUPLICATE:
   case REMOVE:
     return TRUE;
@@ -311,7 +311,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     qn_law_change_kind (law, (QnLawKind) value->number);
     return TRUE;
   case BASIS:
-    law->basis = (QnBasis) value->number;
     if (law->basis != QN_BASIS_MATERIAL)
       law->elasticity = 0.0;
     return TRUE;
@@ -322,7 +321,6 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     qn_law_derive (law);
     return TRUE;
   case SOFTENING:
-    law->exponential = value->number > 0.0;
     return TRUE;
   case POINTS:
     if (!qn_points_parse (value->text, points, QN_MAX_CURVE_POINTS, &count))
@@ -371,6 +369,6 @@ init (gpointer data)
   qn_plot_view_init (form->base.widgets[VIEW], &hand, form);
 }
 
-const QnFormKind qn_law_form =
-  QN_FORM_KIND ("law-form", Form, .look = look, .follows = QN_FOLLOW_SELECTION,
-                .row_info = row_info, .row_count = G_N_ELEMENTS (keys), .init = init);
+const QnFormKind qn_law_form = QN_FORM_KIND (
+  "law-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION,
+  .row_info = row_info, .row_count = G_N_ELEMENTS (keys), .init = init);

@@ -13,7 +13,7 @@ typedef struct Form {
 #define FIELDS(FIELD, MEMBER)                                                            \
   FIELD (TITLE, "title", NULL)                                                           \
   FIELD (USERS, "users", NULL)                                                           \
-  FIELD (NAME, "name", N_ ("Rename Section"))                                            \
+  MEMBER (NAME, "name", N_ ("Rename Section"), QnSection, name)                          \
   FIELD (SHAPE, "shape", N_ ("Change Section"))                                          \
   MEMBER (YOUNG, "young", CHANGE, QnSection, young)                                      \
   MEMBER (SHEAR_MODULUS, "shear_modulus", CHANGE, QnSection, shear_modulus)              \
@@ -75,9 +75,6 @@ show (gpointer data, guint field, QnValue *value)
     for (gsize i = 0; i < model->beam_count; i++)
       users += model->beams[i].section == form->section;
     value->text = g_strdup_printf (ngettext ("Of %u beam", "Of %u beams", users), users);
-    return TRUE;
-  case NAME:
-    value->text = g_strdup (section->name);
     return TRUE;
   case SHAPE:
     value->number = rectangle ? 0 : 1;

@@ -17,7 +17,7 @@
   FIELD (EARLIER, "earlier", N_ ("Move Stage"))                                          \
   FIELD (LATER, "later", N_ ("Move Stage"))                                              \
   FIELD (BOX, "fields", NULL)                                                            \
-  FIELD (NAME, "name", N_ ("Rename Stage"))                                              \
+  MEMBER (NAME, "name", N_ ("Rename Stage"), QnStage, name)                              \
   MEMBER (SETS, "sets", CHANGE, QnStage, sets)                                           \
   MEMBER (PROCEDURE, "procedure", CHANGE, QnStage, procedure)                            \
   FIELD (END, "end", CHANGE)                                                             \
@@ -57,9 +57,6 @@ show_stage (const QnBoundForm *form, const QnModel *model, guint field, QnValue 
   gboolean controlled = qn_stage_get_end (stage) == QN_STAGE_END_DISPLACEMENT;
   gsize cycles;
   switch (field) {
-  case NAME:
-    value->text = g_strdup (stage->name);
-    return TRUE;
   case SETS:
     qn_value_add_row (value, _ ("Growing loads"));
     for (int32_t set = 1; set <= (int32_t) model->load_set_count; set++)
@@ -90,6 +87,7 @@ show_stage (const QnBoundForm *form, const QnModel *model, guint field, QnValue 
                       : g_strdup_printf (_ ("Control node: %s"),
                                          model->nodes[stage->control.node].name);
     return controlled;
+  case NAME:
   case PROCEDURE:
   case INCREMENTS:
     return TRUE;

@@ -18,7 +18,7 @@
 #define FIELDS(FIELD, MEMBER)                                                            \
   FIELD (TIES, "ties", NULL)                                                             \
   FIELD (EMPTY, "empty", NULL)                                                           \
-  FIELD (NAME, "name", N_ ("Rename Tie"))                                                \
+  MEMBER (NAME, "name", N_ ("Rename Tie"), QnTie, name)                                  \
   FIELD (STEEL, "steel", CHANGE)                                                         \
   FIELD (ROUND, "round", CHANGE)                                                         \
   FIELD (DIAMETER, "diameter", CHANGE)                                                   \
@@ -112,9 +112,6 @@ show (gpointer data, guint field, QnValue *value)
     return (field == DUPLICATE || field == REMOVE) && model->tie_count > 0;
   }
   switch (field) {
-  case NAME:
-    value->text = g_strdup (tie->name);
-    return TRUE;
   case ELASTICITY:
   case PRESTRESS:
   case SLACK:

@@ -176,7 +176,7 @@ fill (Compare *compare)
   int columns = count <= 1 ? 1 : count <= 4 ? 2 : count <= 9 ? 3 : 4;
   for (guint i = 0; i < count; i++)
     add_cell (compare, compare->shown->pdata[i], (int) i % columns, (int) i / columns);
-  gtk_widget_set_visible (compare->hint, count < 2);
+  gtk_widget_set_visible (qn_part (compare->page, "hint"), count < 2);
   qn_compare_fill_table (compare);
   gtk_widget_queue_draw (compare->curves);
   redraw (compare);
@@ -512,8 +512,8 @@ static void
 tell (gpointer data, const char *text)
 {
   const Compare *compare = data;
-  gtk_label_set_text (compare->message, text);
-  gtk_widget_set_visible (GTK_WIDGET (compare->message), *text != '\0');
+  gtk_label_set_text (qn_part (compare->page, "message"), text);
+  gtk_widget_set_visible (qn_part (compare->page, "message"), *text != '\0');
 }
 
 /* Whether a window has the file as it is on disk, with a result: that one is shown. */
@@ -721,11 +721,9 @@ qn_compare_page_new (QnDocument *document, QnDocumentsFunc list_others)
     .phase = 1.0,
     .page = qn_builder_take_widget (builder, "page"),
     .list = qn_builder_get_widget (builder, "list"),
-    .hint = qn_builder_get_widget (builder, "hint"),
     .grid = qn_builder_get_widget (builder, "grid"),
     .curves = qn_builder_get_widget (builder, "curves"),
     .table = qn_builder_get_widget (builder, "table"),
-    .message = GTK_LABEL (qn_builder_get_widget (builder, "message")),
   };
   g_signal_connect (qn_builder_get_widget (builder, "play"), "toggled",
                     G_CALLBACK (on_play), compare);

@@ -9,8 +9,7 @@ typedef struct Compare {
   QnDocumentsFunc list_others;
   QnBatch *batch;    /* files that were opened here */
   GHashTable *known; /* runs of these files that were put on show, of QnRun */
-  GtkWidget *page, *grid, *list, *hint, *table, *curves;
-  GtkLabel *message;
+  GtkWidget *page, *grid, *list, *table, *curves;
   GPtrArray *shown;  /* of QnRun, in the order chosen */
   GPtrArray *cells;  /* their pictures; of Cell, which the widgets own */
   double base_scale; /* px per m at which every one fits; 0: not known yet */

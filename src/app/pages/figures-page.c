@@ -11,8 +11,7 @@
 
 typedef struct Figures {
   QnDocument *document;
-  GtkWidget *list, *export_all;
-  GtkLabel *message;
+  GtkWidget *page, *list;
   gboolean waiting;  /* for an analysis, before the figures are made */
   const char *asked; /* the figure that is asked about, or NULL */
 } Figures;
@@ -20,8 +19,8 @@ typedef struct Figures {
 static void
 tell (Figures *figures, const char *text)
 {
-  gtk_label_set_text (figures->message, text);
-  gtk_widget_set_visible (GTK_WIDGET (figures->message), *text != '\0');
+  gtk_label_set_text (qn_part (figures->page, "message"), text);
+  gtk_widget_set_visible (qn_part (figures->page, "message"), *text != '\0');
 }
 
 /* ---- making them ---- */
@@ -165,7 +164,7 @@ update (Figures *figures)
     gtk_list_box_append (GTK_LIST_BOX (figures->list),
                          make_row (figures, g_ptr_array_index (recipes, i)));
   gtk_widget_set_visible (figures->list, count > 0);
-  gtk_widget_set_sensitive (figures->export_all, count > 0);
+  gtk_widget_set_sensitive (qn_part (figures->page, "export_all"), count > 0);
   if (error != NULL)
     tell (figures, error->message);
   else
@@ -183,14 +182,9 @@ qn_figures_page_new (QnDocument *document)
   g_autoptr (GtkBuilder) builder = qn_builder_new ("figures-page");
   GtkWidget *page = qn_builder_take_widget (builder, "content");
   Figures *figures = g_new (Figures, 1);
-  *figures = (Figures){
-    .document = document,
-    .message = GTK_LABEL (qn_builder_get_widget (builder, "message")),
-    .list = qn_builder_get_widget (builder, "list"),
-    .export_all = qn_builder_get_widget (builder, "export_all"),
-  };
-  g_signal_connect_swapped (figures->export_all, "clicked", G_CALLBACK (on_export_all),
-                            figures);
+  *figures = (Figures){ document, page, qn_part (page, "list"), FALSE, NULL };
+  g_signal_connect_swapped (qn_part (figures->page, "export_all"), "clicked",
+                            G_CALLBACK (on_export_all), figures);
   qn_help_set_page (page, "export");
   qn_own (page, figures);
   qn_watch (page, document, "changed", G_CALLBACK (update), figures);

@@ -8,7 +8,7 @@
 #define CHANGE N_ ("Change Analysis")
 
 #define FIELDS(FIELD, MEMBER)                                                            \
-  FIELD (TITLE, "title", N_ ("Change Title"))                                            \
+  MEMBER (TITLE, "title", N_ ("Change Title"), QnModel, title)                           \
   MEMBER (GRAVITY, "gravity", N_ ("Change Gravity"), QnModel, gravity)                   \
   FIELD (PROCEDURE, "procedure", CHANGE)                                                 \
   FIELD (EXPLANATION, "explanation", NULL)                                               \
@@ -226,7 +226,6 @@ show (gpointer data, guint field, QnValue *value)
   QnVec2 load;
   switch (field) {
   case TITLE:
-    value->text = g_strdup (model->title);
     return TRUE;
   case GRAVITY:
     return qn_model_has_density (model);

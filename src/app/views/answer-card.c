@@ -13,16 +13,15 @@
 
 typedef struct Card {
   QnDocument *document;
-  GtkWidget *box, *stages, *events, *others;
-  GtkLabel *stale, *number, *outcome, *verdict, *mechanism, *explanation, *led, *happened,
-    *values;
+  GtkWidget *box;
 } Card;
 
+/* Where there is nothing to say the label goes. */
 static void
-set_text (GtkLabel *label, const char *text)
+set_text (Card *card, const char *id, const char *text)
 {
-  gtk_label_set_text (label, text != NULL ? text : "");
-  gtk_widget_set_visible (GTK_WIDGET (label), text != NULL && text[0] != '\0');
+  gtk_label_set_text (qn_part (card->box, id), text != NULL ? text : "");
+  gtk_widget_set_visible (qn_part (card->box, id), text != NULL && text[0] != '\0');
 }
 
 /* What a run answers: the multiplier; where there is none, how it ended, of an analysis in time with the
@@ -70,9 +69,9 @@ update_number (Card *card, const QnRun *run)
   const QnResult *result = &run->result;
   gboolean given = run->kind == QN_RUN_ANALYSIS && result->has_collapse_multiplier;
   g_autofree char *number = dup_number (run);
-  set_text (card->number, number);
+  set_text (card, "number", number);
   g_autofree char *outcome = given ? dup_words (card, run) : NULL;
-  set_text (card->outcome, outcome);
+  set_text (card, "outcome", outcome);
 }
 
 static void
@@ -87,7 +86,7 @@ update_values (Card *card, const QnRun *run, const char *bounds)
   g_autofree char *work = qn_counts_dup_text (counts, G_N_ELEMENTS (counts), ", ");
   g_autofree char *cost = g_strdup_printf (_ ("%s, %.2f s"), work, s->seconds);
   g_autofree char *text = g_strconcat (bounds, cost, NULL);
-  set_text (card->values, text);
+  set_text (card, "values", text);
 }
 
 static void
@@ -95,11 +94,11 @@ update_events (Card *card, const QnRun *run)
 {
   guint told;
   g_autofree char *events = qn_run_dup_events (run, qn_settings_get_units (), &told);
-  gtk_widget_set_visible (card->events, *events != '\0');
+  gtk_widget_set_visible (qn_part (card->box, "events"), *events != '\0');
   g_autofree char *title = g_strdup_printf (
     ngettext ("%u _event on the path", "%u _events on the path", (gulong) told), told);
-  gtk_expander_set_label (GTK_EXPANDER (card->events), title);
-  set_text (card->happened, events);
+  gtk_expander_set_label (qn_part (card->box, "events"), title);
+  set_text (card, "happened", events);
 }
 
 static void
@@ -109,18 +108,17 @@ update (Card *card)
   gtk_widget_set_visible (card->box, run != NULL);
   if (run == NULL)
     return;
-  QnRunAge age = qn_document_get_run_age (card->document, run);
-  gtk_label_set_text (card->stale, qn_run_age_text (age));
-  gtk_widget_set_visible (GTK_WIDGET (card->stale), age != QN_RUN_CURRENT);
+  set_text (card, "stale",
+            qn_run_age_text (qn_document_get_run_age (card->document, run)));
   update_number (card, run);
   double bounds[QN_BOUND_KIND_COUNT];
   qn_bounds_collect (card->document, bounds);
   const gboolean analysed = run->kind == QN_RUN_ANALYSIS;
   g_autofree char *verdict = analysed ? qn_bounds_dup_verdict (bounds) : NULL;
   g_autofree char *numbers = analysed ? qn_bounds_dup_text (bounds) : g_strdup ("");
-  set_text (card->verdict, verdict);
+  set_text (card, "verdict", verdict);
   g_autofree char *sentence = qn_run_dup_mechanism_sentence (run);
-  set_text (card->mechanism, sentence);
+  set_text (card, "mechanism", sentence);
   g_autofree char *whole =
     analysed ? qn_explain_mechanism (&run->model, &run->contacts, &run->result) : NULL;
   g_autofree char *outcome = qn_run_dup_explanation (run);
@@ -129,41 +127,25 @@ update (Card *card)
   gboolean given = analysed && run->result.has_collapse_multiplier;
   /* Where there is no number, the words are the answer. */
   if (!given)
-    set_text (card->outcome, outcome);
-  set_text (card->explanation, given ? explanation : whole);
+    set_text (card, "outcome", outcome);
+  set_text (card, "explanation", given ? explanation : whole);
   update_values (card, run, numbers);
   update_events (card, run);
   g_autofree char *stages = qn_outcome_dup_stages (&run->model, &run->result);
-  set_text (card->led, stages);
-  gtk_widget_set_visible (card->stages, stages != NULL);
+  set_text (card, "led", stages);
+  gtk_widget_set_visible (qn_part (card->box, "stages"), stages != NULL);
   /* Without a live load there is no multiplier that other methods could find. */
   gtk_widget_set_visible (
-    card->others, !qn_model_lacks_live_load (qn_document_get_model (card->document)));
+    qn_part (card->box, "others"),
+    !qn_model_lacks_live_load (qn_document_get_model (card->document)));
 }
 
 GtkWidget *
 qn_answer_card_new (QnDocument *document)
 {
   g_autoptr (GtkBuilder) builder = qn_builder_new ("answer-card");
-#define LABEL(id) GTK_LABEL (qn_builder_get_widget (builder, id))
   Card *card = g_new (Card, 1);
-  *card = (Card){
-    .document = document,
-    .box = qn_builder_take_widget (builder, "card"),
-    .stale = LABEL ("stale"),
-    .stages = qn_builder_get_widget (builder, "stages"),
-    .events = qn_builder_get_widget (builder, "events"),
-    .others = qn_builder_get_widget (builder, "others"),
-    .number = LABEL ("number"),
-    .outcome = LABEL ("outcome"),
-    .verdict = LABEL ("verdict"),
-    .mechanism = LABEL ("mechanism"),
-    .explanation = LABEL ("explanation"),
-    .led = LABEL ("led"),
-    .happened = LABEL ("happened"),
-    .values = LABEL ("values"),
-  };
-#undef LABEL
+  *card = (Card){ document, qn_builder_take_widget (builder, "card") };
   GtkWidget *box = card->box;
   qn_own (box, card);
   qn_watch (box, document, "runs-changed", G_CALLBACK (update), card);

@@ -13,8 +13,6 @@
 typedef struct View {
   QnViewState *state;
   GtkWidget *root, *plot;
-  GtkLabel *values[QN_ENERGY_CURVES];
-  GtkLabel *time;
   double pointer; /* s; not-a-number: the pointer is elsewhere */
 } View;
 
@@ -53,7 +51,7 @@ show_values (View *view)
   g_autofree char *at =
     qn_units_format_full (qn_settings_get_units (), QN_QUANTITY_TIME, marks->x[i], 4);
   g_autofree char *small = g_markup_printf_escaped (_ ("<small>at %s</small>"), at);
-  gtk_label_set_markup (view->time, small);
+  gtk_label_set_markup (qn_part (view->root, "time"), small);
   for (int curve = 0; curve < QN_ENERGY_CURVES; curve++) {
     const QnMarks *m = &marks[curve];
     QnColor c = qn_series_color (m->series, false);
@@ -63,7 +61,8 @@ show_values (View *view)
       "<small><span foreground=\"#%02x%02x%02x\" background=\"white\">%s</span> "
       "%s: %s %s</small>",
       c.r, c.g, c.b, m->dash > 0 ? "╌" : "━", m->label, number, unit);
-    gtk_label_set_markup (view->values[curve], text);
+    g_autofree char *id = g_strdup_printf ("value_%d", curve);
+    gtk_label_set_markup (qn_part (view->root, id), text);
   }
   gtk_widget_queue_draw (view->plot);
 }
@@ -130,11 +129,6 @@ qn_energy_view_new (QnViewState *state)
   view->pointer = NAN;
   view->root = qn_builder_take_widget (builder, "energies");
   view->plot = qn_builder_get_widget (builder, "plot");
-  view->time = GTK_LABEL (qn_builder_get_widget (builder, "time"));
-  for (int curve = 0; curve < QN_ENERGY_CURVES; curve++) {
-    g_autofree char *id = g_strdup_printf ("value_%d", curve);
-    view->values[curve] = GTK_LABEL (qn_builder_get_widget (builder, id));
-  }
   qn_plot_view_init (view->plot, &hand, view);
   qn_own (view->root, view);
   QnDocument *document = qn_view_state_get_document (state);

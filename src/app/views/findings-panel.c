@@ -11,8 +11,8 @@
 
 typedef struct Panel {
   QnCanvas *canvas;
-  GtkWidget *form, *list, *repair_all, *gap_box, *gap_width, *close_gaps;
-  GtkLabel *summary, *gap_text;
+  GtkWidget *form, *list;
+  QnQuantityEntry *gap_width;
   double chosen_width; /* of gaps, m; 0: the usual one */
 } Panel;
 
@@ -139,15 +139,15 @@ update_gaps (Panel *panel, const QnModel *model)
       && width < usual)
     qn_model_find_gaps (model, usual, &usual_gaps);
   gboolean any = gaps.count > 0, apart = any || usual_gaps.count > 0;
-  gtk_widget_set_visible (panel->gap_box, shown);
-  gtk_widget_set_sensitive (panel->close_gaps, any);
+  gtk_widget_set_visible (qn_part (panel->form, "gap_box"), shown);
+  gtk_widget_set_sensitive (qn_part (panel->form, "close_gaps"), any);
   g_autofree char *text = qn_gaps_dup_text (&gaps);
   g_autofree char *open =
     any ? g_strdup_printf (_ ("%s, marked in red: the blocks beside them do not touch."),
                            text)
         : g_strdup (_ ("No joints of mortar up to this width."));
-  gtk_label_set_text (panel->gap_text, open);
-  qn_quantity_entry_set_value (QN_QUANTITY_ENTRY (panel->gap_width), width);
+  gtk_label_set_text (qn_part (panel->form, "gap_text"), open);
+  qn_quantity_entry_set_value (panel->gap_width, width);
   if (!gtk_widget_get_mapped (panel->form))
     qn_gaps_clear (&gaps);
   qn_canvas_show_gaps (panel->canvas, &gaps);
@@ -158,7 +158,7 @@ update_gaps (Panel *panel, const QnModel *model)
 static void
 on_close_gaps (Panel *panel)
 {
-  double width = qn_quantity_entry_get_value (QN_QUANTITY_ENTRY (panel->gap_width));
+  double width = qn_quantity_entry_get_value (panel->gap_width);
   QnCanvasDraft draft;
   if (qn_canvas_begin_edit (panel->canvas, &draft))
     qn_canvas_end_edit (panel->canvas, &draft, _ ("Close Gaps"), NULL,
@@ -181,8 +181,7 @@ on_unmapped (Panel *panel)
 static void
 on_gap_width (Panel *panel)
 {
-  panel->chosen_width =
-    qn_quantity_entry_get_value (QN_QUANTITY_ENTRY (panel->gap_width));
+  panel->chosen_width = qn_quantity_entry_get_value (panel->gap_width);
   on_mapped (panel);
 }
 
@@ -201,7 +200,7 @@ update (Panel *panel)
     gtk_list_box_append (GTK_LIST_BOX (panel->list),
                          make_row (panel, model, &contacts->findings.items[i], gaps));
   gtk_widget_set_visible (panel->list, shown > 0);
-  gtk_widget_set_visible (panel->repair_all, shown > 1);
+  gtk_widget_set_visible (qn_part (panel->form, "repair_all"), shown > 1);
 
   const QnCount counts[] = { { QN_COUNTED_BLOCKS, model->block_count },
                              { QN_COUNTED_FACES, contacts->face_count },
@@ -212,7 +211,7 @@ update (Panel *panel)
     shown == 0
       ? gaps ? "" : _ ("No findings.")
       : _ ("Click a line to go to its place; triangles mark the places in the drawing."));
-  gtk_label_set_text (panel->summary, text);
+  gtk_label_set_text (qn_part (panel->form, "summary"), text);
 }
 
 GtkWidget *
@@ -225,18 +224,13 @@ qn_findings_panel_new (QnCanvas *canvas)
     .canvas = canvas,
     .form = form,
     .list = qn_builder_get_widget (builder, "list"),
-    .repair_all = qn_builder_get_widget (builder, "repair_all"),
-    .gap_box = qn_builder_get_widget (builder, "gap_box"),
-    .gap_width = qn_builder_get_widget (builder, "gap_width"),
-    .close_gaps = qn_builder_get_widget (builder, "close_gaps"),
-    .summary = GTK_LABEL (qn_builder_get_widget (builder, "summary")),
-    .gap_text = GTK_LABEL (qn_builder_get_widget (builder, "gap_text")),
+    .gap_width = QN_QUANTITY_ENTRY (qn_builder_get_widget (builder, "gap_width")),
   };
   g_signal_connect (panel->list, "row-activated", G_CALLBACK (on_row_activated), panel);
-  g_signal_connect_swapped (panel->repair_all, "clicked", G_CALLBACK (on_repair_all),
-                            panel);
-  g_signal_connect_swapped (panel->close_gaps, "clicked", G_CALLBACK (on_close_gaps),
-                            panel);
+  g_signal_connect_swapped (qn_part (panel->form, "repair_all"), "clicked",
+                            G_CALLBACK (on_repair_all), panel);
+  g_signal_connect_swapped (qn_part (panel->form, "close_gaps"), "clicked",
+                            G_CALLBACK (on_close_gaps), panel);
   g_signal_connect_swapped (panel->gap_width, "committed", G_CALLBACK (on_gap_width),
                             panel);
   g_signal_connect_swapped (form, "map", G_CALLBACK (on_mapped), panel);

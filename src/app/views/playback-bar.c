@@ -11,7 +11,7 @@
 
 typedef struct Bar {
   QnViewState *state;
-  GtkWidget *box, *play, *slider, *loop, *speed, *step_label, *factor, *truly;
+  GtkWidget *box, *play, *slider, *truly;
   QnQuantityEntry *scale;
   guint tick;
   gint64 last_time;
@@ -98,12 +98,12 @@ on_tick (GtkWidget *widget, GdkFrameClock *clock, gpointer data)
   Bar *bar = data;
   const QnRun *run = run_in_time (bar);
   gint64 now = gdk_frame_clock_get_frame_time (clock);
-  double speed = speeds[gtk_drop_down_get_selected (GTK_DROP_DOWN (bar->speed))];
+  double speed = speeds[gtk_drop_down_get_selected (qn_part (bar->box, "speed"))];
   if (bar->last_time != 0)
     bar->position += 1e-6 * (double) (now - bar->last_time) * speed;
   bar->last_time = now;
   double period = g_settings_get_double (qn_settings_get (), "animation-period");
-  gboolean loop = gtk_toggle_button_get_active (GTK_TOGGLE_BUTTON (bar->loop));
+  gboolean loop = gtk_toggle_button_get_active (qn_part (bar->box, "loop"));
   const double turns = bar->position / period;
   gboolean goes_on = loop || turns < 1.0;
   if (run != NULL)
@@ -192,7 +192,7 @@ update_label (Bar *bar, const QnRun *run)
       text = g_strdup_printf (_ ("Step %d of %d, multiplier %.4f"), shown,
                               last_step (bar), at->multiplier);
   }
-  gtk_label_set_text (GTK_LABEL (bar->step_label), text);
+  gtk_label_set_text (qn_part (bar->box, "step"), text);
 }
 
 /* The end of each stage but the last. */
@@ -228,7 +228,7 @@ update (Bar *bar)
   double shown = qn_view_state_get_shown_scale (bar->state);
   gboolean deforms = qn_view_state_get_view (bar->state) == QN_VIEW_DEFORMED;
   qn_quantity_entry_set_value (bar->scale, shown);
-  gtk_widget_set_visible (bar->factor, deforms);
+  gtk_widget_set_visible (qn_part (bar->box, "factor"), deforms);
   g_signal_handlers_block_by_func (bar->truly, on_true_scale, bar);
   gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (bar->truly), shown == 1.0);
   g_signal_handlers_unblock_by_func (bar->truly, on_true_scale, bar);
@@ -245,10 +245,6 @@ qn_playback_bar_new (QnViewState *state)
     .box = qn_builder_take_widget (builder, "bar"),
     .play = qn_builder_get_widget (builder, "play"),
     .slider = qn_builder_get_widget (builder, "slider"),
-    .loop = qn_builder_get_widget (builder, "loop"),
-    .speed = qn_builder_get_widget (builder, "speed"),
-    .step_label = qn_builder_get_widget (builder, "step"),
-    .factor = qn_builder_get_widget (builder, "factor"),
     .truly = qn_builder_get_widget (builder, "truly"),
     .scale = QN_QUANTITY_ENTRY (qn_builder_get_widget (builder, "scale")),
   };

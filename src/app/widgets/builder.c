@@ -35,9 +35,20 @@ qn_builder_get_widget (GtkBuilder *builder, const char *id)
 GtkWidget *
 qn_builder_take_widget (GtkBuilder *builder, const char *id)
 {
-  GObject *widget = g_object_ref (gtk_builder_get_object (builder, id));
-  g_object_force_floating (widget);
-  return GTK_WIDGET (widget);
+  GObject *taken = gtk_builder_get_object (builder, id);
+  g_autoptr (GSList) objects = gtk_builder_get_objects (builder);
+  for (GSList *each = objects; each != NULL; each = each->next)
+    if (GTK_IS_WIDGET (each->data))
+      g_object_set_data (taken, gtk_buildable_get_buildable_id (each->data), each->data);
+  if (!GTK_IS_WINDOW (taken)) /* which GTK keeps */
+    g_object_force_floating (g_object_ref (taken));
+  return GTK_WIDGET (taken);
+}
+
+gpointer
+qn_part (gpointer taken, const char *id)
+{
+  return g_object_get_data (taken, id);
 }
 
 static void

@@ -10,8 +10,10 @@ GtkBuilder *qn_builder_new (const char *name);
 /* The widget of that id, borrowed. */
 GtkWidget *qn_builder_get_widget (GtkBuilder *builder, const char *id);
 
-/* The widget of that id, which nothing contains yet, floating: for a parent that outlives the builder. */
+/* The widget of that id, which nothing contains yet, floating: for a parent that outlives the builder; or a
+ * window. It knows the other widgets of the description by their ids, as long as they live. */
 GtkWidget *qn_builder_take_widget (GtkBuilder *builder, const char *id);
+gpointer qn_part (gpointer taken, const char *id);
 
 /* Actions of a widget and of what is in it, whose names begin so (a constant): also after it has moved into
  * another window, where GTK 4.8 forgets them. The widget keeps the group as QN_ACTIONS. */
