@@ -5,7 +5,6 @@
 #include "app/forms/bound-form.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
-#include "app/widgets/help.h"
 #include "core/base/integer.h"
 #include "doc/view/animation-job.h"
 #include <glib/gi18n.h>
@@ -271,9 +270,8 @@ qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell
   dialog->tell = tell;
   qn_animation_settings_init (&dialog->settings, state);
   g_signal_connect_swapped (root, "destroy", G_CALLBACK (on_destroy), dialog);
-  gtk_window_set_transient_for (GTK_WINDOW (root), parent);
-  qn_help_set_page (root, "export");
-  qn_dialog_present (qn_bound_form_show (dialog), dialog->base.widgets[EXPORT]);
+  qn_dialog_present (qn_bound_form_show (dialog), parent, "export",
+                     dialog->base.widgets[EXPORT]);
   if (path != NULL)
     write_to (dialog, path);
 }

@@ -5,7 +5,6 @@
 #include "app/forms/bound-form.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
-#include "app/widgets/help.h"
 #include "doc/view/figures.h"
 #include <glib/gi18n.h>
 
@@ -26,8 +25,8 @@ typedef struct Dialog {
   MEMBER (VIEW, "view", NULL, QnRecipe, view.view)                                       \
   MEMBER (DIAGRAM, "diagram", NULL, QnRecipe, view.diagram)                              \
   MEMBER (COLOURS, "field", NULL, QnRecipe, view.field)                                  \
-  FIELD (TITLE, "title", NULL)                                                           \
-  FIELD (CAPTION, "caption", NULL)                                                       \
+  MEMBER (TITLE, "title", NULL, QnRecipe, title)                                         \
+  MEMBER (CAPTION, "caption", NULL, QnRecipe, caption)                                   \
   FIELD (SWITCH, "ghost", NULL) /* as qn_view_switches */                                \
   FIELD (SYMBOLS, "symbols", NULL)                                                       \
   FIELD (LOADS, "loads", NULL)                                                           \
@@ -43,7 +42,7 @@ typedef struct Dialog {
   MEMBER (WIDTH, "width", NULL, QnRecipe, output.width)                                  \
   MEMBER (HEIGHT, "height", NULL, QnRecipe, output.height)                               \
   MEMBER (DPI, "dpi", NULL, Dialog, dpi)                                                 \
-  FIELD (NAME, "name", NULL)                                                             \
+  MEMBER (NAME, "name", NULL, QnRecipe, name)                                            \
   FIELD (TROUBLE, "trouble", NULL)                                                       \
   FIELD (PREVIEW, "preview", NULL)                                                       \
   FIELD (EXPORT, "export", NULL)                                                         \
@@ -227,15 +226,6 @@ show (gpointer data, guint field, QnValue *value)
   switch (field) {
   case DIAGRAM:
     return recipe->view.view == QN_VIEW_DIAGRAMS;
-  case TITLE:
-    value->text = g_strdup (recipe->title);
-    return TRUE;
-  case CAPTION:
-    value->text = g_strdup (recipe->caption);
-    return TRUE;
-  case NAME:
-    value->text = g_strdup (recipe->name);
-    return TRUE;
   case DPI:
     return recipe->output.millimetres;
   case TROUBLE:
@@ -296,11 +286,9 @@ qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc write
   dialog->recipe = recipe_of_view (state);
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (widgets[PREVIEW]), draw_preview,
                                   dialog, NULL);
-  gtk_window_set_transient_for (GTK_WINDOW (dialog->base.root), parent);
-  qn_help_set_page (dialog->base.root, "export");
   qn_bound_form_show (dialog);
   take_entries (dialog);
   for (guint field = TITLE; field <= CAPTION; field++)
     g_signal_connect_swapped (widgets[field], "changed", G_CALLBACK (on_typed), dialog);
-  qn_dialog_present (dialog->base.root, widgets[EXPORT]);
+  qn_dialog_present (dialog->base.root, parent, "export", widgets[EXPORT]);
 }

@@ -4,7 +4,6 @@
 
 #include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
-#include "app/widgets/help.h"
 #include "app/widgets/preview.h"
 #include "app/widgets/settings.h"
 #include "doc/text/units.h"
@@ -154,8 +153,6 @@ qn_facade_dialog_show (GtkWindow *parent, QnImportFunc import)
   g_signal_connect_swapped (dialog->accept, "clicked", G_CALLBACK (on_accept), dialog);
   g_signal_connect_swapped (qn_builder_get_widget (builder, "cancel"), "clicked",
                             G_CALLBACK (gtk_window_destroy), dialog->window);
-  gtk_window_set_transient_for (dialog->window, parent);
-  qn_help_set_page (GTK_WIDGET (dialog->window), "earthquakes");
   update (dialog);
-  qn_dialog_present (GTK_WIDGET (dialog->window), dialog->accept);
+  qn_dialog_present (GTK_WIDGET (dialog->window), parent, "earthquakes", dialog->accept);
 }

@@ -5,7 +5,6 @@
 #include "app/canvas/gap-marks.h"
 #include "app/forms/bound-form.h"
 #include "app/widgets/dialog.h"
-#include "app/widgets/help.h"
 #include "app/widgets/preview.h"
 #include "app/widgets/settings.h"
 #include "io/exchange/drawing-import.h"
@@ -199,7 +198,6 @@ qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
 {
   static const QnFormKind kind = QN_FORM_KIND ("import-dialog", Dialog);
   Dialog *dialog = qn_bound_form_new (&kind, NULL);
-  GtkWindow *window = GTK_WINDOW (dialog->base.root);
   g_autofree char *base = g_path_get_basename (path);
   g_autofree char *title = g_strdup_printf (_ ("Import %s"), base);
   dialog->base.clear = clear;
@@ -212,14 +210,13 @@ qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
                           _ ("_Add to Drawing"));
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (dialog->base.widgets[PREVIEW]),
                                   draw_preview, dialog, NULL);
-  gtk_window_set_title (window, title);
-  gtk_window_set_transient_for (window, parent);
-  qn_help_set_page (dialog->base.root, "import");
+  gtk_window_set_title (GTK_WINDOW (dialog->base.root), title);
   try_import (dialog);
   /* What is drawn with mortar is meant to stand: closed unless the user says otherwise. */
   if (dialog->report.gaps.count > 0) {
     dialog->settings.gaps = QN_GAPS_CLOSED;
     try_import (dialog);
   }
-  qn_dialog_present (qn_bound_form_show (dialog), dialog->base.widgets[ACCEPT]);
+  qn_dialog_present (qn_bound_form_show (dialog), parent, "import",
+                     dialog->base.widgets[ACCEPT]);
 }

@@ -3,7 +3,6 @@
 
 #include "app/widgets/builder.h"
 #include "app/widgets/dialog.h"
-#include "app/widgets/help.h"
 #include "doc/edit/edit.h"
 #include "doc/text/units.h"
 #include "doc/view/report-template.h"
@@ -131,8 +130,6 @@ qn_report_dialog_show (GtkWindow *parent, QnDocument *document, QnReportFunc cho
   dialog->author = GTK_EDITABLE (qn_builder_get_widget (builder, "author"));
   dialog->text = GTK_EDITABLE (qn_builder_get_widget (builder, "text"));
   dialog->trouble = GTK_LABEL (qn_builder_get_widget (builder, "trouble"));
-  gtk_window_set_transient_for (dialog->window, parent);
-  qn_help_set_page (GTK_WIDGET (dialog->window), "export");
   qn_own (GTK_WIDGET (dialog->window), dialog);
   GtkWidget *export = qn_builder_get_widget (builder, "export");
   g_signal_connect_swapped (export, "clicked", G_CALLBACK (on_export), dialog);
@@ -141,5 +138,5 @@ qn_report_dialog_show (GtkWindow *parent, QnDocument *document, QnReportFunc cho
   qn_report_template_clear (&plan);
   g_signal_connect_swapped (dialog->one_page, "toggled", G_CALLBACK (on_one_page),
                             dialog);
-  qn_dialog_present (GTK_WIDGET (dialog->window), export);
+  qn_dialog_present (GTK_WIDGET (dialog->window), parent, "export", export);
 }

@@ -1,6 +1,7 @@
 #include "app/widgets/dialog.h"
 
 #include "app/widgets/builder.h"
+#include "app/widgets/help.h"
 
 #include <glib/gi18n.h>
 
@@ -79,10 +80,9 @@ qn_dialog_attend (GtkWidget *window)
 
 /* No larger than the screen, where what scrolls can be less. */
 static void
-fit_screen (GtkWidget *dialog)
+fit_screen (GtkWidget *dialog, GtkWindow *parent)
 {
-  GtkWindow *window = GTK_WINDOW (dialog),
-            *parent = gtk_window_get_transient_for (window);
+  GtkWindow *window = GTK_WINDOW (dialog);
   GdkSurface *surface =
     parent != NULL ? gtk_native_get_surface (GTK_NATIVE (parent)) : NULL;
   GdkRectangle screen;
@@ -102,9 +102,12 @@ fit_screen (GtkWidget *dialog)
 }
 
 void
-qn_dialog_present (GtkWidget *dialog, GtkWidget *accept)
+qn_dialog_present (GtkWidget *dialog, GtkWindow *parent, const char *help,
+                   GtkWidget *accept)
 {
-  fit_screen (dialog);
+  gtk_window_set_transient_for (GTK_WINDOW (dialog), parent);
+  qn_help_set_page (dialog, help);
+  fit_screen (dialog, parent);
   gtk_window_present (GTK_WINDOW (dialog));
   gtk_widget_grab_focus (accept);
 }
@@ -155,7 +158,6 @@ qn_dialog_ask (GtkWindow *parent, const char *text, const char *consequence,
   Question *question = g_new (Question, 1);
   *question = (Question){ answered, data };
   g_object_set_data_full (G_OBJECT (dialog), QUESTION, question, g_free);
-  gtk_window_set_transient_for (GTK_WINDOW (dialog), parent);
   gtk_accessible_update_property (GTK_ACCESSIBLE (dialog), GTK_ACCESSIBLE_PROPERTY_LABEL,
                                   text, -1);
   gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (builder, "text")), text);
@@ -174,5 +176,5 @@ qn_dialog_ask (GtkWindow *parent, const char *text, const char *consequence,
   }
   gtk_window_set_default_widget (GTK_WINDOW (dialog), last);
   g_signal_connect (dialog, "close-request", G_CALLBACK (on_close), NULL);
-  qn_dialog_present (dialog, last);
+  qn_dialog_present (dialog, parent, NULL, last);
 }

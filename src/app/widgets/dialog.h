@@ -11,8 +11,10 @@ void qn_popovers_attend (GtkWidget *window);
 /* Escape closes the window, and popovers that close give their keys back; qn_builder_new() does it. */
 void qn_dialog_attend (GtkWidget *window);
 
-/* Shows it with the focus on the button that takes what it offers, for Return. */
-void qn_dialog_present (GtkWidget *dialog, GtkWidget *accept);
+/* Shows it over its parent with the focus on the button that takes what it offers, for Return. `help`: the page
+ * of the manual about it, or NULL. */
+void qn_dialog_present (GtkWidget *dialog, GtkWindow *parent, const char *help,
+                        GtkWidget *accept);
 
 /* A modal question about something that may be lost. REJECT loses it; CANCEL, also by Escape and by closing,
  * keeps it; ACCEPT is the button that Return presses. Texts are translated; without `reject` or `accept` there

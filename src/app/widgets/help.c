@@ -207,13 +207,11 @@ qn_help_show (GtkWindow *parent, const char *page)
     }
     if (page != NULL)
       gtk_stack_set_visible_child_name (stack, page);
-    gtk_window_set_transient_for (GTK_WINDOW (window), parent);
     int usual;
     gtk_widget_measure (sidebar, GTK_ORIENTATION_HORIZONTAL, -1, NULL, &usual, NULL,
                         NULL);
     gtk_paned_set_position (content, MIN (usual, 900 - LEAST_PAGE));
-    qn_help_set_page (window, page);
-    qn_dialog_present (window, sidebar);
+    qn_dialog_present (window, parent, page, sidebar);
     return;
   }
   g_autofree char *uri =

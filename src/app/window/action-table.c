@@ -276,6 +276,5 @@ qn_action_show_shortcuts (GtkWindow *parent)
   gtk_search_entry_set_key_capture_widget (GTK_SEARCH_ENTRY (entry), dialog);
   g_signal_connect (entry, "changed", G_CALLBACK (on_searched), columns);
   g_signal_connect_swapped (entry, "stop-search", G_CALLBACK (gtk_window_close), dialog);
-  gtk_window_set_transient_for (GTK_WINDOW (dialog), parent);
-  qn_dialog_present (dialog, entry);
+  qn_dialog_present (dialog, parent, NULL, entry);
 }
