@@ -271,19 +271,18 @@ find_capacity (QuoinModel *own, QnCapacityAnswer *answer, QuoinCaller *caller,
 {
   QnProject *project = &own->project;
   QnDiag diag = { 0 };
-  if (qn_contacts_require_sound (&project->model, &own->contacts, &diag) != QN_OK)
+  QnStatus status = qn_contacts_require_sound (&project->model, &own->contacts, &diag);
+  if (status == QN_OK)
+    status = qn_capacity_answer_find (answer, &project->model, &own->contacts, report,
+                                      caller, &diag);
+  if (status != QN_OK && status != QN_ERROR_CANCELLED)
     return quoin_library_take_diag (error, project, &diag);
-  QnCapacityEnd end = qn_capacity_answer_find (answer, &project->model, &own->contacts,
-                                               report, caller, &diag);
-  if (end == QN_CAPACITY_FOUND) {
-    qn_capacity_answer_check (answer);
-    return true;
-  }
-  if (end == QN_CAPACITY_REFUSED)
-    return quoin_library_take_diag (error, project, &diag);
-  return quoin_library_set_error (
-    error, end == QN_CAPACITY_STAGES ? QUOIN_ERROR_INVALID : QUOIN_ERROR_NO_ANSWER,
-    "%s: %s", project->name, answer->reason != NULL ? answer->reason : "cancelled");
+  if (status == QN_ERROR_CANCELLED || answer->capacity.count == 0)
+    return quoin_library_set_error (error, QUOIN_ERROR_NO_ANSWER, "%s: %s", project->name,
+                                    answer->reason != NULL ? answer->reason
+                                                           : "cancelled");
+  qn_capacity_answer_check (answer);
+  return true;
 }
 
 char *

@@ -62,25 +62,16 @@ find (const CapacityOptions *options, Answer *answer)
   QnDiag diag = { 0 };
   QnInput *input = answer->input;
   qn_terminal_progress_begin (&progress, options->quiet);
-  QnCapacityEnd end =
+  QnStatus status =
     qn_capacity_answer_find (&answer->answer, &input->project.model, &input->contacts,
                              qn_terminal_progress_update, &progress, &diag);
   qn_terminal_progress_done (&progress);
-  switch (end) {
-  case QN_CAPACITY_FOUND:
-    return;
-  case QN_CAPACITY_CANCELLED:
+  if (status == QN_ERROR_CANCELLED)
     qn_cli_cancelled (input->project.name);
-    break;
-  case QN_CAPACITY_REFUSED:
+  if (status != QN_OK)
     qn_input_refuse (&input->project, &diag);
-    break;
-  case QN_CAPACITY_STAGES:
-  case QN_CAPACITY_NO_ANSWER:
-    break;
-  }
-  qn_cli_fail (end == QN_CAPACITY_STAGES ? QN_EXIT_INVALID : QN_EXIT_NO_ANSWER, "%s: %s",
-               input->project.name, answer->answer.reason);
+  if (answer->answer.capacity.count == 0)
+    qn_cli_fail (QN_EXIT_NO_ANSWER, "%s: %s", input->project.name, answer->answer.reason);
 }
 
 /* --- Output ---------------------------------------------------------------------- */

@@ -70,6 +70,7 @@
   X (CAPACITY_LOADS, "a capacity curve needs horizontal weights as live loads") \
   X (CAPACITY_BEAMS, "capacity curves are for blocks only: remove the beams") \
   X (CAPACITY_MOTION, "block does not move with the live load: control another one") \
+  X (CAPACITY_STAGES, "a capacity curve has one live load: no stages") \
   X (MECHANISM_MISSING, "a kinematic check needs a mechanism of collapse: there is none") \
   X (MECHANISM_SLIDES, "mechanism is no chain of parts that turn about hinges: joints slide, part or are crushed") \
   X (MECHANISM_WEIGHT, "no weight resists the mechanism") \

@@ -260,24 +260,20 @@ until_zero (const QnProgress *progress, void *data)
          && (search->report == NULL || search->report (progress, search->report_data));
 }
 
-/* The result is there where FOUND. */
-static QnCapacityEnd
+/* The result is there where OK. */
+static QnStatus
 analyse (const Search *search, QnResult *result)
 {
   Search own = *search;
   const QnBudget end = { .model = search->model, .spent = QN_STOP_ZERO };
   QnStatus status = qn_analysis_run (search->model, search->contacts, until_zero, &own,
                                      result, search->diag);
-  if (status == QN_ERROR_CANCELLED)
-    return QN_CAPACITY_CANCELLED;
-  if (own.at_zero)
+  if (status != QN_ERROR_CANCELLED && own.at_zero)
     status = qn_budget_conclude (&end, status, search->contacts, result, search->diag);
-  if (status != QN_OK)
-    return QN_CAPACITY_REFUSED;
-  if (result->outcome != QN_OUTCOME_CANCELLED)
-    return QN_CAPACITY_FOUND;
+  if (status != QN_OK || result->outcome != QN_OUTCOME_CANCELLED)
+    return status;
   qn_result_clear (result);
-  return QN_CAPACITY_CANCELLED;
+  return QN_ERROR_CANCELLED;
 }
 
 /* Height from the lowest to the highest vertex, m. */
@@ -288,33 +284,32 @@ height_of (const QnModel *model)
   return box.max.y - box.min.y;
 }
 
-/* A mechanism of limit analysis; the result is there where FOUND. */
-static QnCapacityEnd
+/* A mechanism of limit analysis, or the reason why there is none. */
+static QnStatus
 find_collapse (const Search *search, QnResult *result)
 {
   search->model->analysis.procedure = QN_PROCEDURE_LIMIT;
-  QnCapacityEnd end = analyse (search, result);
-  if (end != QN_CAPACITY_FOUND || result->mechanism != NULL)
-    return end;
+  QnStatus status = analyse (search, result);
+  if (status != QN_OK || result->mechanism != NULL)
+    return status;
   *search->reason = dup_fault (search->model, result);
   if (*search->reason == NULL)
     *search->reason =
       g_strdup (_ ("limit analysis found no mechanism: name a control block"));
-  qn_result_clear (result);
-  return QN_CAPACITY_NO_ANSWER;
+  return QN_OK;
 }
 
 /* Controls the block that moves furthest along the load in the mechanism of limit analysis. */
-static QnCapacityEnd
+static QnStatus
 choose_control (const Search *search)
 {
   QnModel *model = search->model;
   QnResult result;
-  QnCapacityEnd end = find_collapse (search, &result);
-  if (end != QN_CAPACITY_FOUND)
-    return end;
+  QnStatus status = find_collapse (search, &result);
+  if (status != QN_OK)
+    return status;
   double farthest = 0;
-  for (gsize b = 0; b < model->block_count; b++) {
+  for (gsize b = 0; b < model->block_count && result.mechanism != NULL; b++) {
     double ux = result.mechanism[QN_DOF_COUNT * b + QN_DOF_UX];
     if (fabs (ux) <= fabs (farthest))
       continue;
@@ -322,20 +317,19 @@ choose_control (const Search *search)
     model->analysis.control.block = (QnId) b;
   }
   qn_result_clear (&result);
-  if (farthest == 0) {
+  if (farthest == 0 && *search->reason == NULL)
     *search->reason =
       g_strdup (_ ("limit analysis moves no block aside: name a control block"));
-    return QN_CAPACITY_NO_ANSWER;
-  }
   model->analysis.control.target = copysign (height_of (model), farthest);
-  return QN_CAPACITY_FOUND;
+  return QN_OK;
 }
 
-static QnCapacityEnd
+/* The result is there where OK and no reason is told. */
+static QnStatus
 follow (const Search *search, QnId control, QnResult *result)
 {
   QnAnalysisSettings *analysis = &search->model->analysis;
-  QnCapacityEnd end = QN_CAPACITY_FOUND;
+  QnStatus status = QN_OK;
   gboolean own = control == QN_NONE && analysis->procedure == QN_PROCEDURE_DISPLACEMENT
                  && analysis->control.block != QN_NONE
                  && analysis->control.dof == QN_DOF_UX;
@@ -345,9 +339,9 @@ follow (const Search *search, QnId control, QnResult *result)
     analysis->control.target =
       copysign (height_of (search->model), qn_capacity_direction (search->model));
   } else if (!own)
-    end = choose_control (search);
-  if (end != QN_CAPACITY_FOUND)
-    return end;
+    status = choose_control (search);
+  if (status != QN_OK || *search->reason != NULL)
+    return status;
   if (!own)
     analysis->increments = MAX (analysis->increments, INCREMENTS);
   analysis->control.node = QN_NONE;
@@ -355,19 +349,15 @@ follow (const Search *search, QnId control, QnResult *result)
   analysis->procedure = QN_PROCEDURE_DISPLACEMENT;
   analysis->geometry = QN_GEOMETRY_NONLINEAR;
   analysis->max_multiplier = INFINITY;
-  end = analyse (search, result);
-  if (end != QN_CAPACITY_FOUND)
-    return end;
-  *search->reason = dup_fault (search->model, result);
-  if (*search->reason == NULL)
-    return QN_CAPACITY_FOUND;
-  qn_result_clear (result);
-  return QN_CAPACITY_NO_ANSWER;
+  status = analyse (search, result);
+  if (status == QN_OK)
+    *search->reason = dup_fault (search->model, result);
+  return status;
 }
 
 /* The same path with half the stiffness of all joints: what periods rest on. Where it has no end of its own
  * that is not known. */
-static QnCapacityEnd
+static QnStatus
 follow_softer (const Search *search, QnCapacity *capacity)
 {
   QnModel *model = search->model;
@@ -376,13 +366,13 @@ follow_softer (const Search *search, QnCapacity *capacity)
     model->laws[i].kn *= 0.5;
     model->laws[i].ks *= 0.5;
   }
-  QnCapacityEnd end = analyse (search, &result);
+  QnStatus status = analyse (search, &result);
   for (gsize i = 0; i < model->law_count; i++) {
     model->laws[i].kn *= 2;
     model->laws[i].ks *= 2;
   }
-  if (end != QN_CAPACITY_FOUND)
-    return end;
+  if (status != QN_OK)
+    return status;
   g_autofree char *fault = dup_fault (model, &result);
   /* freed by the core */
   capacity->softer = fault == NULL ? malloc (sizeof *capacity->softer) : NULL;
@@ -391,49 +381,42 @@ follow_softer (const Search *search, QnCapacity *capacity)
            != QN_OK)
     g_clear_pointer (&capacity->softer, free);
   qn_result_clear (&result);
-  return QN_CAPACITY_FOUND;
+  return QN_OK;
 }
 
-static QnCapacityEnd
+static QnStatus
 find_mechanism (const Search *search, QnCapacityAnswer *answer)
 {
-  QnResult result;
+  QnResult result = { 0 };
   const QnResult *collapse = answer->collapse != NULL ? answer->collapse : &result;
-  QnCapacityEnd end =
-    collapse == &result ? find_collapse (search, &result) : QN_CAPACITY_FOUND;
-  if (end != QN_CAPACITY_FOUND)
-    return end;
-  if (qn_capacity_init_kinematic (&answer->capacity, search->model, search->contacts,
-                                  collapse, answer->control, answer->tie_strain,
-                                  search->diag)
-      != QN_OK)
-    end = QN_CAPACITY_REFUSED;
-  else if (!answer->capacity.reaches_zero)
-    *search->reason = g_strdup (_ ("the parts of the mechanism move no further"));
-  if (collapse == &result)
-    qn_result_clear (&result);
-  return end;
+  QnStatus status = collapse == &result ? find_collapse (search, &result) : QN_OK;
+  if (status == QN_OK && answer->reason == NULL) {
+    status = qn_capacity_init_kinematic (&answer->capacity, search->model,
+                                         search->contacts, collapse, answer->control,
+                                         answer->tie_strain, search->diag);
+    if (status == QN_OK && !answer->capacity.reaches_zero)
+      *search->reason = g_strdup (_ ("the parts of the mechanism move no further"));
+  }
+  qn_result_clear (&result);
+  return status;
 }
 
-static QnCapacityEnd
+static QnStatus
 find_path (const Search *search, QnCapacityAnswer *answer)
 {
-  QnResult result;
-  QnCapacityEnd end = follow (search, answer->control, &result);
-  if (end != QN_CAPACITY_FOUND)
-    return end;
-  QnStatus status =
-    qn_capacity_init (&answer->capacity, search->model, &result,
-                      search->model->analysis.control.block, search->diag);
-  if (status == QN_OK && !answer->capacity.reaches_zero)
-    *search->reason = qn_outcome_dup_cause (search->model, &result);
+  QnResult result = { 0 };
+  QnStatus status = follow (search, answer->control, &result);
+  if (status == QN_OK && answer->reason == NULL) {
+    status = qn_capacity_init (&answer->capacity, search->model, &result,
+                               search->model->analysis.control.block, search->diag);
+    if (status == QN_OK && !answer->capacity.reaches_zero)
+      *search->reason = qn_outcome_dup_cause (search->model, &result);
+  }
   qn_result_clear (&result);
-  if (status != QN_OK)
-    return QN_CAPACITY_REFUSED;
   /* Only a check has a period. */
-  if (answer->has_spectrum)
-    end = follow_softer (search, &answer->capacity);
-  return end;
+  return answer->capacity.count > 0 && answer->has_spectrum
+           ? follow_softer (search, &answer->capacity)
+           : status;
 }
 
 /* How many modes the main one is looked for in. */
@@ -441,7 +424,7 @@ find_path (const Search *search, QnCapacityAnswer *answer)
 
 /* The period of the structure that stands. Where it has none, as with blocks without mass, that is not
  * known. */
-static QnCapacityEnd
+static QnStatus
 find_elastic (const Search *search, QnCapacity *capacity)
 {
   QnModes modes;
@@ -459,10 +442,10 @@ find_elastic (const Search *search, QnCapacity *capacity)
   }
   qn_modes_clear (&modes);
   qn_result_clear (&result);
-  return cancelled ? QN_CAPACITY_CANCELLED : QN_CAPACITY_FOUND;
+  return cancelled ? QN_ERROR_CANCELLED : QN_OK;
 }
 
-QnCapacityEnd
+QnStatus
 qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
                          const QnContacts *contacts, QnProgressFunc report,
                          void *report_data, QnDiag *diag)
@@ -470,17 +453,14 @@ qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
   const Search search = { model,           contacts, report, report_data,
                           &answer->reason, diag,     0,      false };
   answer->capacity = (QnCapacity){ 0 };
-  if (model->stage_count > 0) {
-    answer->reason = g_strdup (_ ("a capacity curve has one live load: no stages"));
-    return QN_CAPACITY_STAGES;
-  }
-  QnCapacityEnd end =
+  if (model->stage_count > 0)
+    return qn_refuse (diag, QN_PROBLEM_CAPACITY_STAGES, QN_ENTITY_STAGE, 0);
+  QnStatus status =
     answer->kinematic ? find_mechanism (&search, answer) : find_path (&search, answer);
-  if (end == QN_CAPACITY_FOUND)
-    answer->block = g_strdup (model->blocks[answer->capacity.block].name);
-  if (end == QN_CAPACITY_FOUND && answer->has_spectrum)
-    end = find_elastic (&search, &answer->capacity);
-  return end;
+  if (status != QN_OK || answer->capacity.count == 0)
+    return status;
+  answer->block = g_strdup (model->blocks[answer->capacity.block].name);
+  return answer->has_spectrum ? find_elastic (&search, &answer->capacity) : QN_OK;
 }
 
 void
@@ -534,21 +514,22 @@ static void
 find_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *cancellable)
 {
   CapacityWork *work = data;
-  QnCapacityEnd end = QN_CAPACITY_REFUSED;
-  if (qn_contacts_detect (&work->model, &work->contacts, &work->diag) == QN_OK
-      && qn_contacts_require_sound (&work->model, &work->contacts, &work->diag) == QN_OK)
-    end = qn_capacity_answer_find (&work->answer, &work->model, &work->contacts,
-                                   qn_job_may_go_on, cancellable, &work->diag);
+  QnStatus status = qn_contacts_detect (&work->model, &work->contacts, &work->diag);
+  if (status == QN_OK)
+    status = qn_contacts_require_sound (&work->model, &work->contacts, &work->diag);
+  if (status == QN_OK)
+    status = qn_capacity_answer_find (&work->answer, &work->model, &work->contacts,
+                                      qn_job_may_go_on, cancellable, &work->diag);
   g_autofree char *refused =
-    end == QN_CAPACITY_REFUSED ? qn_explain_diag (&work->model, &work->diag) : NULL;
-  if (end == QN_CAPACITY_FOUND)
-    g_task_return_boolean (task, TRUE);
-  else if (end == QN_CAPACITY_CANCELLED)
+    status != QN_OK ? qn_explain_diag (&work->model, &work->diag) : NULL;
+  if (status == QN_ERROR_CANCELLED)
     g_task_return_new_error (task, G_IO_ERROR, G_IO_ERROR_CANCELLED, "%s",
                              _ ("Cancelled"));
-  else
+  else if (refused != NULL || work->answer.capacity.count == 0)
     g_task_return_new_error (task, QN_EDIT_ERROR, 0, "%s",
                              refused != NULL ? refused : work->answer.reason);
+  else
+    g_task_return_boolean (task, TRUE);
 }
 
 void

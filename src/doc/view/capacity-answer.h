@@ -54,25 +54,16 @@ GPtrArray *qn_capacity_answer_make_table (const QnCapacityAnswer *answer, QnUnit
  * collapse that was found, and the linear checks. Free with g_free(). */
 char *qn_capacity_answer_dup_facts (const QnCapacityAnswer *answer, QnUnits units);
 
-/* How the search for the curve ended. */
-typedef enum {
-  QN_CAPACITY_FOUND,
-  QN_CAPACITY_CANCELLED,
-  QN_CAPACITY_REFUSED, /* what *diag says */
-  QN_CAPACITY_STAGES,  /* the model has stages */
-  QN_CAPACITY_NO_ANSWER
-} QnCapacityEnd;
-
 /* The curve of a mechanism where answer->kinematic says so, or the path in large displacements
  * until the multiplier is zero again, of the horizontal displacement of answer->control;
  * QN_NONE: that of the model's own displacement control, or else the one that moves
  * furthest in the mechanism of limit analysis. The model's settings of the analysis are
- * overwritten. A path that ends since its budget is spent, or whose numbers are not true, is
- * NO_ANSWER. With a spectrum it is followed a second time, with half the stiffness of the
- * joints. Fills what the answer owns. */
-QnCapacityEnd qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
-                                       const QnContacts *contacts, QnProgressFunc report,
-                                       void *report_data, QnDiag *diag);
+ * overwritten. Without a point and with a reason where a path ends since its budget is spent, its numbers
+ * are not true, or nothing moves. With a spectrum it is followed a second time, with half the stiffness of
+ * the joints. Refuses models with stages, and what core/capacity does. Fills what the answer owns. */
+QnStatus qn_capacity_answer_find (QnCapacityAnswer *answer, QnModel *model,
+                                  const QnContacts *contacts, QnProgressFunc report,
+                                  void *report_data, QnDiag *diag);
 void qn_capacity_answer_clear (QnCapacityAnswer *answer);
 
 /* The same in a thread of its own, of a copy of the model, with `kinematic`, `control` and `tie_strain`
