@@ -10,10 +10,10 @@
 
 /* ---- writing ---- */
 
-/* Differences of the run's settings from the project's, as for `--set`. NULL where nothing does. */
-static char **
-dup_overrides (const QnAnalysisSettings *own, const QnAnalysisSettings *projects)
+char **
+qn_run_dup_overrides (const QnRun *run, const QnAnalysisSettings *projects)
 {
+  const QnAnalysisSettings *own = &run->model.analysis;
   if (own->procedure == projects->procedure && own->flow == projects->flow)
     return NULL;
   char *overrides[] = {
@@ -23,37 +23,27 @@ dup_overrides (const QnAnalysisSettings *own, const QnAnalysisSettings *projects
   return g_memdup2 (overrides, sizeof overrides);
 }
 
-char *
-qn_document_dup_result (QnDocument *self, const QnRun *run, gsize *length, GError **error)
-{
-  if (run->kind != QN_RUN_ANALYSIS) {
-    qn_edit_refuse (error, _ ("Only load paths and limit analyses have result files"));
-    return NULL;
-  }
-  if (qn_document_is_stale (self, run)) {
-    qn_edit_refuse (error, _ ("The model has changed since this run: solve it again, or "
-                              "undo the changes, before its result is kept"));
-    return NULL;
-  }
-  QnProject project = *qn_document_get_project (self);
-  g_auto (GStrv) overrides =
-    dup_overrides (&run->model.analysis, &self->project.model.analysis);
-  project.model = run->model;
-  if (overrides != NULL)
-    project.overrides = overrides;
-  if (self->path != NULL)
-    project.name = self->path;
-  return qn_result_dup_text (&project, &run->contacts, &run->result, QN_DETAIL_FORCES,
-                             length);
-}
-
 gboolean
 qn_document_write_result (QnDocument *self, const QnRun *run, const char *path,
                           GError **error)
 {
+  if (run->kind != QN_RUN_ANALYSIS)
+    return qn_edit_refuse (error,
+                           _ ("Only load paths and limit analyses have result files"));
+  if (qn_document_is_stale (self, run))
+    return qn_edit_refuse (error,
+                           _ ("The model has changed since this run: solve it again, or "
+                              "undo the changes, before its result is kept"));
   gsize length;
-  g_autofree char *text = qn_document_dup_result (self, run, &length, error);
-  return text != NULL && qn_file_write (path, text, length, error);
+  QnProject project = *qn_document_get_project (self);
+  g_auto (GStrv) overrides = qn_run_dup_overrides (run, &project.model.analysis);
+  project.model = run->model;
+  project.overrides = overrides;
+  if (self->path != NULL)
+    project.name = self->path;
+  g_autofree char *text = qn_result_dup_text (&project, &run->contacts, &run->result,
+                                              QN_DETAIL_FORCES, &length);
+  return qn_file_write (path, text, length, error);
 }
 
 /* ---- reading ---- */

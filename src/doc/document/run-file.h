@@ -9,9 +9,8 @@
 gboolean qn_document_write_result (QnDocument *document, const QnRun *run,
                                    const char *path, GError **error);
 
-/* The text of that file; free with g_free(). */
-char *qn_document_dup_result (QnDocument *document, const QnRun *run, gsize *length,
-                              GError **error);
+/* What was set for the run alone, as for `--set`; NULL where that is nothing. Free with g_strfreev(). */
+char **qn_run_dup_overrides (const QnRun *run, const QnAnalysisSettings *projects);
 
 /* Whether the file says of itself, at its beginning, that it is a result. */
 gboolean qn_is_result_file (const char *path);

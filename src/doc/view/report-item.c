@@ -31,34 +31,26 @@ qn_report_run_check (QnReportRun *run, const char *path)
                                       _ ("the result holds no equilibrium to check"));
 }
 
-/* What a file with this text would hold. */
-static gboolean
-parse_run (QnReportRun *run, const char *text, gsize length, GError **error)
-{
-  if (!qn_result_file_parse (text, length, run->name, &run->file, error))
-    return FALSE;
-  qn_report_run_check (run, run->name);
-  return TRUE;
-}
-
 gboolean
 qn_report_run_take (QnReportRun *run, const QnResult *result, GError **error)
 {
   gsize length;
   g_autofree char *text =
     qn_result_dup_text (run->project, run->contacts, result, QN_DETAIL_FORCES, &length);
-  return parse_run (run, text, length, error);
+  if (!qn_result_file_parse (text, length, run->name, &run->file, error))
+    return FALSE;
+  qn_report_run_check (run, run->name);
+  return TRUE;
 }
 
 /* ---- on a document, in a thread ---- */
 
-/* A copy of the project, and of every run what its file would hold. */
+/* A copy of the project. */
 typedef struct ReportWork {
   QnProject project;
   QnUnits units;
   QnReportTemplate plan;
-  GPtrArray *runs;  /* of QnRun, as they were solved */
-  GPtrArray *texts; /* of GBytes */
+  GPtrArray *runs; /* of QnRun, as they were solved */
   char *path;
 } ReportWork;
 
@@ -69,7 +61,6 @@ report_work_free (gpointer data)
   qn_project_clear (&work->project);
   qn_report_template_clear (&work->plan);
   g_ptr_array_unref (work->runs);
-  g_ptr_array_unref (work->texts);
   g_free (work->path);
   g_free (work);
 }
@@ -84,14 +75,15 @@ encode (const ReportWork *work, QnReportRun *runs, QnProject *projects,
   gboolean done = TRUE;
   for (guint i = 0; i < work->runs->len && done; i++) {
     const QnRun *run = work->runs->pdata[i];
-    gsize length;
-    const char *text = g_bytes_get_data (work->texts->pdata[i], &length);
+    g_auto (GStrv) overrides = qn_run_dup_overrides (run, &work->project.model.analysis);
     projects[i] = work->project;
     projects[i].model = run->model;
+    projects[i].overrides = overrides;
     runs[i] = (QnReportRun){ .project = &projects[i],
                              .contacts = &run->contacts,
                              .name = g_strdup (run->name) };
-    done = parse_run (&runs[i], text, length, error);
+    done = qn_report_run_take (&runs[i], &run->result, error);
+    projects[i].overrides = NULL;
   }
   if (done && qn_contacts_detect (&work->project.model, &contacts, NULL) != QN_OK) {
     g_set_error_literal (error, G_IO_ERROR, G_IO_ERROR_FAILED, _ ("not enough memory"));
@@ -138,14 +130,8 @@ take_up (ReportWork *work, QnDocument *document, GError **error)
   work->project.sha256 = g_strdup (qn_document_get_project (document)->sha256);
   for (guint i = 0; i < all->len; i++) {
     QnRun *run = all->pdata[i];
-    gsize length;
-    if (run->kind != QN_RUN_ANALYSIS || qn_document_is_stale (document, run))
-      continue;
-    char *text = qn_document_dup_result (document, run, &length, error);
-    if (text == NULL)
-      return FALSE;
-    g_ptr_array_add (work->texts, g_bytes_new_take (text, length));
-    g_ptr_array_add (work->runs, qn_run_ref (run));
+    if (run->kind == QN_RUN_ANALYSIS && !qn_document_is_stale (document, run))
+      g_ptr_array_add (work->runs, qn_run_ref (run));
   }
   return TRUE;
 }
@@ -162,7 +148,6 @@ qn_report_write_async (QnDocument *document, QnUnits units, const char *path,
   work->units = units;
   work->path = g_strdup (path);
   work->runs = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);
-  work->texts = g_ptr_array_new_with_free_func ((GDestroyNotify) g_bytes_unref);
   g_task_set_task_data (task, work, report_work_free);
   if (take_up (work, document, &error))
     g_task_run_in_thread (task, write_in_thread);
