@@ -15,8 +15,8 @@ static const char *const backend_names[] = {
   [QN_BACKEND_CAIRO] = "cairo", [QN_BACKEND_GL] = "gl"
 };
 
-/* What is not in these tables is read and written by code. */
-static const QnMember text_members[] = {
+/* What is known alone is read and written by code. */
+static const QnMember members[] = {
   QN_KNOWN ("name"),
   QN_KNOWN ("view"),
   QN_KNOWN ("file"),
@@ -27,10 +27,6 @@ static const QnMember text_members[] = {
   QN_CHOICE ("diagram", READ, qn_diagram_names, QnRecipe, view.diagram),
   QN_KNOWN ("step"),
   QN_KNOWN ("scale"),
-  { 0 },
-};
-
-static const QnMember switch_members[] = {
   QN_BOOL ("ghost", OPTIONAL, QnRecipe, view.ghost),
   QN_BOOL ("symbols", OPTIONAL, QnRecipe, view.symbols),
   QN_BOOL ("loads", OPTIONAL, QnRecipe, view.loads),
@@ -40,10 +36,6 @@ static const QnMember switch_members[] = {
   QN_BOOL ("legend", OPTIONAL, QnRecipe, view.legend),
   QN_BOOL ("titles", OPTIONAL, QnRecipe, view.titles),
   QN_BOOL ("monochrome", OPTIONAL, QnRecipe, view.monochrome),
-  { 0 },
-};
-
-static const QnMember output_members[] = {
   QN_KNOWN ("size"),
   QN_NUMBER ("dpi", OPTIONAL, POSITIVE, QnRecipe, output.dpi),
   QN_BOOL ("transparent", OPTIONAL, QnRecipe, output.transparent),
@@ -165,17 +157,15 @@ read_recipe (const QnJsonValue *object, GHashTable *known)
 {
   const char *name;
   QnView view = QN_VIEW_MODEL;
-  if (!qn_members_check (object, text_members, switch_members, output_members)
+  if (!qn_members_check (object, members, NULL, NULL)
       || !qn_member_string (object, "name", QN_REQUIRED, &name)
       || !check_name (object, name, known)
       || !qn_member_choice (object, "view", QN_OPTIONAL, qn_view_names, QN_VIEW_COUNT,
                             &view))
     return NULL;
   g_autoptr (QnRecipe) recipe = qn_recipe_new (name, view);
-  if (!read_file (object, recipe) || !qn_members_take (object, text_members, NULL, recipe)
+  if (!read_file (object, recipe) || !qn_members_take (object, members, NULL, recipe)
       || !read_step_and_scale (object, &recipe->view)
-      || !qn_members_take (object, switch_members, NULL, recipe)
-      || !qn_members_take (object, output_members, NULL, recipe)
       || !read_size (object, &recipe->output))
     return NULL;
   return g_steal_pointer (&recipe);
@@ -216,21 +206,19 @@ append_recipe (GString *json, const QnRecipe *recipe)
   qn_json_put_string (json, "view", qn_view_names[view->view]);
   if (strcmp (recipe->file, plain->file) != 0)
     qn_json_put_string (json, "file", recipe->file);
-  qn_members_write (json, text_members, NULL, recipe, plain);
   if (view->view == QN_VIEW_DIAGRAMS)
     qn_json_put_string (json, "diagram", qn_diagram_names[view->diagram]);
   if (view->step != QN_STEP_LAST)
     qn_json_put_number (json, "step", view->step);
   if (view->scale > 0)
     qn_json_put_number (json, "scale", view->scale);
-  qn_members_write (json, switch_members, NULL, recipe, plain);
   char width[G_ASCII_DTOSTR_BUF_SIZE], height[G_ASCII_DTOSTR_BUF_SIZE];
   const char *unit = output->millimetres ? "mm" : "";
   g_ascii_formatd (width, sizeof width, "%.10g", output->width);
   g_ascii_formatd (height, sizeof height, "%.10g", output->height);
   g_autofree char *size = g_strdup_printf ("%s%sx%s%s", width, unit, height, unit);
   qn_json_put_string (json, "size", size);
-  qn_members_write (json, output_members, NULL, recipe, plain);
+  qn_members_write (json, members, NULL, recipe, plain);
   g_string_append (json, " }");
 }
 
