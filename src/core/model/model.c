@@ -174,6 +174,18 @@ qn_model_find_item (const QnModel *model, size_t items, const char *name)
   return QN_NONE;
 }
 
+const char *
+qn_model_item_name (const QnModel *model, size_t items, QnId index)
+{
+  const List *list = list_at (items);
+  const char *name;
+
+  if (index < 0 || (size_t) index >= count_of (model, list))
+    return NULL;
+  memcpy (&name, items_of (model, list) + (size_t) index * list->size, sizeof name);
+  return name;
+}
+
 void
 qn_model_clear (QnModel *model)
 {

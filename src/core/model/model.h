@@ -523,6 +523,9 @@ QnStatus qn_model_expand_beams (QnModel *model, QnDiag *diag);
  * model's back. */
 QnId qn_model_find_item (const QnModel *model, size_t items, const char *name);
 
+/* The name of an item of a list of named ones, or NULL where the list has no such item. */
+const char *qn_model_item_name (const QnModel *model, size_t items, QnId index);
+
 #define QN_FIND(model, items, name)                                                      \
   qn_model_find_item (model, offsetof (QnModel, items), name)
 #define qn_model_find_law(model, name)     QN_FIND (model, laws, name)

@@ -11,65 +11,55 @@
 #include <math.h>
 #include <string.h>
 
-static const char *
-entity_word (QnEntity entity)
-{
-  static const char *const texts[] = {
-    [QN_ENTITY_LAW] = N_ ("Law"),
-    [QN_ENTITY_BLOCK] = N_ ("Block"),
-    [QN_ENTITY_WALL] = N_ ("Wall"),
-    [QN_ENTITY_CONTACT] = N_ ("Contacts"),
-    [QN_ENTITY_FACE_OVERRIDE] = N_ ("Contact face"),
-    [QN_ENTITY_BAR] = N_ ("Reinforcing bar"),
-    [QN_ENTITY_TIE] = N_ ("Tie"),
-    [QN_ENTITY_VEHICLE] = N_ ("Vehicle"),
-    [QN_ENTITY_NODE] = N_ ("Node"),
-    [QN_ENTITY_SECTION] = N_ ("Section"),
-    [QN_ENTITY_BEAM] = N_ ("Beam"),
-    [QN_ENTITY_DEAD_LOAD] = N_ ("Dead load"),
-    [QN_ENTITY_LIVE_LOAD] = N_ ("Live load"),
-    [QN_ENTITY_LOAD_CASE] = N_ ("Load case"),
-    [QN_ENTITY_ANALYSIS] = N_ ("Analysis"),
-    [QN_ENTITY_STAGE] = N_ ("Load stage"),
-    [QN_ENTITY_GROUND_MOTION] = N_ ("Ground motion"),
-    [QN_ENTITY_INITIAL_MOTION] = N_ ("Initial motion"),
-    [QN_ENTITY_TRACK] = N_ ("Tracked displacement"),
-    [QN_ENTITY_MASONRY] = N_ ("Masonry"),
-    [QN_ENTITY_MODEL] = N_ ("Model"),
-  };
-  return _ (texts[entity]);
-}
+/* Entities by their word and, of lists of a project file, how paths of them begin and are told; `items`:
+ * place in QnModel of those that have names, else 0. */
+static const struct {
+  const char *word;
+  gsize items;
+  const char *path, *told;
+} entities[] = {
+  [QN_ENTITY_LAW] = { N_ ("Law"), offsetof (QnModel, laws), "laws[", N_ ("Law %s") },
+  [QN_ENTITY_BLOCK] = { N_ ("Block"), offsetof (QnModel, blocks), "blocks[",
+                        N_ ("Block %s") },
+  [QN_ENTITY_WALL] = { N_ ("Wall"), offsetof (QnModel, walls), "walls[", N_ ("Wall %s") },
+  [QN_ENTITY_CONTACT] = { N_ ("Contacts") },
+  [QN_ENTITY_FACE_OVERRIDE] = { N_ ("Contact face") },
+  [QN_ENTITY_BAR] = { N_ ("Reinforcing bar"), 0, "bars[", N_ ("Bar %s") },
+  [QN_ENTITY_TIE] = { N_ ("Tie"), offsetof (QnModel, ties), "ties[", N_ ("Tie %s") },
+  [QN_ENTITY_VEHICLE] = { N_ ("Vehicle"), offsetof (QnModel, vehicles) },
+  [QN_ENTITY_NODE] = { N_ ("Node"), offsetof (QnModel, nodes) },
+  [QN_ENTITY_SECTION] = { N_ ("Section"), offsetof (QnModel, sections), "sections[",
+                          N_ ("Section %s") },
+  [QN_ENTITY_BEAM] = { N_ ("Beam"), offsetof (QnModel, beams), "beams[", N_ ("Beam %s") },
+  [QN_ENTITY_DEAD_LOAD] = { N_ ("Dead load"), 0, "loads.dead[", N_ ("Constant load %s") },
+  [QN_ENTITY_LIVE_LOAD] = { N_ ("Live load"), 0, "loads.live[", N_ ("Growing load %s") },
+  [QN_ENTITY_LOAD_CASE] = { N_ ("Load case") },
+  [QN_ENTITY_ANALYSIS] = { N_ ("Analysis") },
+  [QN_ENTITY_STAGE] = { N_ ("Load stage"), 0, "analysis.stages[", N_ ("Stage %s") },
+  [QN_ENTITY_GROUND_MOTION] = { N_ ("Ground motion") },
+  [QN_ENTITY_INITIAL_MOTION] = { N_ ("Initial motion") },
+  [QN_ENTITY_TRACK] = { N_ ("Tracked displacement") },
+  [QN_ENTITY_MASONRY] = { N_ ("Masonry"), 0, "masonry[", N_ ("Masonry %s") },
+  [QN_ENTITY_MODEL] = { N_ ("Model") },
+};
 
 static const char *
 entity_name (const QnModel *model, QnEntity entity, QnId index)
 {
-  if (model == NULL || index < 0)
+  if (model == NULL || index < 0 || entities[entity].items == 0)
     return NULL;
-  gsize i = (gsize) index;
-  if (entity == QN_ENTITY_BLOCK && i < model->block_count)
-    return model->blocks[i].name;
-  if (entity == QN_ENTITY_WALL && i < model->wall_count)
-    return model->walls[i].name;
-  if (entity == QN_ENTITY_LAW && i < model->law_count)
-    return model->laws[i].name;
-  if (entity == QN_ENTITY_NODE && i < model->node_count)
-    return model->nodes[i].name;
-  if (entity == QN_ENTITY_SECTION && i < model->section_count)
-    return model->sections[i].name;
-  if (entity == QN_ENTITY_BEAM && i < model->beam_count)
-    return model->beams[i].name;
-  if (entity == QN_ENTITY_TIE && i < qn_model_tie_count (model))
-    return qn_model_tie (model, i)->name;
-  if (entity == QN_ENTITY_VEHICLE && i < model->vehicle_count)
-    return model->vehicles[i].name;
-  return NULL;
+  if (entity == QN_ENTITY_TIE && (gsize) index >= model->tie_count) {
+    index -= (QnId) model->tie_count;
+    return qn_model_item_name (model, offsetof (QnModel, soil_ties), index);
+  }
+  return qn_model_item_name (model, entities[entity].items, index);
 }
 
 char *
 qn_explain_diag (const QnModel *model, const QnDiag *diag)
 {
   const char *text = _ (qn_problem_text (diag->problem));
-  const char *word = entity_word (diag->entity);
+  const char *word = _ (entities[diag->entity].word);
   const char *name = entity_name (model, diag->entity, diag->index);
   const char *other = entity_name (model, diag->entity, diag->other);
   if (name != NULL && other != NULL && diag->entity == QN_ENTITY_BLOCK)
@@ -254,38 +244,21 @@ qn_explain_procedure (const QnAnalysisSettings *analysis)
   return "";
 }
 
-static const struct {
-  const char *key, *words;
-  QnEntity named; /* by its name, else by its number */
-} lists[] = {
-  { "laws[", N_ ("Law %s"), QN_ENTITY_LAW },
-  { "blocks[", N_ ("Block %s"), QN_ENTITY_BLOCK },
-  { "walls[", N_ ("Wall %s"), QN_ENTITY_WALL },
-  { "sections[", N_ ("Section %s"), QN_ENTITY_SECTION },
-  { "beams[", N_ ("Beam %s"), QN_ENTITY_BEAM },
-  { "masonry[", N_ ("Masonry %s"), QN_ENTITY_MODEL },
-  { "ties[", N_ ("Tie %s"), QN_ENTITY_MODEL },
-  { "bars[", N_ ("Bar %s"), QN_ENTITY_MODEL },
-  { "loads.live[", N_ ("Growing load %s"), QN_ENTITY_MODEL },
-  { "loads.dead[", N_ ("Constant load %s"), QN_ENTITY_MODEL },
-  { "analysis.stages[", N_ ("Stage %s"), QN_ENTITY_MODEL },
-};
-
 char *
 qn_path_dup_text (const QnModel *model, const char *path)
 {
-  for (gsize i = 0; i < G_N_ELEMENTS (lists); i++) {
-    if (!g_str_has_prefix (path, lists[i].key))
+  for (gsize i = 0; i < G_N_ELEMENTS (entities); i++) {
+    if (entities[i].path == NULL || !g_str_has_prefix (path, entities[i].path))
       continue;
     char *end;
-    guint64 index = g_ascii_strtoull (path + strlen (lists[i].key), &end, 10);
+    guint64 index = g_ascii_strtoull (path + strlen (entities[i].path), &end, 10);
     const char *known =
-      index < G_MAXINT32 ? entity_name (model, lists[i].named, (QnId) index) : NULL;
+      index < G_MAXINT32 ? entity_name (model, (QnEntity) i, (QnId) index) : NULL;
     g_autofree char *name = known != NULL
                               ? g_strdup_printf (_ ("“%s”"), known)
                               : g_strdup_printf ("%" G_GUINT64_FORMAT, index + 1);
     /* Words of the table, each with one "%s". */
-    g_auto (GStrv) around = g_strsplit (_ (lists[i].words), "%s", 2);
+    g_auto (GStrv) around = g_strsplit (_ (entities[i].told), "%s", 2);
     g_autofree char *whose = g_strjoinv (name, around);
     g_autofree char *rest =
       g_strdelimit (g_strdup (end[0] == ']' && end[1] == '.' ? end + 2 : ""), "_", ' ');

@@ -24,27 +24,29 @@ fail_unknown_name (const QnJsonValue *place, QnProblem problem, const char *name
                               quoted->str);
 }
 
+static const struct {
+  size_t
+    items; /* place in QnModel; 0: of load sets and cases, which are numbered otherwise */
+  QnProblem unknown;
+} named_kinds[] = {
+  [QN_NAMED_LAW] = { offsetof (QnModel, laws), QN_PROBLEM_LAW_UNKNOWN },
+  [QN_NAMED_BLOCK] = { offsetof (QnModel, blocks), QN_PROBLEM_BLOCK_UNKNOWN },
+  [QN_NAMED_NODE] = { offsetof (QnModel, nodes), QN_PROBLEM_NODE_UNKNOWN },
+  [QN_NAMED_SECTION] = { offsetof (QnModel, sections), QN_PROBLEM_SECTION_UNKNOWN },
+  [QN_NAMED_BEAM] = { offsetof (QnModel, beams), QN_PROBLEM_BEAM_UNKNOWN },
+  [QN_NAMED_LOAD_SET] = { 0, QN_PROBLEM_LOAD_SET_UNKNOWN },
+  [QN_NAMED_LOAD_CASE] = { 0, QN_PROBLEM_LOAD_CASE_UNKNOWN },
+};
+
 gboolean
 qn_read_name_of (const QnJsonValue *place, const QnModel *model, QnNamed named, QnId *id)
 {
-  static const struct {
-    size_t
-      items; /* place in QnModel; 0: of load sets and cases, which are numbered otherwise */
-    QnProblem unknown;
-  } kinds[] = {
-    [QN_NAMED_LAW] = { offsetof (QnModel, laws), QN_PROBLEM_LAW_UNKNOWN },
-    [QN_NAMED_BLOCK] = { offsetof (QnModel, blocks), QN_PROBLEM_BLOCK_UNKNOWN },
-    [QN_NAMED_NODE] = { offsetof (QnModel, nodes), QN_PROBLEM_NODE_UNKNOWN },
-    [QN_NAMED_SECTION] = { offsetof (QnModel, sections), QN_PROBLEM_SECTION_UNKNOWN },
-    [QN_NAMED_BEAM] = { offsetof (QnModel, beams), QN_PROBLEM_BEAM_UNKNOWN },
-    [QN_NAMED_LOAD_SET] = { 0, QN_PROBLEM_LOAD_SET_UNKNOWN },
-    [QN_NAMED_LOAD_CASE] = { 0, QN_PROBLEM_LOAD_CASE_UNKNOWN },
-  };
   const char *name = place->json->valuestring;
-  *id = kinds[named].items > 0 ? qn_model_find_item (model, kinds[named].items, name)
+  *id = named_kinds[named].items > 0
+          ? qn_model_find_item (model, named_kinds[named].items, name)
         : named == QN_NAMED_LOAD_SET ? qn_model_find_load_set (model, name)
                                      : qn_model_find_load_case (model, name);
-  return *id != QN_NONE || fail_unknown_name (place, kinds[named].unknown, name);
+  return *id != QN_NONE || fail_unknown_name (place, named_kinds[named].unknown, name);
 }
 
 gboolean
@@ -309,27 +311,6 @@ qn_json_put_unusual (GString *json, const char *key, double number, double usual
     qn_json_put_number (json, key, number);
 }
 
-static const char *
-name_of (const QnModel *model, QnNamed named, QnId id)
-{
-  switch (named) {
-  case QN_NAMED_LAW:
-    return model->laws[id].name;
-  case QN_NAMED_BLOCK:
-    return model->blocks[id].name;
-  case QN_NAMED_NODE:
-    return model->nodes[id].name;
-  case QN_NAMED_SECTION:
-    return model->sections[id].name;
-  case QN_NAMED_BEAM:
-    return model->beams[id].name;
-  case QN_NAMED_LOAD_SET:
-  case QN_NAMED_LOAD_CASE: /* no member has them */
-    break;
-  }
-  g_return_val_if_reached ("");
-}
-
 /* No string and no entity is the usual one; of the rest what `other` has, or none where that is NULL. */
 static gboolean
 is_usual (const QnMember *m, const char *from, const char *other)
@@ -436,7 +417,8 @@ write_member (GString *json, const QnMember *m, const QnModel *model, const char
     qn_json_put_string (json, m->key, *(char *const *) value);
     break;
   case QN_MEMBER_ENTITY:
-    qn_json_put_string (json, m->key, name_of (model, (QnNamed) m->detail, *id));
+    qn_json_put_string (json, m->key,
+                        qn_model_item_name (model, named_kinds[m->detail].items, *id));
     break;
   case QN_MEMBER_LAW:
     qn_json_put_string (json, m->key, model->laws[*id].name);
@@ -466,7 +448,8 @@ write_member (GString *json, const QnMember *m, const QnModel *model, const char
     qn_json_begin_member (json, m->key);
     for (int i = 0; i < 2; i++) {
       g_string_append (json, i > 0 ? ", " : "[");
-      qn_json_append_string (json, name_of (model, (QnNamed) m->detail, id[i]));
+      qn_json_append_string (
+        json, qn_model_item_name (model, named_kinds[m->detail].items, id[i]));
     }
     g_string_append_c (json, ']');
     break;
