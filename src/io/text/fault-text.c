@@ -92,7 +92,7 @@ dup_place (const QnModel *model, const QnContacts *contacts, const QnFault *faul
   if (fault->entity == QN_ENTITY_BEAM && at < model->beam_count)
     return qn_text_printf (_ ("beam “%s”"), model->beams[at].name);
   if (fault->entity == QN_ENTITY_TIE && at < qn_model_tie_count (model))
-    return qn_text_printf (_ ("tie “%s”"), model->ties[at].name);
+    return qn_text_printf (_ ("tie “%s”"), qn_model_tie (model, at)->name);
   return qn_text_printf (_ ("number %d"), fault->index);
 }
 
