@@ -367,7 +367,7 @@ test_modes_and_stability (void)
   g_assert_cmpuint (runs->len, ==, 6);
   const QnRun *first = qn_document_get_run (document);
   g_assert_true (first == g_ptr_array_index (runs, 0));
-  g_assert_cmpfloat_with_epsilon (first->omega, 315.711, 0.01);
+  g_assert_cmpfloat_with_epsilon (first->result.vibration.omega, 315.711, 0.01);
   QnViewState *state = state_of (window);
   g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_MECHANISM);
   qn_document_set_run (document, g_ptr_array_index (runs, 1));

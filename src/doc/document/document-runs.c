@@ -258,7 +258,7 @@ qn_document_dup_omegas (QnDocument *self, gsize *count)
         || qn_document_get_run_age (self, run) > QN_RUN_OTHER_SETTINGS)
       continue;
     found = base_of (run);
-    g_array_prepend_val (omegas, run->omega);
+    g_array_prepend_val (omegas, run->result.vibration.omega);
   }
   *count = omegas->len;
   return omegas->len > 0 ? (double *) g_array_free (g_steal_pointer (&omegas), FALSE)

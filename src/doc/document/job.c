@@ -130,9 +130,7 @@ on_solver_progress (const QnProgress *progress, void *user_data)
 static QnStatus
 take_mode (QnRun *run, const QnModes *modes, gsize number, QnDiag *diag)
 {
-  run->mode = (guint) number + 1;
   run->mode_count = (guint) modes->count;
-  run->omega = modes->omega[number];
   return qn_modes_show (modes, number, &run->model, &run->result, diag);
 }
 

@@ -77,21 +77,17 @@ qn_result_step_at (const QnResult *result, double time)
   return (int) (time - steps[low].time <= steps[high].time - time ? low : high);
 }
 
-static double
-hertz_of (const QnRun *run)
-{
-  return run->omega / (2 * G_PI);
-}
-
 char *
 qn_run_dup_title (const QnRun *run)
 {
   const QnResult *result = &run->result;
-  if (run->kind == QN_RUN_MODE && run->mode > 0)
-    return run->omega > 0
-             ? g_strdup_printf (_ ("%s: mode %u, %.4g Hz"), run->name, run->mode,
-                                hertz_of (run))
-             : g_strdup_printf (_ ("%s: mode %u, rigid motion"), run->name, run->mode);
+  const QnVibration *mode = &result->vibration;
+  if (run->kind == QN_RUN_MODE && mode->mode > 0)
+    return mode->omega > 0
+             ? g_strdup_printf (_ ("%s: mode %u, %.4g Hz"), run->name, (guint) mode->mode,
+                                mode->omega / (2 * G_PI))
+             : g_strdup_printf (_ ("%s: mode %u, rigid motion"), run->name,
+                                (guint) mode->mode);
   if (run->kind == QN_RUN_STABILITY && result->outcome == QN_OUTCOME_SNAP)
     return g_strdup_printf (_ ("%s: %.4f"), run->name, result->first_limit_multiplier);
   if (run->kind == QN_RUN_STABILITY && result->outcome == QN_OUTCOME_TARGET_REACHED)
@@ -107,16 +103,17 @@ qn_run_dup_title (const QnRun *run)
 char *
 qn_run_dup_explanation (const QnRun *run)
 {
-  if (run->kind == QN_RUN_MODE && run->mode > 0) {
+  const QnVibration *mode = &run->result.vibration;
+  if (run->kind == QN_RUN_MODE && mode->mode > 0) {
     const char *about = run->loaded ? _ ("the last equilibrium of the analysis")
                                     : _ ("the equilibrium under dead load");
-    if (!(run->omega > 0))
+    if (!(mode->omega > 0))
       return g_strdup_printf (
-        _ ("Mode %u of %u about %s: a rigid motion without stiffness."), run->mode,
-        run->mode_count, about);
-    double hertz = hertz_of (run);
+        _ ("Mode %u of %u about %s: a rigid motion without stiffness."),
+        (guint) mode->mode, run->mode_count, about);
+    double hertz = mode->omega / (2 * G_PI);
     return g_strdup_printf (_ ("Mode %u of %u about %s: %.5g Hz, period %.4g s."),
-                            run->mode, run->mode_count, about, hertz, 1 / hertz);
+                            (guint) mode->mode, run->mode_count, about, hertz, 1 / hertz);
   }
   if (run->kind == QN_RUN_STABILITY) {
     const QnResult *result = &run->result;
@@ -136,15 +133,9 @@ qn_run_dup_explanation (const QnRun *run)
 char *
 qn_run_dup_mechanism_sentence (const QnRun *run)
 {
-  QnMechanism mechanism;
-  if (run->kind != QN_RUN_ANALYSIS || run->result.mechanism == NULL
-      || qn_mechanism_of_result (&mechanism, &run->model, &run->contacts, &run->result,
-                                 NULL)
-           != QN_OK)
-    return NULL;
-  char *sentence = qn_mechanism_dup_sentence (&mechanism);
-  qn_mechanism_clear (&mechanism);
-  return sentence;
+  return run->kind == QN_RUN_ANALYSIS ? qn_collapse_dup_words (
+           &run->model, &run->contacts, &run->result, qn_mechanism_dup_sentence)
+                                      : NULL;
 }
 
 static char *

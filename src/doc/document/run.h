@@ -25,9 +25,7 @@ typedef struct QnRun {
   QnModel model;
   QnContacts contacts;
   QnResult result;
-  guint mode;       /* MODE: its number, from 1, */
-  guint mode_count; /* of so many */
-  double omega;     /* MODE: rad/s; 0: a rigid motion */
+  guint mode_count; /* MODE: one of so many; which one, the result knows */
   gboolean
     loaded; /* MODE: about the last equilibrium of the analysis, not the dead load's */
   struct QnRun *base; /* holds model and contacts of this one, or NULL */

@@ -206,19 +206,14 @@ char *
 qn_explain_mechanism_briefly (const QnModel *model, const QnContacts *contacts,
                               const QnResult *result)
 {
-  if (result->mechanism == NULL)
-    return NULL;
   char *mode = dup_mode (result);
   if (mode != NULL)
     return mode;
-  QnMechanism mechanism;
-  if (qn_mechanism_of_result (&mechanism, model, contacts, result, NULL) != QN_OK)
-    return NULL;
-  g_autofree char *title = qn_mechanism_dup_title (&mechanism);
-  qn_mechanism_clear (&mechanism);
-  if (result->mechanism_uncertain)
-    return g_strdup_printf (_ ("%s (last motion)"), title);
-  return g_steal_pointer (&title);
+  g_autofree char *title =
+    qn_collapse_dup_words (model, contacts, result, qn_mechanism_dup_title);
+  return title != NULL && result->mechanism_uncertain
+           ? g_strdup_printf (_ ("%s (last motion)"), title)
+           : g_steal_pointer (&title);
 }
 
 const char *

@@ -1,6 +1,5 @@
 #include "doc/view/sheet.h"
 
-#include "core/result/mechanism.h"
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"
 #include "io/text/mechanism-text.h"
@@ -67,22 +66,6 @@ write_curve_table (const char *path, const QnCurve *curves, gsize count, GError 
   return qn_file_writer_commit (writer, error);
 }
 
-/* Its name alone; empty where there is none. */
-static char *
-dup_mechanism (const QnSheetRun *run)
-{
-  QnMechanism mechanism;
-  const QnResult *result = run->result;
-  if (result->mechanism == NULL
-      || qn_mechanism_of_result (&mechanism, &run->project->model, run->contacts, result,
-                                 NULL)
-           != QN_OK)
-    return g_strdup ("");
-  char *title = qn_mechanism_dup_title (&mechanism);
-  qn_mechanism_clear (&mechanism);
-  return title;
-}
-
 static gboolean
 write_comparison (const char *path, const QnSheetRun *runs, gsize count, GError **error)
 {
@@ -90,7 +73,8 @@ write_comparison (const char *path, const QnSheetRun *runs, gsize count, GError 
   qn_file_writer_puts (writer, "project,title,outcome,multiplier [-],mechanism,steps\n");
   for (gsize i = 0; i < count; i++) {
     const QnResult *result = runs[i].result;
-    g_autofree char *mechanism = dup_mechanism (&runs[i]);
+    g_autofree char *mechanism = qn_collapse_dup_words (
+      &runs[i].project->model, runs[i].contacts, result, qn_mechanism_dup_title);
     qn_file_writer_quoted (writer, runs[i].project->name);
     qn_file_writer_puts (writer, ",");
     qn_file_writer_quoted (writer, qn_project_title (runs[i].project));
@@ -98,7 +82,7 @@ write_comparison (const char *path, const QnSheetRun *runs, gsize count, GError 
     if (result->has_collapse_multiplier)
       qn_file_writer_number (writer, result->collapse_multiplier);
     qn_file_writer_puts (writer, ",");
-    qn_file_writer_quoted (writer, mechanism);
+    qn_file_writer_quoted (writer, mechanism != NULL ? mechanism : "");
     qn_file_writer_printf (writer, ",%" G_GSIZE_FORMAT "\n", result->step_count);
   }
   return qn_file_writer_commit (writer, error);

@@ -178,6 +178,20 @@ qn_mechanism_dup_text (const QnModel *model, const QnMechanism *mechanism)
 }
 
 char *
+qn_collapse_dup_words (const QnModel *model, const QnContacts *contacts,
+                       const QnResult *result,
+                       char *(*dup_words) (const QnMechanism *mechanism))
+{
+  QnMechanism mechanism;
+  if (result->mechanism == NULL
+      || qn_mechanism_of_result (&mechanism, model, contacts, result, NULL) != QN_OK)
+    return NULL;
+  char *words = dup_words (&mechanism);
+  qn_mechanism_clear (&mechanism);
+  return words;
+}
+
+char *
 qn_collapse_dup_text (const QnModel *model, const QnContacts *contacts,
                       const QnResult *result)
 {

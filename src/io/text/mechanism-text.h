@@ -16,7 +16,12 @@ char *qn_mechanism_dup_sentence (const QnMechanism *mechanism);
  * joints that hinge, slide and open. Free with g_free(). */
 char *qn_mechanism_dup_text (const QnModel *model, const QnMechanism *mechanism);
 
-/* The same of a result, with the plastic hinges of its beams; without the joints if only the hinges move
+/* What one of the first two says of a result; NULL where it has no mechanism, or no memory is left. */
+char *qn_collapse_dup_words (const QnModel *model, const QnContacts *contacts,
+                             const QnResult *result,
+                             char *(*dup_words) (const QnMechanism *mechanism));
+
+/* Whole sentences of a result, with the plastic hinges of its beams; without the joints if only the hinges move
  * the structure. NULL where it has no mechanism, or no memory is left. */
 char *qn_collapse_dup_text (const QnModel *model, const QnContacts *contacts,
                             const QnResult *result);

@@ -236,11 +236,11 @@ test_modes (void)
   g_assert_no_error (outcome.error);
   g_assert_cmpuint (outcome.runs->len, ==, 3);
   g_assert_cmpint (outcome.run->kind, ==, QN_RUN_MODE);
-  g_assert_cmpuint (outcome.run->mode, ==, 1);
+  g_assert_cmpuint (outcome.run->result.vibration.mode, ==, 1);
   g_assert_cmpuint (outcome.run->mode_count, ==, 3);
-  g_assert_cmpfloat_with_epsilon (outcome.run->omega, 315.711, 0.01);
+  g_assert_cmpfloat_with_epsilon (outcome.run->result.vibration.omega, 315.711, 0.01);
   g_autoptr (QnRun) second = qn_run_ref (outcome.runs->pdata[1]);
-  g_assert_cmpfloat_with_epsilon (second->omega, 1150.488, 0.01);
+  g_assert_cmpfloat_with_epsilon (second->result.vibration.omega, 1150.488, 0.01);
   g_assert_true (second->model.blocks == outcome.run->model.blocks);
   g_assert_nonnull (second->result.mechanism);
   g_assert_cmpuint (second->result.step_count, ==, 1);
