@@ -9,8 +9,6 @@
 /* The sum of forces over that of their sizes above which they have one direction. */
 #define ONE_DIRECTION (1.0 - 1e-9)
 
-static const char *const components[QN_DOF_COUNT] = { "ux", "uy", "rz" };
-
 static QnQuantity
 quantity_of (QnDof dof)
 {
@@ -169,7 +167,7 @@ qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units)
     g_autofree char *value = qn_units_format_full (
       qn_units_of_motion (units), quantity_of (load->dof), load->value, 4);
     return g_strdup_printf (_ ("Settlement of %s, %s: %s"),
-                            model->blocks[load->block].name, components[load->dof],
+                            model->blocks[load->block].name, qn_dof_names[load->dof],
                             value);
   }
   case QN_LOAD_EDGE:
@@ -258,7 +256,7 @@ qn_stage_dup_text (const QnModel *model, gsize index, QnUnits units)
       qn_units_format_full (qn_units_of_motion (units), quantity_of (stage->control.dof),
                             stage->control.target, 4);
     return g_strdup_printf (_ ("%s: %s until %s is %s"), name, sets,
-                            components[stage->control.dof], target);
+                            qn_dof_names[stage->control.dof], target);
   case QN_STAGE_END_COLLAPSE:
     break;
   }
