@@ -169,7 +169,6 @@ collapse_sentence (const QnResult *result)
     return g_strdup (_ ("The structure collapses."));
   double collapse = result->collapse_multiplier;
   double before = copysign (1, collapse) * result->first_limit_multiplier;
-  /* A plateau may lie below an earlier jump: beyond that no equilibrium is known. */
   if (qn_result_has_felt_limit (result) && before < (1 - 1e-3) * fabs (collapse))
     return qn_text_printf (_ ("Collapse at a load multiplier of %.4g. Before, at %.4g, "
                               "the path jumps to another equilibrium."),
