@@ -189,7 +189,6 @@ units_of_motion (void)
 static void
 name_axes (const View *self, QnPlot *plot)
 {
-  static const char *const components[] = { "ux", "uy", "rz" };
   const QnCurve *curve = &self->series[0].whole;
   QnPlotAxis *axis = curve->in_time ? &plot->y : &plot->x;
   const QnUnits forces = qn_settings_get_units ();
@@ -205,7 +204,7 @@ name_axes (const View *self, QnPlot *plot)
     axis->label = qn_plot_keep (
       plot, g_strdup_printf (
               curve->since_dead ? _ ("%s since the dead load, %s (%s)") : "%s, %s (%s)",
-              components[self->dof], qn_result_body_name (self->model, self->block),
+              qn_dof_names[self->dof], qn_result_body_name (self->model, self->block),
               qn_units_symbol (units_of_motion (), displacement (self))));
   if (!curve->settles)
     return;

@@ -14,12 +14,11 @@
 static void
 print_support (const char *separator, const char *name, const bool support[QN_DOF_COUNT])
 {
-  static const char *const dofs[QN_DOF_COUNT] = { "ux", "uy", "rz" };
   const char *comma = "";
   qn_print ("%s%s (", separator, name);
   for (int dof = 0; dof < QN_DOF_COUNT; dof++)
     if (support[dof]) {
-      qn_print ("%s%s", comma, dofs[dof]);
+      qn_print ("%s%s", comma, qn_dof_names[dof]);
       comma = ", ";
     }
   qn_print (")");

@@ -7,6 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *const qn_dof_names[QN_DOF_COUNT] = {
+  [QN_DOF_UX] = "ux",
+  [QN_DOF_UY] = "uy",
+  [QN_DOF_RZ] = "rz",
+};
+
 void
 qn_model_init (QnModel *model)
 {

@@ -587,6 +587,9 @@ qn_control_is_given (const QnControl *control)
   return control->block != QN_NONE || control->node != QN_NONE;
 }
 
+/* As files and pictures name them: "ux". */
+extern const char *const qn_dof_names[QN_DOF_COUNT];
+
 /* The body that a control names, by block or by node; SIZE_MAX where it names neither. */
 static inline size_t
 qn_model_controlled_body (const QnModel *model, const QnControl *control)

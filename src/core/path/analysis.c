@@ -91,10 +91,9 @@ prove_by_work (const QnModel *model, const QnContacts *contacts, QnResult *resul
   result->mechanism_by_work = true;
   QnStatus status =
     qn_result_find_faults (model, contacts, result, QN_CHECK_STATED, &faults, diag);
-  for (int i = 0; status == QN_OK && i < faults.count; i++) {
+  for (int i = 0; status == QN_OK && i < faults.count; i++)
     if (faults.items[i].claim != QN_CLAIM_FIRST_LIMIT)
       result->mechanism_uncertain = true;
-  }
   result->mechanism_by_work = !result->mechanism_uncertain;
   return status;
 }

@@ -40,10 +40,9 @@ typedef struct QnPathTrace {
   bool ends_branch; /* stability is lost just beyond the solved step */
   int orientation;  /* QnEquilibrium.orientation at the start; 0: unknown */
   QnFoundBy means;
-  double above; /* the load held next exceeds the highest one by so many tolerances */
-  bool
-    moved_on; /* linear geometry: a plateau was met, but the load held above its peak rested */
-  bool sought; /* `direct` has been computed */
+  double above;  /* the load held next exceeds the highest one by so many tolerances */
+  bool moved_on; /* a plateau was met, and rest above its peak */
+  bool sought;   /* `direct` has been computed */
   QnLimitSolution direct;
   double last_multiplier;                    /* before the last accepted step */
   double plateau_multiplier, plateau_motion; /* at the begin of the present plateau */

@@ -558,9 +558,3 @@ const char *const qn_flow_names[QN_FLOW_COUNT] = {
 };
 
 const char *const qn_follow_names[2] = { "fixed", "follow" };
-
-const char *const qn_dof_names[QN_DOF_COUNT] = {
-  [QN_DOF_UX] = "ux",
-  [QN_DOF_UY] = "uy",
-  [QN_DOF_RZ] = "rz",
-};

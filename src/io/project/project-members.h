@@ -183,4 +183,3 @@ extern const char *const qn_geometry_names[QN_GEOMETRY_COUNT];
 extern const char *const qn_snap_names[QN_SNAP_THROUGH_COUNT];
 extern const char *const qn_flow_names[QN_FLOW_COUNT];
 extern const char *const qn_follow_names[2]; /* of contacts: that of false first */
-extern const char *const qn_dof_names[QN_DOF_COUNT];

@@ -261,14 +261,15 @@ qn_outcome_dup_interval (const QnModel *model, const QnResult *result)
     found_by = result->solutions[0].found_by;
   }
   const char *found = found_by_words (model, found_by);
-  const double last = result->stop == QN_STOP_PLATEAU && result->step_count > 0
-                        ? result->steps[result->step_count - 1].multiplier
-                        : INFINITY;
+  const QnStep *last = last_step (result);
+  const gboolean moves_on =
+    result->stop == QN_STOP_PLATEAU && last != NULL
+    && last->multiplier < (1 - QN_SETTLED) * result->collapse_multiplier;
 
   g_autofree char *from =
-    last < (1 - QN_SETTLED) * result->collapse_multiplier ? qn_text_printf (
+    moves_on ? qn_text_printf (
       _ ("The multiplier was %s: a peak, beyond which the structure moves on at %.4f;"),
-      found, last)
+      found, last->multiplier)
     : passes || result->solution_count == 1
       ? qn_text_printf (_ ("The multiplier was %s;"), found)
       : qn_text_printf (
@@ -362,7 +363,6 @@ is_controlled_displacement_reached (const QnModel *model, const QnStage *task,
 static char *
 explain_controlled (const QnModel *model, const QnStage *task, double reached)
 {
-  static const char *const components[] = { "ux", "uy", "rz" };
   const QnControl *control = &task->control;
   const gboolean node = control->node != QN_NONE;
   return qn_text_printf (
@@ -370,7 +370,7 @@ explain_controlled (const QnModel *model, const QnStage *task, double reached)
               "of %.4g.")
          : _ ("%s of block “%s” has reached its target of %.4g %s, at a load multiplier "
               "of %.4g."),
-    components[control->dof],
+    qn_dof_names[control->dof],
     node ? model->nodes[control->node].name : model->blocks[control->block].name,
     control->target, control->dof == QN_DOF_RZ ? "rad" : "m", reached);
 }

@@ -123,7 +123,6 @@ void
 qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *result,
                       QnCurveMotion motion)
 {
-  static const char *const components[QN_DOF_COUNT] = { "ux", "uy", "rz" };
   bool shown =
     motion.body != QN_NONE && (size_t) motion.body < qn_result_body_count (result);
   size_t count = shown ? result->step_count : 0;
@@ -131,7 +130,7 @@ qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *resu
   *curve = (QnCurve){ .limit_point = -1,
                       .collapse_point = -1,
                       .dot = -1,
-                      .component = components[motion.dof],
+                      .component = qn_dof_names[motion.dof],
                       .rotation = motion.dof == QN_DOF_RZ,
                       .in_time = result->history.width > 0 };
   const QnLoad *settlement = qn_result_settlement (model, result);
