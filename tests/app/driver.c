@@ -78,8 +78,7 @@ moves (gpointer window)
   gboolean animated;
   g_object_get (gtk_settings_get_default (), "gtk-enable-animations", &animated, NULL);
   return animated
-         || (QN_IS_WINDOW (window)
-             && qn_document_get_job (qn_window_get_document (window)) != NULL);
+         || (QN_IS_WINDOW (window) && qn_window_get_document (window)->job != NULL);
 }
 
 /* GDK's clock of frames has a source of the main loop, whose data it is itself, for as long as a frame is
@@ -274,7 +273,7 @@ driver_open_copy (const char *folder, const char *name)
 static gboolean
 has_no_job (gpointer window)
 {
-  return qn_document_get_job (qn_window_get_document (window)) == NULL;
+  return qn_window_get_document (window)->job == NULL;
 }
 
 void
@@ -578,7 +577,7 @@ driver_find_other (void)
 const char *
 driver_last_step (QnWindow *window)
 {
-  QnEditHistory *history = qn_document_get_history (qn_window_get_document (window));
+  QnEditHistory *history = qn_window_get_document (window)->history;
   return qn_history_get_name (history, qn_history_get_position (history) - 1);
 }
 

@@ -53,13 +53,13 @@ gl_layer_of (QnCanvas *canvas)
 static inline const QnModel *
 model_of (QnWindow *window)
 {
-  return qn_document_get_model (qn_window_get_document (window));
+  return &qn_window_get_document (window)->project.model;
 }
 
 static inline QnSelection *
 selection_of (QnWindow *window)
 {
-  return qn_document_get_selection (qn_window_get_document (window));
+  return qn_window_get_document (window)->selection;
 }
 
 /* Path of an example; the caller frees it. */

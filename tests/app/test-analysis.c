@@ -14,9 +14,8 @@ static gboolean
 has_fresh_run (gpointer window)
 {
   QnDocument *document = qn_window_get_document (window);
-  const QnRun *run = qn_document_get_run (document);
-  return run != NULL && !qn_document_is_stale (document, run)
-         && qn_document_get_job (document) == NULL;
+  const QnRun *run = document->run;
+  return run != NULL && !qn_document_is_stale (document, run) && document->job == NULL;
 }
 
 /* Each edit of a small wall is solved again, without leaving the view, and leaves one run. */
@@ -28,7 +27,7 @@ test_live (void)
   QnDocument *document = qn_window_get_document (window);
   g_settings_set_boolean (settings, "live", TRUE);
   driver_wait (has_fresh_run, window);
-  double before = qn_document_get_run (document)->result.collapse_multiplier;
+  double before = document->run->result.collapse_multiplier;
   g_assert_cmpint (qn_view_state_get_view (state_of (window)), ==, QN_VIEW_MODEL);
 
   QnId top = 0;
@@ -36,13 +35,13 @@ test_live (void)
     if (!model_of (window)->blocks[i].support[0])
       top = (QnId) i;
   }
-  qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &top, 1);
+  qn_selection_set (document->selection, QN_PART_BLOCK, &top, 1);
   gtk_widget_activate_action (GTK_WIDGET (window), "win.nudge", "(dd)", 1.0, 0.0);
-  g_assert_true (qn_document_is_stale (document, qn_document_get_run (document)));
+  g_assert_true (qn_document_is_stale (document, document->run));
   driver_wait (has_fresh_run, window);
-  g_assert_cmpfloat_with_epsilon (
-    qn_document_get_run (document)->result.collapse_multiplier, before, 1e-9);
-  g_assert_cmpuint (qn_document_get_runs (document)->len, ==, 1);
+  g_assert_cmpfloat_with_epsilon (document->run->result.collapse_multiplier, before,
+                                  1e-9);
+  g_assert_cmpuint (document->runs->len, ==, 1);
   driver_screenshot (GTK_WIDGET (window), "live");
   g_settings_set_boolean (settings, "live", FALSE);
   driver_discard (window);
@@ -84,9 +83,8 @@ test_failures (void)
     driver_activate (window, "win.run");
     driver_wait_for_job (window);
     driver_screenshot (GTK_WIDGET (window), cases[i].picture);
-    g_assert_true (
-      qn_selection_has (qn_document_get_selection (document), QN_PART_BLOCK, top));
-    g_assert_null (qn_document_get_run (document));
+    g_assert_true (qn_selection_has (document->selection, QN_PART_BLOCK, top));
+    g_assert_null (document->run);
     driver_discard (window);
   }
 }
@@ -109,11 +107,11 @@ test_dead_load (void)
   g_assert_true (edit_model (document, "No Friction", NULL, remove_friction, NULL, NULL));
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   g_assert_nonnull (run);
   g_assert_cmpint (run->result.outcome, ==, QN_OUTCOME_DEAD_LOAD_UNSTABLE);
   guint selected = 0;
-  qn_selection_get (qn_document_get_selection (document), QN_PART_BLOCK, &selected);
+  qn_selection_get (document->selection, QN_PART_BLOCK, &selected);
   g_assert_cmpuint (selected, ==, 1);
   driver_screenshot (GTK_WIDGET (window), "dead-load");
   driver_discard (window);
@@ -152,9 +150,9 @@ test_procedures (void)
       driver_screenshot (GTK_WIDGET (window), "displacement-control");
     driver_activate (window, "win.run");
     driver_wait_for_job (window);
-    const QnRun *run = qn_document_get_run (document);
+    const QnRun *run = document->run;
     g_assert_nonnull (run);
-    g_assert_cmpuint (qn_document_get_runs (document)->len, ==, i + 1);
+    g_assert_cmpuint (document->runs->len, ==, i + 1);
     if (run->model.analysis.procedure == QN_PROCEDURE_DYNAMIC) {
       g_assert_cmpuint (run->result.history.row_count, >, 1);
       driver_screenshot (GTK_WIDGET (window), "in-time");
@@ -197,7 +195,7 @@ test_in_time (void)
 
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   g_assert_cmpuint (run->result.history.row_count, >, 100);
   g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, " s of "));
   driver_screenshot (GTK_WIDGET (window), "history");
@@ -218,8 +216,8 @@ test_rest (void)
 static gboolean
 has_all_runs (gpointer window)
 {
-  return qn_document_get_runs (qn_window_get_document (window))->len == 3
-         && qn_document_get_job (qn_window_get_document (window)) == NULL;
+  return qn_window_get_document (window)->runs->len == 3
+         && qn_window_get_document (window)->job == NULL;
 }
 
 static void
@@ -363,9 +361,9 @@ test_modes_and_stability (void)
   QnDocument *document = qn_window_get_document (window);
   driver_activate (window, "win.run-modes::dead");
   driver_wait_for_job (window);
-  const GPtrArray *runs = qn_document_get_runs (document);
+  const GPtrArray *runs = document->runs;
   g_assert_cmpuint (runs->len, ==, 6);
-  const QnRun *first = qn_document_get_run (document);
+  const QnRun *first = document->run;
   g_assert_true (first == g_ptr_array_index (runs, 0));
   g_assert_cmpfloat_with_epsilon (first->result.vibration.omega, 315.711, 0.01);
   QnViewState *state = state_of (window);
@@ -380,7 +378,7 @@ test_modes_and_stability (void)
   document = qn_window_get_document (window);
   driver_activate (window, "win.run-stability");
   driver_wait_for_job (window);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   g_assert_cmpint (run->kind, ==, QN_RUN_STABILITY);
   g_assert_cmpfloat_with_epsilon (run->result.first_limit_multiplier, 2470.2, 0.1);
   driver_screenshot (GTK_WIDGET (window), "stability");
@@ -390,8 +388,8 @@ test_modes_and_stability (void)
   window = driver_open_example ("ferris-tin-loi/wall1.quoin");
   driver_activate (window, "win.run-modes::loaded");
   driver_wait_for_job (window);
-  g_assert_null (qn_document_get_job_error (qn_window_get_document (window)));
-  run = qn_document_get_run (qn_window_get_document (window));
+  g_assert_null (qn_window_get_document (window)->job_error);
+  run = qn_window_get_document (window)->run;
   g_assert_cmpint (run->kind, ==, QN_RUN_MODE);
   driver_discard (window);
 }

@@ -16,14 +16,14 @@ static void
 check_history (QnWindow *window)
 {
   QnDocument *document = qn_window_get_document (window);
-  g_autofree char *text = g_strdup (qn_document_get_text (document));
-  guint steps = qn_history_get_position (qn_document_get_history (document));
+  g_autofree char *text = g_strdup (document->text->text);
+  guint steps = qn_history_get_position (document->history);
   for (guint i = 0; i < steps; i++)
     g_assert_true (qn_document_undo (document));
-  g_assert_cmpuint (qn_document_get_model (document)->beam_count, ==, 0);
+  g_assert_cmpuint (document->project.model.beam_count, ==, 0);
   for (guint i = 0; i < steps; i++)
     g_assert_true (qn_document_redo (document));
-  g_assert_cmpstr (qn_document_get_text (document), ==, text);
+  g_assert_cmpstr (document->text->text, ==, text);
 }
 
 /* A portal from three drags; the feet are fixed by clicks; it is moved, turned, deleted. */
@@ -127,7 +127,7 @@ test_diagrams (void)
   QnDocument *document = qn_window_get_document (window);
   driver_key ("F5");
   driver_wait_for_job (window);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   g_assert_nonnull (run);
   g_assert_nonnull (run->result.beam_forces);
   driver_key ("ctrl+6");

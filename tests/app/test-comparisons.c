@@ -139,7 +139,7 @@ test_variants (void)
   driver_key ("Escape");
   g_assert_null (driver_find_page ("Comparison"));
   driver_key ("ctrl+z");
-  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  const QnRun *run = qn_window_get_document (window)->run;
   g_assert_cmpstr (run->label, ==, "friction 0.8");
 
   driver_activate (window, "win.show-panel::result");
@@ -158,7 +158,7 @@ static void
 test_all_methods (void)
 {
   QnWindow *window = driver_open_example ("01-sliding-block.quoin");
-  const GPtrArray *runs = qn_document_get_runs (qn_window_get_document (window));
+  const GPtrArray *runs = qn_window_get_document (window)->runs;
   driver_key ("F5");
   driver_wait_for_job (window);
   driver_activate (window, "win.run-all");
@@ -280,7 +280,7 @@ drag_files (const char *const *names, GtkWidget *onto)
 static gboolean
 has_path (gpointer data)
 {
-  return qn_document_get_path (qn_window_get_document (data)) != NULL;
+  return qn_window_get_document (data)->path != NULL;
 }
 
 static gboolean
@@ -301,8 +301,8 @@ test_drop_files (void)
   QnWindow *window = driver_open_window (1200, 760);
   drag_files (one, GTK_WIDGET (window));
   driver_wait (has_path, window);
-  g_assert_true (g_str_has_suffix (qn_document_get_path (qn_window_get_document (window)),
-                                   "06-arch.quoin"));
+  g_assert_true (
+    g_str_has_suffix (qn_window_get_document (window)->path, "06-arch.quoin"));
   driver_activate (window, "win.compare");
   GtkWidget *dialog = driver_find_page ("Comparison");
   drag_files (two, dialog);

@@ -17,8 +17,7 @@
 static guint
 steps_of (QnWindow *window)
 {
-  return qn_history_get_position (
-    qn_document_get_history (qn_window_get_document (window)));
+  return qn_history_get_position (qn_window_get_document (window)->history);
 }
 
 static QnMasonries
@@ -53,19 +52,18 @@ static void
 check_history (QnWindow *window)
 {
   QnDocument *document = qn_window_get_document (window);
-  g_autofree char *text = g_strdup (qn_document_get_text (document));
+  g_autofree char *text = g_strdup (document->text->text);
   guint steps = steps_of (window);
   g_autoptr (GPtrArray) texts = g_ptr_array_new_with_free_func (g_free);
   for (guint i = 0; i < steps; i++) {
-    g_ptr_array_add (texts, g_strdup (qn_document_get_text (document)));
+    g_ptr_array_add (texts, g_strdup (document->text->text));
     g_assert_true (qn_document_undo (document));
   }
   for (guint i = steps; i > 0; i--) {
     g_assert_true (qn_document_redo (document));
-    g_assert_cmpstr (qn_document_get_text (document), ==,
-                     g_ptr_array_index (texts, i - 1));
+    g_assert_cmpstr (document->text->text, ==, g_ptr_array_index (texts, i - 1));
   }
-  g_assert_cmpstr (qn_document_get_text (document), ==, text);
+  g_assert_cmpstr (document->text->text, ==, text);
 }
 
 static void
@@ -163,12 +161,11 @@ test_whole_wall (void)
   driver_drag (window, at.x, at.y, at.x, at.y + 0.8);
   g_assert_cmpuint (count_objects (window), ==, 0);
   g_assert_cmpfloat (place_of_stone (window).y, >, at.y + 0.5);
-  QnEditHistory *history = qn_document_get_history (qn_window_get_document (window));
+  QnEditHistory *history = qn_window_get_document (window)->history;
   g_assert_cmpstr (qn_history_get_name (history, qn_history_get_position (history) - 1),
                    ==, "Move, Wall to Free Blocks");
   guint moved = 0;
-  qn_selection_get (qn_document_get_selection (qn_window_get_document (window)),
-                    QN_PART_BLOCK, &moved);
+  qn_selection_get (qn_window_get_document (window)->selection, QN_PART_BLOCK, &moved);
   g_assert_cmpuint (moved, ==, 1);
   driver_key ("ctrl+z");
   g_assert_cmpuint (count_objects (window), ==, 1);
@@ -397,8 +394,7 @@ test_cut_join (void)
   driver_drag (window, 0.5, 1.2, 2.5, 1.8);
   g_assert_cmpuint (model_of (window)->block_count, ==, 2);
   g_assert_cmpfloat_with_epsilon (total_area (model_of (window)), area, 1e-9);
-  g_assert_cmpuint (
-    qn_document_get_contacts (qn_window_get_document (window))->face_count, ==, 1);
+  g_assert_cmpuint (qn_window_get_document (window)->contacts.face_count, ==, 1);
   driver_activate (window, "win.select-all");
   driver_activate (window, "win.join");
   g_assert_cmpuint (model_of (window)->block_count, ==, 1);
@@ -529,7 +525,7 @@ test_joints (void)
 {
   QnWindow *window = open_blank ();
   QnDocument *document = qn_window_get_document (window);
-  QnSelection *selection = qn_document_get_selection (document);
+  QnSelection *selection = document->selection;
   driver_drag (window, 0.0, 0.0, 2.4, 1.75);
   g_assert_true (edit_model (document, "Law", NULL, add_law, NULL, NULL));
   driver_key ("l");
@@ -537,7 +533,7 @@ test_joints (void)
   g_free (qn_canvas_get_tool_settings (canvas)->joint_law);
   qn_canvas_get_tool_settings (canvas)->joint_law = g_strdup ("rough");
   driver_drag (window, -0.2, 0.3, 2.6, 0.4);
-  const QnContacts *contacts = qn_document_get_contacts (document);
+  const QnContacts *contacts = &document->contacts;
   g_assert_cmpuint (model_of (window)->override_count, >, 3);
   guint rough = 0;
   QnId face = QN_NONE;
@@ -565,7 +561,7 @@ test_joints (void)
 
   driver_key ("F5");
   driver_wait_for_job (window);
-  g_assert_nonnull (qn_document_get_run (document));
+  g_assert_nonnull (document->run);
   driver_activate (window, "win.view::contacts");
   driver_activate (window, "win.show-panel::properties");
   qn_selection_set_face (selection, face);
@@ -589,19 +585,19 @@ test_findings (void)
   QnWindow *window = open_blank ();
   QnDocument *document = qn_window_get_document (window);
   g_assert_true (qn_document_load_recovered (document, text, NULL, NULL));
-  const QnContacts *contacts = qn_document_get_contacts (document);
+  const QnContacts *contacts = &document->contacts;
   g_assert_cmpuint (contacts->face_count, ==, 0);
   g_assert_cmpuint (contacts->findings.count, >, 0);
   driver_activate (window, "win.fit");
   driver_activate (window, "win.show-panel::findings");
   driver_screenshot (GTK_WIDGET (window), "findings");
   driver_press (GTK_WIDGET (window), "Snap");
-  contacts = qn_document_get_contacts (document);
+  contacts = &document->contacts;
   g_assert_cmpuint (contacts->face_count, ==, 1);
   g_assert_cmpuint (contacts->findings.count, ==, 0);
   g_assert_cmpuint (steps_of (window), ==, 1);
   driver_activate (window, "win.undo");
-  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 0);
+  g_assert_cmpuint (document->contacts.face_count, ==, 0);
   driver_discard (window);
 }
 

@@ -29,7 +29,7 @@ static gboolean
 has_live_history (gpointer window)
 {
   gsize count = 0;
-  QnJob *job = qn_document_get_job (qn_window_get_document (window));
+  QnJob *job = qn_window_get_document (window)->job;
   const QnVec2 *curve = job != NULL ? qn_job_get_curve (job, &count) : NULL;
   return count >= 3 && curve[0].x >= 0.0
          && driver_find_widget (window, driver_says, " of 5000 s") != NULL
@@ -54,7 +54,7 @@ test_live_history (void)
   driver_screenshot (GTK_WIDGET (window), "live-history");
   driver_activate (window, "win.cancel");
   driver_wait_for_job (window);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   g_assert_cmpint (run->result.outcome, ==, QN_OUTCOME_CANCELLED);
   driver_discard (window);
 }
@@ -69,7 +69,7 @@ test_end_of_history (void)
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
   /* It says so, and how far it moved; the picture is of that time, at true scale at least. */
-  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  const QnRun *run = qn_window_get_document (window)->run;
   QnViewState *state = state_of (window);
   g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "Stands"));
   g_assert_nonnull (
@@ -97,7 +97,7 @@ step_of (QnWindow *window)
 static double
 time_of (QnWindow *window)
 {
-  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  const QnRun *run = qn_window_get_document (window)->run;
   return run->result.steps[step_of (window)].time;
 }
 
@@ -168,7 +168,7 @@ is_gone (gpointer weak)
 static gboolean
 has_stopped (gpointer window)
 {
-  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  const QnRun *run = qn_window_get_document (window)->run;
   return step_of (window) == (int) run->result.step_count - 1;
 }
 
@@ -206,7 +206,7 @@ test_playback (void)
   GtkWidget *loop = driver_find_widget (GTK_WIDGET (window), is_toggle, "Loop");
   gtk_toggle_button_set_active (GTK_TOGGLE_BUTTON (loop), FALSE);
   driver_activate (window, "win.play");
-  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  const QnRun *run = qn_window_get_document (window)->run;
   int late = (int) run->result.step_count - 4;
   qn_view_state_set_step (state, late);
   driver_settle ();
@@ -262,7 +262,7 @@ test_initial (void)
     if (!model->blocks[i].support[0])
       top = (QnId) i;
   g_assert_true (edit_model (document, "In Time", NULL, choose_dynamic, NULL, NULL));
-  qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &top, 1);
+  qn_selection_set (document->selection, QN_PART_BLOCK, &top, 1);
   driver_open_analysis (window);
   driver_settle ();
   g_assert_nonnull (
@@ -275,7 +275,7 @@ test_initial (void)
   driver_activate (window, "win.redo");
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   g_assert_cmpuint (run->result.history.row_count, >, 10);
   g_assert_cmpfloat (run->result.history.peaks[top], >, 0.0);
   driver_discard (window);
@@ -293,7 +293,7 @@ test_initial_fixed (void)
     if (model->blocks[i].support[0])
       base = (QnId) i;
   g_assert_true (edit_model (document, "In Time", NULL, choose_dynamic, NULL, NULL));
-  qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &base, 1);
+  qn_selection_set (document->selection, QN_PART_BLOCK, &base, 1);
   driver_open_analysis (window);
   type_start (window, "0.1 m");
   g_assert_cmpuint (model_of (window)->initial_count, ==, 0);
@@ -372,8 +372,7 @@ test_capacity (void)
   for (gsize i = 0; i < model_of (window)->block_count; i++)
     if (!model_of (window)->blocks[i].support[0])
       top = (QnId) i;
-  qn_selection_set (qn_document_get_selection (qn_window_get_document (window)),
-                    QN_PART_BLOCK, &top, 1);
+  qn_selection_set (qn_window_get_document (window)->selection, QN_PART_BLOCK, &top, 1);
   driver_activate (window, "win.nudge((0.01,0.0))");
   driver_wait (has_note, dialog);
 
@@ -542,7 +541,7 @@ test_damping (void)
 {
   QnWindow *window = driver_open_example ("43-shaken-wall.quoin");
   QnDocument *document = qn_window_get_document (window);
-  const QnDynamicSettings before = qn_document_get_model (document)->analysis.dynamic;
+  const QnDynamicSettings before = document->project.model.analysis.dynamic;
   driver_open_analysis (window);
   GtkWidget *ratio = driver_find_widget (GTK_WIDGET (window), driver_has_id, "ratio");
   g_assert_false (gtk_widget_is_sensitive (ratio));
@@ -554,9 +553,9 @@ test_damping (void)
   driver_key ("ctrl+a");
   driver_type ("0.05");
   driver_key ("Return");
-  const GPtrArray *runs = qn_document_get_runs (document);
+  const GPtrArray *runs = document->runs;
   const QnRun *ends[] = { runs->pdata[0], runs->pdata[runs->len - 1] };
-  const QnDynamicSettings *after = &qn_document_get_model (document)->analysis.dynamic;
+  const QnDynamicSettings *after = &document->project.model.analysis.dynamic;
   for (guint i = 0; i < G_N_ELEMENTS (ends); i++) {
     const double omega = ends[i]->result.vibration.omega;
     g_assert_cmpfloat_with_epsilon (
@@ -569,7 +568,7 @@ test_damping (void)
   driver_settle ();
   driver_screenshot (GTK_WIDGET (window), "damping");
   driver_activate (window, "win.undo");
-  after = &qn_document_get_model (document)->analysis.dynamic;
+  after = &document->project.model.analysis.dynamic;
   g_assert_cmpfloat (after->mass_damping, ==, before.mass_damping);
   g_assert_cmpfloat (after->joint_damping, ==, before.joint_damping);
   driver_discard (window);

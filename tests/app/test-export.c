@@ -151,7 +151,7 @@ test_sheet (void)
   driver_wait_for_job (window);
   driver_activate (window, "win.run-limit::associative");
   driver_wait_for_job (window);
-  const GPtrArray *runs = qn_document_get_runs (qn_window_get_document (window));
+  const GPtrArray *runs = qn_window_get_document (window)->runs;
   g_assert_cmpuint (runs->len, ==, 2);
   g_autoptr (GError) error = NULL;
   qn_compare_export (runs, NULL, path, &error);
@@ -271,7 +271,7 @@ test_files (void)
                             g_variant_new ("(ss)", kinds[i][0], path));
     g_assert_true (g_file_test (path, G_FILE_TEST_EXISTS));
   }
-  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  const QnRun *run = qn_window_get_document (window)->run;
   double solved = run->result.collapse_multiplier;
   driver_activate_target (window, "win.export-path",
                           g_variant_new ("(ss)", "drawing", "/no/such/folder/wall.dxf"));
@@ -284,7 +284,7 @@ test_files (void)
   window = driver_open_example ("02-overturning-block.quoin");
   g_autofree char *result = g_build_filename (folder, "result.json", NULL);
   driver_activate_target (window, "win.take-path", g_variant_new_string (result));
-  run = qn_document_get_run (qn_window_get_document (window));
+  run = qn_window_get_document (window)->run;
   g_assert_nonnull (run);
   g_assert_cmpfloat (run->result.collapse_multiplier, ==, solved);
   g_assert_cmpint (qn_view_state_get_view (state_of (window)), ==, QN_VIEW_MECHANISM);
@@ -379,7 +379,7 @@ test_report_template (void)
   gtk_editable_set_text (demand, "0.1*1.2");
   driver_press (dialog, "Export…");
   g_assert_cmpfloat (kept_demand (document), ==, 0.1 * 1.2);
-  g_assert_false (qn_document_is_stale (document, qn_document_get_run (document)));
+  g_assert_false (qn_document_is_stale (document, document->run));
   gsize part = report_size (window, path);
   g_assert_cmpuint (part, <, whole);
   driver_activate (window, "win.undo");

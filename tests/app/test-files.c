@@ -18,7 +18,7 @@ test_kept_history (void)
   g_autofree char *path = g_build_filename (folder, "wall.quoin", NULL);
   QnWindow *window = driver_open_example ("01-sliding-block.quoin");
   QnDocument *document = qn_window_get_document (window);
-  g_autofree char *opened = g_strdup (qn_document_get_text (document));
+  g_autofree char *opened = g_strdup (document->text->text);
   driver_activate (window, "win.keep-history");
   driver_activate (window, "win.select-all");
   driver_activate (window, "win.nudge((1.0,0.0))");
@@ -29,12 +29,12 @@ test_kept_history (void)
   window = driver_open_window (1280, 800);
   g_assert_true (qn_window_open_path (window, path));
   document = qn_window_get_document (window);
-  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 2);
+  g_assert_cmpuint (qn_history_get_count (document->history), ==, 2);
   g_assert_true (g_variant_get_boolean (
     g_action_group_get_action_state (G_ACTION_GROUP (window), "keep-history")));
   driver_activate (window, "win.undo");
   driver_activate (window, "win.undo");
-  g_assert_cmpstr (qn_document_get_text (document), ==, opened);
+  g_assert_cmpstr (document->text->text, ==, opened);
   driver_discard (window);
   g_unlink (path);
   g_rmdir (folder);
@@ -65,7 +65,7 @@ test_recovery (void)
   }
   g_assert_nonnull (recovered);
   QnDocument *document = qn_window_get_document (recovered);
-  g_assert_cmpstr (qn_document_get_path (document), ==, example);
+  g_assert_cmpstr (document->path, ==, example);
   g_assert_true (qn_document_is_modified (document));
   g_assert_cmpuint (model_of (recovered)->block_count, ==, 2);
   driver_screenshot (GTK_WIDGET (recovered), "recovered");
@@ -103,12 +103,11 @@ test_windows (void)
   g_assert_cmpuint (g_list_length (windows), ==, before + 1);
   QnWindow *second = NULL;
   for (GList *l = windows; l != NULL; l = l->next) {
-    if (l->data != first
-        && g_strcmp0 (qn_document_get_path (qn_window_get_document (l->data)), b) == 0)
+    if (l->data != first && g_strcmp0 (qn_window_get_document (l->data)->path, b) == 0)
       second = l->data;
   }
   g_assert_nonnull (second);
-  g_assert_cmpstr (qn_document_get_path (qn_window_get_document (first)), ==, a);
+  g_assert_cmpstr (qn_window_get_document (first)->path, ==, a);
   driver_discard (second);
   driver_discard (first);
 }
@@ -128,7 +127,7 @@ test_example (void)
   g_signal_emit_by_name (card, "clicked");
   driver_settle ();
   g_assert_false (qn_window_is_blank (window));
-  g_assert_null (qn_document_get_path (document));
+  g_assert_null (document->path);
   g_assert_false (qn_document_is_modified (document));
   g_assert_cmpuint (model_of (window)->ground_count, ==, 1);
 
@@ -139,7 +138,7 @@ test_example (void)
   g_autofree char *path = g_build_filename (folder, "mine.quoin", NULL);
   g_autofree char *record = g_build_filename (folder, "43-synthetic-record.csv", NULL);
   driver_activate_target (window, "win.save-path", g_variant_new_string (path));
-  g_assert_cmpstr (qn_document_get_path (document), ==, path);
+  g_assert_cmpstr (document->path, ==, path);
   g_assert_true (g_file_test (record, G_FILE_TEST_EXISTS));
   g_assert_true (g_file_get_contents (example, &after, NULL, NULL));
   g_assert_cmpstr (before, ==, after);
@@ -304,7 +303,7 @@ test_save_fails (void)
 {
   QnWindow *window = driver_open_example ("01-sliding-block.quoin");
   QnDocument *document = qn_window_get_document (window);
-  g_autofree char *path = g_strdup (qn_document_get_path (document));
+  g_autofree char *path = g_strdup (document->path);
   driver_activate (window, "win.select-all");
   driver_activate (window, "win.nudge((1.0,0.0))");
   const char *where = "/no/such/folder/wall.quoin";
@@ -312,7 +311,7 @@ test_save_fails (void)
   g_assert_true (gtk_widget_get_visible (window->info_bar));
   g_assert_nonnull (strstr (gtk_label_get_text (window->info_label), where));
   g_assert_true (qn_document_is_modified (document));
-  g_assert_cmpstr (qn_document_get_path (document), ==, path);
+  g_assert_cmpstr (document->path, ==, path);
   driver_discard (window);
 }
 

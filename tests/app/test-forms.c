@@ -156,7 +156,7 @@ test_state (gconstpointer data)
 {
   const State *state = data;
   QnWindow *window = driver_open_window (1280, 1900);
-  QnSelection *selection = qn_document_get_selection (qn_window_get_document (window));
+  QnSelection *selection = qn_window_get_document (window)->selection;
   if (state->example != NULL) {
     g_autofree char *path = driver_example_path (state->example);
     g_assert_true (qn_window_open_path (window, path));
@@ -269,18 +269,18 @@ test_joint (void)
 {
   QnWindow *window = driver_open_example ("02-overturning-block.quoin");
   QnDocument *document = qn_window_get_document (window);
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  g_autofree char *before = g_strdup (document->text->text);
   driver_open_analysis (window);
   GtkWidget *joint = driver_find_widget (GTK_WIDGET (window), is_called, "joint");
   gtk_drop_down_set_selected (GTK_DROP_DOWN (joint), 1 + QN_JOINT_LIME_MORTAR);
   g_assert_cmpuint (gtk_drop_down_get_selected (GTK_DROP_DOWN (joint)), ==, 0);
-  const QnLaw *law = &qn_document_get_model (document)->laws[0];
+  const QnLaw *law = &document->project.model.laws[0];
   g_assert_cmpfloat (law->cohesion, ==, 1e5);
   g_assert_cmpint (law->basis, ==, QN_BASIS_SURFACE);
   g_assert_cmpstr (law->source, ==, qn_typical_joints[QN_JOINT_LIME_MORTAR].source);
-  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
+  g_assert_cmpuint (qn_history_get_count (document->history), ==, 1);
   driver_activate (window, "win.undo");
-  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  g_assert_cmpstr (document->text->text, ==, before);
   driver_discard (window);
 }
 
@@ -347,7 +347,7 @@ test_cases (void)
     driver_type (way == 0 ? "wind" : "snow");
     driver_key ("Return");
   }
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpstr (model->load_cases[0].name, ==, "wind");
   g_assert_cmpstr (model->load_cases[1].name, ==, "snow");
 
@@ -379,8 +379,8 @@ test_laws (void)
 {
   QnWindow *window = driver_open_example ("05-stack.quoin");
   QnDocument *document = qn_window_get_document (window);
-  QnSelection *selection = qn_document_get_selection (document);
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  QnSelection *selection = document->selection;
+  g_autofree char *before = g_strdup (document->text->text);
   guint steps = 0, count = 0;
   driver_open_analysis (window);
   GtkWidget *box = driver_find_widget (GTK_WIDGET (window), is_called, "materials");
@@ -390,7 +390,7 @@ test_laws (void)
   gtk_drop_down_set_selected (GTK_DROP_DOWN (joint), 1 + QN_JOINT_DRY_STONE);
   gtk_drop_down_set_selected (GTK_DROP_DOWN (add), 1 + QN_JOINT_BRICK);
   steps += 2;
-  g_assert_cmpuint (qn_document_get_model (document)->law_count, ==, 2);
+  g_assert_cmpuint (document->project.model.law_count, ==, 2);
   g_assert_cmpint (
     gtk_list_box_row_get_index (gtk_list_box_get_selected_row (GTK_LIST_BOX (list))), ==,
     1);
@@ -400,7 +400,7 @@ test_laws (void)
   driver_settle ();
   press (window, "apply");
   steps++;
-  const QnContacts *contacts = qn_document_get_contacts (document);
+  const QnContacts *contacts = &document->contacts;
   g_assert_cmpint (contacts->faces[1].law_a, ==, 1);
   g_assert_cmpint (contacts->faces[1].law_b, ==, 1);
   g_assert_cmpint (contacts->faces[0].law_a, ==, 0);
@@ -414,7 +414,7 @@ test_laws (void)
   press (window, "duplicate");
   press (window, "apply_to_all");
   steps += 2;
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpint (model->contact.law, ==, 2);
   g_assert_cmpstr (model->laws[2].source, ==, model->laws[1].source);
   /* The law of all others has one in its place, or stays. */
@@ -424,13 +424,13 @@ test_laws (void)
     GTK_WIDGET (gtk_list_box_get_selected_row (GTK_LIST_BOX (list))));
   driver_key ("Delete");
   steps++;
-  model = qn_document_get_model (document);
+  model = &document->project.model;
   g_assert_cmpuint (model->law_count, ==, 2);
   g_assert_cmpint (model->contact.law, ==, 0);
-  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, steps);
+  g_assert_cmpuint (qn_history_get_count (document->history), ==, steps);
   for (guint i = 0; i < steps; i++)
     driver_activate (window, "win.undo");
-  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  g_assert_cmpstr (document->text->text, ==, before);
   driver_discard (window);
 }
 
@@ -457,14 +457,13 @@ test_softening (void)
   g_assert_true (edit_model (document, "Bond", NULL, take_fracture_energy, NULL, NULL));
   driver_settle ();
   g_assert_true (gtk_widget_get_visible (gtk_widget_get_parent (softening)));
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  g_autofree char *before = g_strdup (document->text->text);
   gtk_widget_grab_focus (softening);
   gtk_drop_down_set_selected (GTK_DROP_DOWN (softening), 1);
-  g_assert_true (qn_document_get_model (document)->laws[0].exponential);
-  g_assert_nonnull (
-    strstr (qn_document_get_text (document), "\"softening\": \"exponential\""));
+  g_assert_true (document->project.model.laws[0].exponential);
+  g_assert_nonnull (strstr (document->text->text, "\"softening\": \"exponential\""));
   driver_activate (window, "win.undo");
-  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  g_assert_cmpstr (document->text->text, ==, before);
   driver_discard (window);
 }
 
@@ -506,23 +505,23 @@ test_project (void)
 {
   QnWindow *window = driver_open_example ("25-four-bricks.quoin");
   QnDocument *document = qn_window_get_document (window);
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
-  double weight = qn_document_get_model (document)->blocks[1].weight;
-  double gravity = qn_document_get_model (document)->gravity;
+  g_autofree char *before = g_strdup (document->text->text);
+  double weight = document->project.model.blocks[1].weight;
+  double gravity = document->project.model.gravity;
   driver_open_analysis (window);
   enter (GTK_WIDGET (window), "title", "A stack on the Moon");
   enter (GTK_WIDGET (window), "gravity", "1.62");
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpstr (model->title, ==, "A stack on the Moon");
   g_assert_cmpfloat (model->gravity, ==, 1.62);
   g_assert_cmpfloat_with_epsilon (model->blocks[1].weight, weight * 1.62 / gravity,
                                   1e-9 * weight);
   enter (GTK_WIDGET (window), "title", "");
-  g_assert_null (qn_document_get_model (document)->title);
-  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 3);
+  g_assert_null (document->project.model.title);
+  g_assert_cmpuint (qn_history_get_count (document->history), ==, 3);
   for (int i = 0; i < 3; i++)
     driver_activate (window, "win.undo");
-  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  g_assert_cmpstr (document->text->text, ==, before);
   driver_discard (window);
 }
 
@@ -533,22 +532,22 @@ test_refusal (void)
   QnWindow *window = driver_open_example ("05-stack.quoin");
   QnDocument *document = qn_window_get_document (window);
   const QnId top = 1;
-  qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &top, 1);
+  qn_selection_set (document->selection, QN_PART_BLOCK, &top, 1);
   driver_settle ();
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
-  const QnModel *model = qn_document_get_model (document);
+  g_autofree char *before = g_strdup (document->text->text);
+  const QnModel *model = &document->project.model;
   GtkWidget *name = driver_find_widget (GTK_WIDGET (window), is_called, "name");
   gtk_editable_set_text (GTK_EDITABLE (name), model->blocks[0].name);
   g_signal_emit_by_name (name, "activate");
-  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  g_assert_cmpstr (document->text->text, ==, before);
   g_assert_true (gtk_widget_has_css_class (name, "error"));
   g_assert_nonnull (gtk_widget_get_tooltip_text (name));
   g_assert_cmpstr (gtk_editable_get_text (GTK_EDITABLE (name)), ==,
                    model->blocks[0].name);
   gtk_editable_set_text (GTK_EDITABLE (name), "another");
   g_signal_emit_by_name (name, "activate");
-  g_assert_cmpstr (qn_document_get_model (document)->blocks[1].name, ==, "another");
-  qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, &top, 1);
+  g_assert_cmpstr (document->project.model.blocks[1].name, ==, "another");
+  qn_selection_set (document->selection, QN_PART_BLOCK, &top, 1);
   g_assert_false (gtk_widget_has_css_class (name, "error"));
   g_assert_null (gtk_widget_get_tooltip_text (name));
   driver_discard (window);

@@ -66,7 +66,7 @@ test_context (void)
   g_assert_true (qn_window_open_path (window, path));
   driver_settle ();
   expect_page (window, "drawing");
-  QnSelection *selection = qn_document_get_selection (qn_window_get_document (window));
+  QnSelection *selection = qn_window_get_document (window)->selection;
   qn_selection_set_opening (selection, 0, 0);
   expect_page (window, "openings");
   qn_selection_set_face (selection, 3);

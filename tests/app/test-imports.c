@@ -43,8 +43,8 @@ test_import (void)
   driver_press (dialog, "Import");
   gsize count = model_of (window)->block_count;
   g_assert_cmpuint (count, >, 0);
-  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
-  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, >, 0);
+  g_assert_cmpuint (qn_history_get_count (document->history), ==, 1);
+  g_assert_cmpuint (document->contacts.face_count, >, 0);
 
   /* Again, into a drawing that has blocks: they are added, and stand in each other's way. */
   driver_activate (window, "win.undo");
@@ -85,11 +85,11 @@ test_facade_strip (void)
   driver_screenshot (dialog, "facade-strip");
   driver_press (dialog, "Draw");
   g_assert_cmpuint (model_of (window)->block_count, ==, 13);
-  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
-  g_assert_nonnull (strstr (qn_document_get_text (document), "\"mechanism\": true"));
+  g_assert_cmpuint (qn_history_get_count (document->history), ==, 1);
+  g_assert_nonnull (strstr (document->text->text, "\"mechanism\": true"));
   driver_activate (window, "win.undo");
   g_assert_cmpuint (model_of (window)->block_count, ==, 0);
-  g_assert_null (strstr (qn_document_get_text (document), "\"mechanism\""));
+  g_assert_null (strstr (document->text->text, "\"mechanism\""));
   driver_activate (window, "win.redo");
   const guint windows =
     g_list_length (gtk_application_get_windows (driver_application ()));
@@ -117,9 +117,9 @@ test_mortar (void)
   GtkWidget *dialog = begin_import (window, "dxf/wall-mortar.dxf");
   driver_screenshot (dialog, "import-mortar");
   driver_press (dialog, "Import");
-  gsize faces = qn_document_get_contacts (document)->face_count;
+  gsize faces = document->contacts.face_count;
   g_assert_cmpuint (faces, ==, 158);
-  g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
+  g_assert_cmpuint (document->contacts.findings.count, ==, 0);
   driver_activate (window, "win.undo");
 
   dialog = begin_import (window, "dxf/wall-mortar.dxf");
@@ -127,15 +127,15 @@ test_mortar (void)
   g_assert_nonnull (choice);
   gtk_drop_down_set_selected (GTK_DROP_DOWN (choice), 0);
   driver_press (dialog, "Import");
-  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 0);
+  g_assert_cmpuint (document->contacts.face_count, ==, 0);
   driver_activate_target (window, "win.show-panel", g_variant_new_string ("findings"));
   driver_screenshot (GTK_WIDGET (window), "findings-mortar");
   driver_press (GTK_WIDGET (window), "Close Gaps");
-  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, faces);
-  g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
+  g_assert_cmpuint (document->contacts.face_count, ==, faces);
+  g_assert_cmpuint (document->contacts.findings.count, ==, 0);
   driver_screenshot (GTK_WIDGET (window), "findings-closed");
   driver_activate (window, "win.undo");
-  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 0);
+  g_assert_cmpuint (document->contacts.face_count, ==, 0);
   driver_discard (window);
 }
 
@@ -223,7 +223,7 @@ test_picture (void)
   QnWindow *window = driver_open_window (1280, 800);
   QnDocument *document = qn_window_get_document (window);
   QnViewState *state = state_of (window);
-  g_autofree char *empty = g_strdup (qn_document_get_text (document));
+  g_autofree char *empty = g_strdup (document->text->text);
   driver_activate_target (window, "win.take-path", g_variant_new_string (picture));
   const QnUnderlay *underlay = qn_view_state_get_underlay (state);
   g_assert_nonnull (underlay->image);
@@ -239,7 +239,7 @@ test_picture (void)
   driver_drag (window, 1.013, 0.3, 1.51, 0.3);
   underlay = qn_view_state_get_underlay (state);
   g_assert_cmpfloat_with_epsilon (underlay->origin.x, 1.5 - gripped, 1e-5);
-  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 2);
+  g_assert_cmpuint (qn_history_get_count (document->history), ==, 2);
 
   /* The dark door is 2.5 m wide on the screen; it is 1.25 m wide in truth. */
   double left = underlay->origin.x + 1.25;
@@ -286,9 +286,9 @@ test_picture (void)
   g_assert_nonnull (strstr (json, "\"survey.png\""));
   g_assert_nonnull (qn_view_state_get_underlay (state)->image);
 
-  while (qn_history_can_undo (qn_document_get_history (document)))
+  while (qn_history_can_undo (document->history))
     driver_activate (window, "win.undo");
-  g_assert_cmpstr (qn_document_get_text (document), ==, empty);
+  g_assert_cmpstr (document->text->text, ==, empty);
   g_assert_null (qn_view_state_get_underlay (state)->image);
   driver_discard (window);
   g_unlink (path);

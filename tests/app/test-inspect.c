@@ -24,8 +24,7 @@ open_solved (void)
 static QnVec2
 middle_of (QnWindow *window, QnId face)
 {
-  const QnContactFace *f =
-    &qn_document_get_contacts (qn_window_get_document (window))->faces[face];
+  const QnContactFace *f = &qn_window_get_document (window)->contacts.faces[face];
   return qn_vec2_lerp (f->start, f->end, 0.5);
 }
 
@@ -33,7 +32,7 @@ middle_of (QnWindow *window, QnId face)
 static QnId
 pressed_joint (QnWindow *window)
 {
-  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  const QnRun *run = qn_window_get_document (window)->run;
   QnId found = QN_NONE;
   double most = 0.0;
   for (gsize f = 0; f < run->contacts.face_count; f++) {
@@ -83,7 +82,7 @@ test_click_joint (void)
   static const char *const views[] = { "win.view::forces", "win.view::model",
                                        "win.view::contacts" };
   QnWindow *window = open_solved ();
-  QnSelection *selection = qn_document_get_selection (qn_window_get_document (window));
+  QnSelection *selection = qn_window_get_document (window)->selection;
   QnId joint = pressed_joint (window);
   QnVec2 at = middle_of (window, joint);
   driver_activate (window, "win.show-panel::result");
@@ -111,7 +110,7 @@ test_small_joints (void)
   QnWindow *window = driver_open_example ("12-facade.quoin");
   QnSelection *selection = selection_of (window);
   QnCanvas *canvas = canvas_of (window);
-  const QnContacts *contacts = qn_document_get_contacts (qn_window_get_document (window));
+  const QnContacts *contacts = &qn_window_get_document (window)->contacts;
   driver_activate (window, "win.view::contacts");
   gsize shortest = 0;
   for (gsize f = 1; f < contacts->face_count; f++)
@@ -184,11 +183,10 @@ test_drag_beside_joint (void)
   guint count = 0;
   driver_activate (window, "win.view::model");
   driver_drag (window, at.x, at.y, at.x + 0.5, at.y);
-  g_assert_cmpint (qn_selection_get_face (qn_document_get_selection (document)), ==,
-                   QN_NONE);
-  qn_selection_get (qn_document_get_selection (document), QN_PART_BLOCK, &count);
+  g_assert_cmpint (qn_selection_get_face (document->selection), ==, QN_NONE);
+  qn_selection_get (document->selection, QN_PART_BLOCK, &count);
   g_assert_cmpuint (count, ==, 1);
-  g_assert_true (qn_history_can_undo (qn_document_get_history (document)));
+  g_assert_true (qn_history_can_undo (document->history));
   driver_discard (window);
 }
 
@@ -223,8 +221,8 @@ static void
 test_table_row (void)
 {
   QnWindow *window = open_solved ();
-  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
-  QnSelection *selection = qn_document_get_selection (qn_window_get_document (window));
+  const QnRun *run = qn_window_get_document (window)->run;
+  QnSelection *selection = qn_window_get_document (window)->selection;
   driver_activate (window, "win.show-panel::result");
   GtkWidget *expander =
     driver_find_widget (GTK_WIDGET (window), is_contact_expander, NULL);
@@ -276,7 +274,7 @@ test_found_rows (void)
   g_assert_true (qn_window_open_path (window, path));
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  const QnRun *run = qn_window_get_document (window)->run;
   gsize count;
   const QnFoundForce *found =
     qn_step_found (&run->result, run->result.step_count - 1, &count);
@@ -317,7 +315,7 @@ test_stale_result (void)
 {
   QnWindow *window = open_solved ();
   QnDocument *document = qn_window_get_document (window);
-  QnSelection *selection = qn_document_get_selection (document);
+  QnSelection *selection = document->selection;
   QnId joint = pressed_joint (window);
   QnVec2 at = middle_of (window, joint);
   driver_activate (window, "win.view::forces");

@@ -147,7 +147,7 @@ test_window (void)
   driver_activate (window, "win.select-all");
   driver_activate (window, "win.show-panel::properties");
   expect_to_fit (GTK_WIDGET (window), "properties");
-  qn_selection_set_face (qn_document_get_selection (qn_window_get_document (window)), 40);
+  qn_selection_set_face (qn_window_get_document (window)->selection, 40);
   expect_to_fit (GTK_WIDGET (window), "joint");
   driver_activate (window, "win.show-panel::findings");
   expect_to_fit (GTK_WIDGET (window), "findings");
@@ -161,8 +161,7 @@ test_masonry (void)
   QnWindow *window = driver_open_window (SCREEN_WIDTH, SCREEN_HEIGHT);
   g_autofree char *path = driver_example_path ("12-facade.quoin");
   g_assert_true (qn_window_open_path (window, path));
-  qn_selection_set_opening (qn_document_get_selection (qn_window_get_document (window)),
-                            0, 0);
+  qn_selection_set_opening (qn_window_get_document (window)->selection, 0, 0);
   expect_to_fit (GTK_WIDGET (window), "opening");
   driver_activate (window, "win.tool::arch");
   expect_to_fit (GTK_WIDGET (window), "arch");
@@ -221,7 +220,7 @@ open_copy (const char *example, int width, int height)
 static void
 discard_copy (QnWindow *window)
 {
-  const char *path = qn_document_get_path (qn_window_get_document (window));
+  const char *path = qn_window_get_document (window)->path;
   g_autofree char *copy = g_strdup (path);
   g_autofree char *folder = g_path_get_dirname (copy);
   driver_discard (window);
@@ -273,10 +272,10 @@ test_manual_results (void)
 {
   QnWindow *window = open_copy ("ferris-tin-loi/wall3.quoin", 1100, 720);
   driver_activate (window, "win.view::contacts");
-  qn_selection_set_face (qn_document_get_selection (qn_window_get_document (window)), 40);
+  qn_selection_set_face (qn_window_get_document (window)->selection, 40);
   driver_activate (window, "win.show-panel::properties");
   manual_picture (GTK_WIDGET (window), "contacts");
-  qn_selection_clear (qn_document_get_selection (qn_window_get_document (window)));
+  qn_selection_clear (qn_window_get_document (window)->selection);
   driver_activate (window, "win.show-panel::analysis");
   gtk_expander_set_expanded (
     GTK_EXPANDER (driver_find_id (GTK_WIDGET (window), "method")), TRUE);
@@ -297,8 +296,7 @@ static void
 test_manual_drawing (void)
 {
   QnWindow *window = open_copy ("12-facade.quoin", 1100, 720);
-  qn_selection_set_opening (qn_document_get_selection (qn_window_get_document (window)),
-                            0, 0);
+  qn_selection_set_opening (qn_window_get_document (window)->selection, 0, 0);
   driver_activate (window, "win.show-panel::properties");
   manual_picture (GTK_WIDGET (window), "opening");
   g_autofree char *drawing = driver_example_path ("dxf/wall-clutter.dxf");

@@ -447,7 +447,7 @@ has_results (gpointer dialog)
 static gboolean
 has_case (gpointer window)
 {
-  return qn_document_get_runs (qn_window_get_document (window))->len == 1;
+  return qn_window_get_document (window)->runs->len == 1;
 }
 
 static void

@@ -401,8 +401,7 @@ any_job (void)
 {
   for (GList *l = gtk_application_get_windows (driver_application ()); l != NULL;
        l = l->next)
-    if (QN_IS_WINDOW (l->data)
-        && qn_document_get_job (qn_window_get_document (l->data)) != NULL)
+    if (QN_IS_WINDOW (l->data) && qn_window_get_document (l->data)->job != NULL)
       return TRUE;
   return FALSE;
 }

@@ -237,8 +237,7 @@ test_typed_moves (void)
   driver_type ("90");
   driver_key ("Return");
   check_corner (window, "other", 4.0, 0.0);
-  g_assert_true (
-    qn_history_can_undo (qn_document_get_history (qn_window_get_document (window))));
+  g_assert_true (qn_history_can_undo (qn_window_get_document (window)->history));
   driver_discard (window);
 }
 
@@ -406,12 +405,12 @@ test_gaps (void)
   enter (window, "gap_width", "70 mm");
   driver_screenshot (GTK_WIDGET (window), "gaps-marked");
   driver_press (GTK_WIDGET (window), "Close Gaps");
-  g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
-  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 5);
+  g_assert_cmpuint (document->contacts.findings.count, ==, 0);
+  g_assert_cmpuint (document->contacts.face_count, ==, 5);
   g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), is_label_beginning,
                                         "No joints of mortar up to this width."));
   driver_activate (window, "win.undo");
-  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 0);
+  g_assert_cmpuint (document->contacts.face_count, ==, 0);
   g_assert_nonnull (
     driver_find_widget (GTK_WIDGET (window), is_label_beginning, counted[1]));
   driver_discard (window);
@@ -433,7 +432,7 @@ test_paste (void)
     g_assert_cmpuint (model_of (window)->block_count, ==, (guint) (4 + i));
     g_assert_cmpint (ids[0], ==, 3 + i);
   }
-  const QnContacts *contacts = qn_document_get_contacts (qn_window_get_document (window));
+  const QnContacts *contacts = &qn_window_get_document (window)->contacts;
   for (gsize i = 0; i < contacts->findings.count; i++)
     g_assert_cmpint (contacts->findings.items[i].problem, !=, QN_PROBLEM_BLOCKS_OVERLAP);
   driver_discard (window);
@@ -453,7 +452,7 @@ test_dissolving_is_named (void)
     canvas_of (window), &draft, "Move", NULL,
     qn_edit_transform_blocks (draft.model, (QnBlockSet){ &id, 1 },
                               qn_transform_translation (3.0, 0.0), &draft.error)));
-  QnEditHistory *history = qn_document_get_history (document);
+  QnEditHistory *history = document->history;
   const char *name = qn_history_get_name (history, qn_history_get_position (history) - 1);
   g_assert_cmpstr (name, ==, "Move, Wall to Free Blocks");
   g_assert_true (qn_document_undo (document));
@@ -559,7 +558,7 @@ test_history_menu (void)
   driver_pass_over_gtk ();
   QnWindow *window = open_blocks ();
   QnDocument *document = qn_window_get_document (window);
-  QnEditHistory *history = qn_document_get_history (document);
+  QnEditHistory *history = document->history;
   driver_key ("ctrl+a");
   driver_activate (window, "win.nudge((1.0,0.0))");
   driver_key ("Escape");
@@ -621,7 +620,7 @@ test_runs_menu (void)
   driver_key ("Escape");
   g_assert_null (driver_find_widget (runs, driver_is_menu, NULL));
   driver_activate (window, "win.remove-run");
-  g_assert_cmpuint (qn_document_get_runs (document)->len, ==, 0);
+  g_assert_cmpuint (document->runs->len, ==, 0);
   driver_discard (window);
 }
 

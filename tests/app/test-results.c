@@ -37,7 +37,7 @@ test_curve_of_sliding (void)
 {
   QnWindow *window = driver_open_example ("01-sliding-block.quoin");
   solve (window, "win.run");
-  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  const QnRun *run = qn_window_get_document (window)->run;
   const QnResult *result = &run->result;
   const double *last = qn_result_step_displacements (result, result->step_count - 1) + 3;
   g_assert_cmpfloat (fabs (last[QN_DOF_UY]), >, last[QN_DOF_UX]);
@@ -79,7 +79,7 @@ test_curve (void)
   QnWindow *window = driver_open_example ("ferris-tin-loi/wall6.quoin");
   solve (window, "win.run");
   GtkWidget *curve = curve_of (window);
-  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  const QnRun *run = qn_window_get_document (window)->run;
   double farthest = 0.0;
   const double *last =
     qn_result_step_displacements (&run->result, run->result.step_count - 1);
@@ -141,8 +141,7 @@ lists_runs (GtkWidget *widget, gconstpointer window)
   if (!GTK_IS_DROP_DOWN (widget))
     return FALSE;
   GListModel *model = gtk_drop_down_get_model (GTK_DROP_DOWN (widget));
-  const GPtrArray *runs =
-    qn_document_get_runs (qn_window_get_document ((QnWindow *) window));
+  const GPtrArray *runs = qn_window_get_document ((QnWindow *) window)->runs;
   return model != NULL && g_list_model_get_n_items (model) == runs->len
          && g_str_has_prefix (gtk_string_list_get_string (GTK_STRING_LIST (model), 0),
                               ((QnRun *) runs->pdata[0])->name);
@@ -158,11 +157,11 @@ test_runs (void)
   solve (window, "win.run-limit::associative");
   GtkWidget *choice = driver_find_widget (GTK_WIDGET (window), lists_runs, window);
   g_assert_nonnull (choice);
-  const GPtrArray *runs = qn_document_get_runs (document);
+  const GPtrArray *runs = document->runs;
   for (guint i = 0; i < runs->len; i++) {
     gtk_drop_down_set_selected (GTK_DROP_DOWN (choice), i);
     driver_settle ();
-    g_assert_true (qn_document_get_run (document) == runs->pdata[i]);
+    g_assert_true (document->run == runs->pdata[i]);
   }
   driver_discard (window);
 }

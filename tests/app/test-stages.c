@@ -86,7 +86,7 @@ test_settle_and_push (void)
 
   driver_activate (window, "win.run");
   driver_wait_for_job (window);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   g_assert_nonnull (run);
   g_assert_cmpint (run->result.stage, ==, 2);
   GtkWidget *stage = driver_find_widget (root, is_stage_choice, NULL);
@@ -138,8 +138,7 @@ test_edge_loads (void)
   g_assert_cmpint (model_of (window)->dead_loads[dead + 1].kind, ==, QN_LOAD_SURCHARGE);
 
   /* An edge load needs a block, and is on its top. */
-  qn_selection_set (qn_document_get_selection (document), QN_PART_BLOCK, (QnId[]){ 2 },
-                    1);
+  qn_selection_set (document->selection, QN_PART_BLOCK, (QnId[]){ 2 }, 1);
   driver_press (root, "Edge Load");
   load = &model_of (window)->dead_loads[dead + 2];
   g_assert_cmpint (load->kind, ==, QN_LOAD_EDGE);

@@ -52,7 +52,7 @@ is_idle (gpointer dialog)
 static gboolean
 shows_case (gpointer window)
 {
-  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  const QnRun *run = qn_window_get_document (window)->run;
   return run != NULL && g_str_has_prefix (run->name, "Case ");
 }
 
@@ -78,7 +78,7 @@ count_lines (const char *path)
 static guint
 count_runs (gpointer window)
 {
-  return qn_document_get_runs (qn_window_get_document (window))->len;
+  return qn_window_get_document (window)->runs->len;
 }
 
 typedef struct Opened {
@@ -389,8 +389,8 @@ test_every_number (void)
     char *folder = test_scratch_new ();
     QnWindow *window = driver_open_copy (folder, cases[i].example);
     QnDocument *document = qn_window_get_document (window);
-    QnSelection *selection = qn_document_get_selection (document);
-    QnId beam = 0, block = (QnId) qn_document_get_model (document)->block_count - 1;
+    QnSelection *selection = document->selection;
+    QnId beam = 0, block = (QnId) document->project.model.block_count - 1;
     if (cases[i].selected == A_BEAM)
       qn_selection_set (selection, QN_PART_BEAM, &beam, 1);
     else if (cases[i].selected == A_BLOCK)

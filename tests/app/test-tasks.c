@@ -50,7 +50,7 @@ test_wall (void)
   driver_drag (window, 3.6, 0.7, 4.4, 1.75);
   driver_key ("F5");
   driver_wait_for_job (window);
-  const QnRun *run = qn_document_get_run (qn_window_get_document (window));
+  const QnRun *run = qn_window_get_document (window)->run;
   g_assert_nonnull (run);
   g_assert_true (run->result.has_collapse_multiplier);
   driver_key ("ctrl+e");
@@ -78,8 +78,8 @@ test_mortar (void)
   driver_key ("Return"); /* what the dialog offers is taken */
   driver_settle ();
   QnDocument *document = qn_window_get_document (window);
-  g_assert_cmpuint (qn_document_get_model (document)->block_count, >, 1);
-  g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
+  g_assert_cmpuint (document->project.model.block_count, >, 1);
+  g_assert_cmpuint (document->contacts.findings.count, ==, 0);
   driver_screenshot (GTK_WIDGET (window), "task-mortar");
   expect_inputs ("drawing with mortar to a sound model", 1, begun);
   driver_discard (window);

@@ -195,8 +195,7 @@ test_examples (void)
   for (gsize i = 0; i < G_N_ELEMENTS (names); i++) {
     QnWindow *window = driver_open_example (names[i]);
     g_assert_cmpuint (model_of (window)->block_count, >, 0);
-    g_assert_cmpuint (
-      qn_document_get_contacts (qn_window_get_document (window))->face_count, >, 0);
+    g_assert_cmpuint (qn_window_get_document (window)->contacts.face_count, >, 0);
     g_assert_false (qn_document_is_modified (qn_window_get_document (window)));
     driver_activate (window, "win.view::contacts");
     if (i == 8)
@@ -299,7 +298,7 @@ test_draw (void)
 {
   QnWindow *window = driver_open_window (1280, 800);
   QnDocument *document = qn_window_get_document (window);
-  g_autofree char *empty = g_strdup (qn_document_get_text (document));
+  g_autofree char *empty = g_strdup (document->text->text);
   driver_activate (window, "win.draw");
   driver_drag (window, 0.5, 0.5, 2.5, 2.25);
   const QnModel *model = model_of (window);
@@ -327,11 +326,11 @@ test_draw (void)
   }
   g_assert_cmpfloat_with_epsilon (area, 0.32, 1e-9);
 
-  while (qn_history_can_undo (qn_document_get_history (document)))
+  while (qn_history_can_undo (document->history))
     driver_activate (window, "win.undo");
-  g_assert_cmpstr (qn_document_get_text (document), ==, empty);
+  g_assert_cmpstr (document->text->text, ==, empty);
   g_assert_cmpuint (model_of (window)->block_count, ==, 0);
-  while (qn_history_can_redo (qn_document_get_history (document)))
+  while (qn_history_can_redo (document->history))
     driver_activate (window, "win.redo");
   g_assert_cmpuint (free_blocks (model_of (window)), ==, 1);
   driver_discard (window);
@@ -343,7 +342,7 @@ test_edit (void)
 {
   QnWindow *window = driver_open_example ("01-sliding-block.quoin");
   QnDocument *document = qn_window_get_document (window);
-  QnSelection *selection = qn_document_get_selection (document);
+  QnSelection *selection = document->selection;
   gsize count = model_of (window)->block_count;
   QnId top = 0;
   for (QnId i = 0; i < (QnId) count; i++) {
@@ -356,7 +355,7 @@ test_edit (void)
   driver_key ("Right");
   g_assert_cmpfloat (model_of (window)->blocks[top].centroid.x, >, c.x);
   driver_key ("Right");
-  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
+  g_assert_cmpuint (qn_history_get_count (document->history), ==, 1);
   driver_activate (window, "win.undo");
   g_assert_cmpfloat (model_of (window)->blocks[top].centroid.x, ==, c.x);
 
@@ -379,7 +378,7 @@ test_solve (void)
   QnDocument *document = qn_window_get_document (window);
   driver_key ("F5");
   driver_wait_for_job (window);
-  QnRun *run = qn_document_get_run (document);
+  QnRun *run = document->run;
   g_assert_nonnull (run);
   g_assert_cmpint (run->result.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat (fabs (run->result.collapse_multiplier - 0.356), <, 0.01 * 0.356);
@@ -424,7 +423,7 @@ test_animate (void)
   QnViewState *state = state_of (window);
   driver_key ("F5");
   driver_wait_for_job (window);
-  g_assert_nonnull (qn_document_get_run (qn_window_get_document (window)));
+  g_assert_nonnull (qn_window_get_document (window)->run);
   g_assert_cmpfloat (qn_view_state_get_phase (state), ==, 1.0);
   driver_set_animated (TRUE);
   driver_activate (window, "win.play");
@@ -461,13 +460,13 @@ test_cancel (void)
   QnDocument *document = qn_window_get_document (window);
   long_analysis_ask (document);
   driver_activate (window, "win.run");
-  g_assert_nonnull (qn_document_get_job (document));
+  g_assert_nonnull (document->job);
   driver_activate (window, "win.pause");
-  g_assert_nonnull (qn_document_get_job (document));
+  g_assert_nonnull (document->job);
   driver_screenshot (GTK_WIDGET (window), "running");
   driver_activate (window, "win.cancel");
   driver_wait_for_job (window);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   g_assert_true (run == NULL || run->result.outcome == QN_OUTCOME_CANCELLED);
   g_assert_true (g_action_group_get_action_enabled (G_ACTION_GROUP (window), "run"));
   driver_discard (window);
@@ -699,7 +698,7 @@ test_appearance (void)
   g_autofree char *path = driver_example_path ("ferris-tin-loi/wall4.quoin");
   g_assert_true (qn_window_open_path (window, path));
   driver_activate (window, "win.view::contacts");
-  qn_selection_set_face (qn_document_get_selection (qn_window_get_document (window)), 10);
+  qn_selection_set_face (qn_window_get_document (window)->selection, 10);
   driver_screenshot (GTK_WIDGET (window), "large");
   g_action_group_activate_action (G_ACTION_GROUP (driver_application ()), "preferences",
                                   NULL);

@@ -121,7 +121,7 @@ compare_rest (const QnModel *a, const QnModel *b)
 void
 check_state (QnDocument *document)
 {
-  const char *text = qn_document_get_text (document);
+  const char *text = document->text->text;
   const QnProject *state = qn_document_get_project (document);
   g_autoptr (GError) error = NULL;
   g_auto (QnProject) read;
@@ -139,36 +139,36 @@ check_state (QnDocument *document)
 const QnModel *
 edit (QnDocument *document, ModelEdit func, gconstpointer data)
 {
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  g_autofree char *before = g_strdup (document->text->text);
   g_autoptr (GError) error = NULL;
   edit_model (document, "edit", NULL, func, (gpointer) data, &error);
   g_assert_no_error (error);
   check_state (document);
-  g_autofree char *after = g_strdup (qn_document_get_text (document));
+  g_autofree char *after = g_strdup (document->text->text);
   if (strcmp (before, after) != 0) {
     g_assert_true (qn_document_undo (document));
-    g_assert_cmpstr (qn_document_get_text (document), ==, before);
+    g_assert_cmpstr (document->text->text, ==, before);
     g_assert_true (qn_document_redo (document));
-    g_assert_cmpstr (qn_document_get_text (document), ==, after);
+    g_assert_cmpstr (document->text->text, ==, after);
   }
-  return qn_document_get_model (document);
+  return &document->project.model;
 }
 
 void
 refuse (QnDocument *document, ModelEdit func, gconstpointer data)
 {
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  g_autofree char *before = g_strdup (document->text->text);
   g_autoptr (GError) error = NULL;
   g_assert_false (edit_model (document, "edit", NULL, func, (gpointer) data, &error));
   g_assert_nonnull (error);
-  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  g_assert_cmpstr (document->text->text, ==, before);
 }
 
 void
 wait_for_job (QnDocument *document)
 {
   gint64 end = g_get_monotonic_time () + LONGEST_WAIT_US;
-  while (qn_document_get_job (document) != NULL) {
+  while (document->job != NULL) {
     g_assert_cmpint (g_get_monotonic_time (), <, end);
     g_main_context_iteration (NULL, TRUE);
   }
@@ -181,6 +181,6 @@ solve_example (QnDocument *document)
   qn_document_analyse (document, &error);
   g_assert_no_error (error);
   wait_for_job (document);
-  g_assert_no_error (qn_document_get_job_error (document));
-  return qn_document_get_run (document);
+  g_assert_no_error (document->job_error);
+  return document->run;
 }

@@ -261,10 +261,10 @@ static void
 draw_selection (QnCanvas *self, cairo_t *cr)
 {
   QnDocument *document = qn_canvas_get_document (self);
-  const QnModel *model = qn_document_get_model (document);
-  const QnContacts *contacts = qn_document_get_contacts (document);
+  const QnModel *model = &document->project.model;
+  const QnContacts *contacts = &document->contacts;
   QnSelection *selection = qn_canvas_get_selection (self);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   gboolean displaced = qn_view_needs_result (qn_view_state_get_view (self->state));
   if (displaced && (run == NULL || qn_document_is_stale (document, run)))
     return;
@@ -304,8 +304,7 @@ draw_selection (QnCanvas *self, cairo_t *cr)
 static void
 draw_findings (QnCanvas *self, cairo_t *cr)
 {
-  const QnFindings *findings =
-    &qn_document_get_contacts (qn_canvas_get_document (self))->findings;
+  const QnFindings *findings = &qn_canvas_get_document (self)->contacts.findings;
   gsize shown = MIN (findings->count, MOST_MARKS);
   for (gsize i = 0; i < shown; i++) {
     if (!qn_finding_has_place (&findings->items[i]))

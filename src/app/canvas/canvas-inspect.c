@@ -140,7 +140,7 @@ void
 qn_canvas_pointer_moved (QnCanvas *self)
 {
   self->rested_view = qn_view_state_get_view (self->state);
-  self->rested_run = qn_document_get_run (qn_canvas_get_document (self));
+  self->rested_run = qn_canvas_get_document (self)->run;
   self->has_rested = self->rested_view != QN_VIEW_MODEL;
   g_clear_handle_id (&self->inspect_timeout, g_source_remove);
   if (!self->has_rested)
@@ -259,7 +259,7 @@ qn_canvas_draw_inspected (QnCanvas *self, cairo_t *cr)
   self->card = QN_BOX_EMPTY;
   if (!self->pointer_inside || self->in_gesture || self->tool != self->resting
       || !self->has_rested || self->rested_view != qn_view_state_get_view (self->state)
-      || self->rested_run != qn_document_get_run (qn_canvas_get_document (self)))
+      || self->rested_run != qn_canvas_get_document (self)->run)
     return;
   QnInspected what = find_under_pointer (self);
   QnStepView view;

@@ -67,7 +67,7 @@ static void
 update_description (QnCanvas *self)
 {
   const QnModel *model = qn_canvas_get_model (self);
-  const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (self));
+  const QnContacts *contacts = &qn_canvas_get_document (self)->contacts;
   const QnCount counts[] = { { QN_COUNTED_BLOCKS, model->block_count },
                              { QN_COUNTED_FACES, contacts->face_count },
                              { QN_COUNTED_BEAMS, model->beam_count } };
@@ -245,7 +245,7 @@ qn_canvas_set_state (QnCanvas *self, QnViewState *state, QnToolSettings *setting
   qn_watch (GTK_WIDGET (self), state, "changed", G_CALLBACK (on_state_changed), self);
   qn_watch (GTK_WIDGET (self), document, "changed", G_CALLBACK (on_document_changed),
             self);
-  qn_watch (GTK_WIDGET (self), qn_document_get_selection (document), "changed",
+  qn_watch (GTK_WIDGET (self), document->selection, "changed",
             G_CALLBACK (gtk_widget_queue_draw), self);
   qn_watch (GTK_WIDGET (self), qn_settings_get (), "changed",
             G_CALLBACK (gtk_widget_queue_draw), self);
@@ -267,13 +267,13 @@ qn_canvas_get_document (QnCanvas *self)
 const QnModel *
 qn_canvas_get_model (QnCanvas *self)
 {
-  return qn_document_get_model (qn_canvas_get_document (self));
+  return &qn_canvas_get_document (self)->project.model;
 }
 
 QnSelection *
 qn_canvas_get_selection (QnCanvas *self)
 {
-  return qn_document_get_selection (qn_canvas_get_document (self));
+  return qn_canvas_get_document (self)->selection;
 }
 
 QnToolSettings *
@@ -392,7 +392,7 @@ qn_canvas_beams_inside (QnCanvas *self, QnVec2 a, QnVec2 b, GArray *ids)
 void
 qn_canvas_faces_inside (QnCanvas *self, QnVec2 a, QnVec2 b, GArray *ids)
 {
-  const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (self));
+  const QnContacts *contacts = &qn_canvas_get_document (self)->contacts;
   for (QnId i = 0; i < (QnId) contacts->face_count; i++) {
     QnVec2 m = qn_vec2_lerp (contacts->faces[i].start, contacts->faces[i].end, 0.5);
     if (is_between (m, a, b))
@@ -471,7 +471,7 @@ qn_canvas_end_edit (QnCanvas *self, QnCanvasDraft *draft, const char *name,
   done = qn_document_end_edit (document, &draft->project, name, key, done, &draft->error);
   if (!done)
     qn_canvas_tell (self, draft->error->message);
-  else if (qn_document_has_dissolved (document))
+  else if (document->dissolved)
     qn_canvas_tell (self, _ ("The wall is now a set of free blocks without "
                              "parameters. Undo restores the wall."));
   g_clear_error (&draft->error);

@@ -50,7 +50,7 @@ static char *
 dup_forces (const QnBoundForm *form, QnBeamSet set)
 {
   QnDocument *document = qn_canvas_get_document (form->canvas);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   if (set.count != 1 || run == NULL || run->result.step_count == 0
       || qn_document_get_run_age (document, run) == QN_RUN_OTHER_MODEL
       || (gsize) set.ids[0] >= run->model.beam_count)

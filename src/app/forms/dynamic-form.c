@@ -73,7 +73,7 @@ static void
 sample (Form *form)
 {
   QnDocument *document = qn_canvas_get_document (form->base.canvas);
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   QnProject read;
   g_autoptr (GError) error = NULL;
   qn_ground_preview_clear (&form->sampled);
@@ -90,8 +90,7 @@ sample (Form *form)
   if (!qn_project_copy (qn_document_get_project (document), &read, NULL))
     return;
   read.model.ground[index].rests = true;
-  if (qn_project_read_record (&read, index, qn_document_get_folder (document), FALSE,
-                              &error)) {
+  if (qn_project_read_record (&read, index, document->folder, FALSE, &error)) {
     qn_ground_preview_init (&form->sampled, &read.model, index, form->preview);
     form->fault = dup_doubt (&read.model.ground[index]);
   } else

@@ -32,7 +32,7 @@ selected (const QnBoundForm *form, guint *count)
 static const QnContacts *
 contacts_of (const QnBoundForm *form)
 {
-  return qn_document_get_contacts (qn_canvas_get_document (form->canvas));
+  return &qn_canvas_get_document (form->canvas)->contacts;
 }
 
 static gboolean

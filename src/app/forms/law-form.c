@@ -154,8 +154,7 @@ show (gpointer data, guint field, QnValue *value)
 {
   const Form *form = data;
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
-  const QnContacts *contacts =
-    qn_document_get_contacts (qn_canvas_get_document (form->base.canvas));
+  const QnContacts *contacts = &qn_canvas_get_document (form->base.canvas)->contacts;
   QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
   guint blocks, faces;
   QnLaw law = model->laws[form->shown];
@@ -247,8 +246,7 @@ static gboolean
 apply (const Form *form, QnModel *model, GError **error)
 {
   QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
-  const QnContacts *contacts =
-    qn_document_get_contacts (qn_canvas_get_document (form->base.canvas));
+  const QnContacts *contacts = &qn_canvas_get_document (form->base.canvas)->contacts;
   QnBlockSet blocks = { 0 };
   guint count;
   blocks.ids = qn_selection_get (selection, QN_PART_BLOCK, &blocks.count);
@@ -264,8 +262,7 @@ static void
 select_uses (const Form *form)
 {
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
-  const QnContacts *contacts =
-    qn_document_get_contacts (qn_canvas_get_document (form->base.canvas));
+  const QnContacts *contacts = &qn_canvas_get_document (form->base.canvas)->contacts;
   QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
   g_autoptr (GArray) faces = g_array_new (FALSE, FALSE, sizeof (QnId));
   g_autoptr (GArray) blocks = g_array_new (FALSE, FALSE, sizeof (QnId));

@@ -128,7 +128,7 @@ check (Form *form)
 static void
 store (Form *form)
 {
-  const char *folder = qn_document_get_folder (form->document);
+  const char *folder = form->document->folder;
   const char *file = form->entered.spectrum;
   g_autofree char *beside = file != NULL ? g_path_get_dirname (file) : NULL;
   g_autofree char *name = file == NULL                      ? NULL
@@ -182,7 +182,7 @@ static void
 find (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   Form *form = data;
-  const QnModel *model = qn_document_get_model (form->document);
+  const QnModel *model = &form->document->project.model;
   QnId control = form->entered.control != NULL
                    ? qn_model_find_block (model, form->entered.control)
                    : QN_NONE;
@@ -391,15 +391,13 @@ static void
 take_selected (Form *form)
 {
   guint count = 0;
-  const QnId *ids =
-    qn_selection_get (qn_document_get_selection (form->document), QN_PART_BLOCK, &count);
+  const QnId *ids = qn_selection_get (form->document->selection, QN_PART_BLOCK, &count);
   if (count != 1) {
     say (form, _ ("Select one block in the drawing first"));
     return;
   }
   g_free (form->entered.control);
-  form->entered.control =
-    g_strdup (qn_document_get_model (form->document)->blocks[ids[0]].name);
+  form->entered.control = g_strdup (form->document->project.model.blocks[ids[0]].name);
 }
 
 static gboolean
@@ -493,8 +491,7 @@ load (Form *form)
     if (g_strcmp0 (spectrum, kinds[i]) == 0)
       form->kind = i;
   if (form->kind == FROM_FILE)
-    kept->spectrum =
-      qn_file_inside (qn_document_get_folder (form->document), spectrum, FALSE, NULL);
+    kept->spectrum = qn_file_inside (form->document->folder, spectrum, FALSE, NULL);
   if (form->answer.kinematic != kept->mechanism && form->cancellable == NULL)
     clear_curve (form);
   check (form);

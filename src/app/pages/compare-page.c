@@ -7,7 +7,7 @@
 #include "app/widgets/context-menu.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
-#include "doc/document/run-name.h"
+#include "doc/document/document.h"
 #include "doc/document/run.h"
 #include "doc/text/explain.h"
 #include "doc/view/sheet.h"
@@ -435,7 +435,7 @@ list_runs (Compare *compare)
   g_autoptr (GPtrArray) documents = qn_compare_list_documents (compare);
   for (guint k = 0; k < documents->len; k++) {
     QnDocument *document = g_ptr_array_index (documents, k);
-    const GPtrArray *runs = qn_document_get_runs (document);
+    const GPtrArray *runs = document->runs;
     for (guint i = 0; i < runs->len; i++)
       add_run (compare, document, g_ptr_array_index (runs, i));
   }
@@ -445,7 +445,7 @@ list_runs (Compare *compare)
 static void
 choose_first (Compare *compare)
 {
-  const GPtrArray *runs = qn_document_get_runs (compare->document);
+  const GPtrArray *runs = compare->document->runs;
   guint first = runs->len > MOST_RUNS ? runs->len - MOST_RUNS : 0;
   g_ptr_array_set_size (compare->shown, 0);
   for (guint i = first; i < runs->len; i++)
@@ -456,7 +456,7 @@ choose_first (Compare *compare)
 static gboolean
 take_successors (Compare *compare)
 {
-  const GPtrArray *runs = qn_document_get_runs (compare->document);
+  const GPtrArray *runs = compare->document->runs;
   gboolean any = FALSE;
   for (guint i = 0; i < compare->shown->len; i++) {
     g_autoptr (QnRun) old = qn_run_ref (compare->shown->pdata[i]);
@@ -524,8 +524,8 @@ is_solved_in_window (Compare *compare, QnDocument *file)
   g_ptr_array_add (documents, compare->document);
   for (guint i = 0; i < documents->len; i++) {
     QnDocument *open = documents->pdata[i];
-    if (g_strcmp0 (qn_document_get_path (open), qn_document_get_path (file)) == 0
-        && !qn_document_is_modified (open) && qn_document_get_run (open) != NULL)
+    if (g_strcmp0 (open->path, file->path) == 0 && !qn_document_is_modified (open)
+        && open->run != NULL)
       return TRUE;
   }
   return FALSE;
@@ -540,9 +540,10 @@ on_batch_changed (Compare *compare)
   GString *text = g_string_new (NULL);
   gboolean any = FALSE;
   for (guint i = 0; i < documents->len; i++) {
-    QnRun *run = qn_document_get_run (documents->pdata[i]);
-    g_autofree char *name = qn_document_dup_display_name (documents->pdata[i]);
-    if (qn_document_get_job (documents->pdata[i]) != NULL)
+    QnDocument *document = documents->pdata[i];
+    QnRun *run = document->run;
+    g_autofree char *name = qn_document_dup_display_name (document);
+    if (document->job != NULL)
       g_string_append_printf (text, _ ("Solving %s…\n"), name);
     if (run == NULL || g_hash_table_contains (compare->known, run))
       continue;

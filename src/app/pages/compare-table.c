@@ -3,7 +3,7 @@
 
 #include "app/widgets/shortened.h"
 #include "app/widgets/text-unit.h"
-#include "doc/document/run-name.h"
+#include "doc/document/document.h"
 #include "doc/document/run.h"
 #include "doc/text/explain.h"
 #include "doc/text/units.h"
@@ -14,10 +14,11 @@ QnDocument *
 qn_compare_find_document (Compare *compare, QnRun *run)
 {
   g_autoptr (GPtrArray) documents = qn_compare_list_documents (compare);
-  for (guint i = 0; i < documents->len; i++)
-    if (g_ptr_array_find ((GPtrArray *) qn_document_get_runs (documents->pdata[i]), run,
-                          NULL))
-      return documents->pdata[i];
+  for (guint i = 0; i < documents->len; i++) {
+    QnDocument *document = documents->pdata[i];
+    if (g_ptr_array_find (document->runs, run, NULL))
+      return document;
+  }
   return NULL;
 }
 

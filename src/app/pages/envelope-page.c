@@ -69,7 +69,7 @@ tell (Page *self, const char *text)
 static const QnLoad *
 load_of (Page *self)
 {
-  const QnModel *model = qn_document_get_model (self->document);
+  const QnModel *model = &self->document->project.model;
   gsize load = qn_find_vehicle_load (model);
   return load == G_MAXSIZE ? NULL : &model->live_loads[load];
 }
@@ -220,7 +220,7 @@ set_convoy (QnProject *draft, gpointer data, GError **error)
 static char **
 dup_vehicles (Page *self, const QnLoad *load, guint32 *moved)
 {
-  const QnModel *model = qn_document_get_model (self->document);
+  const QnModel *model = &self->document->project.model;
   const char *own[] = { model->vehicles[load->vehicle].name, NULL };
   char **names = qn_dup_vehicle_names (model);
   *moved = 0;
@@ -414,8 +414,8 @@ run (GSimpleAction *action, GVariant *parameter, gpointer data)
   Page *self = data;
   g_autoptr (GError) error = NULL;
   forget (self);
-  if (!qn_envelope_init (&self->envelope, qn_document_get_model (self->document),
-                         &self->settings, &error)) {
+  if (!qn_envelope_init (&self->envelope, &self->document->project.model, &self->settings,
+                         &error)) {
     tell (self, error->message);
     gtk_widget_queue_draw (self->base.widgets[AREA]);
     return;

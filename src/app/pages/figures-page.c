@@ -111,10 +111,10 @@ static void
 on_job_changed (Figures *figures)
 {
   QnDocument *document = figures->document;
-  if (!figures->waiting || qn_document_get_job (document) != NULL)
+  if (!figures->waiting || document->job != NULL)
     return;
   figures->waiting = FALSE;
-  const GError *error = qn_document_get_job_error (document);
+  const GError *error = document->job_error;
   if (error != NULL)
     tell (figures, error->message);
   else if (any_waits (figures))

@@ -239,7 +239,7 @@ static gboolean
 gives (const QnStudyPage *self, int output)
 {
   return qn_study_run_gives (qn_draft_get_run (self->draft),
-                             &qn_document_get_model (self->document)->analysis,
+                             &self->document->project.model.analysis,
                              (QnStudyOutput) output);
 }
 
@@ -385,7 +385,7 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   QnStudyPage *self = data;
-  const QnAnalysisSettings *analysis = &qn_document_get_model (self->document)->analysis;
+  const QnAnalysisSettings *analysis = &self->document->project.model.analysis;
   const int number = qn_value_int (value);
   int count;
   const QnPlanKind plan = qn_draft_get_plan (self->draft, &count);
@@ -425,7 +425,7 @@ static gboolean
 write_study (gpointer data, const char *path, GError **error)
 {
   QnStudyPage *self = data;
-  const char *project = qn_document_get_path (self->document);
+  const char *project = self->document->path;
   g_autofree char *name = g_path_get_basename (project);
   g_autofree char *from = g_path_get_dirname (project), *to = g_path_get_dirname (path);
   const gboolean written =
@@ -541,7 +541,7 @@ path_of_project (const char *project)
 static QnDraft *
 take_draft (QnDocument *document, const char *path, GError **error)
 {
-  const char *project = qn_document_get_path (document);
+  const char *project = document->path;
   if (project == NULL) {
     g_set_error_literal (error, QN_IO_ERROR, QN_IO_ERROR_FILE,
                          _ ("Save the project first: its study is kept beside it."));
@@ -549,7 +549,7 @@ take_draft (QnDocument *document, const char *path, GError **error)
   }
   g_autofree char *own = path != NULL ? g_strdup (path) : path_of_project (project);
   g_autofree char *model = g_path_get_basename (project);
-  const QnModel *structure = qn_document_get_model (document);
+  const QnModel *structure = &document->project.model;
   QnStudyRun run = qn_study_run_of (QN_STUDY_SOLVE, &structure->analysis);
   if (run == QN_STUDY_SOLVE && structure->block_count > SLOW_BLOCKS)
     run = QN_STUDY_LIMIT;
@@ -592,8 +592,7 @@ void
 qn_study_page_vary (GtkWidget *page, const char *path, double base)
 {
   QnStudyPage *self = g_object_get_data (G_OBJECT (page), QN_BOUND_FORM);
-  g_autofree char *words =
-    qn_path_dup_text (qn_document_get_model (self->document), path);
+  g_autofree char *words = qn_path_dup_text (&self->document->project.model, path);
   gboolean added =
     qn_draft_vary (self->draft, path, base, !takes_fractions (self, path, base));
   g_autofree char *text =

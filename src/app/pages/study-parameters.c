@@ -33,7 +33,7 @@ gboolean
 qn_study_page_takes_value (QnStudyPage *self, const char *path, double value,
                            GError **error)
 {
-  const char *text = qn_document_get_text (self->document);
+  const char *text = self->document->text->text;
   char number[QN_NUMBER_TEXT_SIZE];
   g_autofree char *override =
     g_strconcat (path, "=", qn_number_text (value, number), NULL);
@@ -96,8 +96,7 @@ show (gpointer data, guint field, QnValue *value)
     value->text = g_strdup (parameter.name);
     return TRUE;
   case PLACE:
-    value->text =
-      qn_path_dup_text (qn_document_get_model (page->document), parameter.path);
+    value->text = qn_path_dup_text (&page->document->project.model, parameter.path);
     gtk_widget_set_tooltip_text (row->base.widgets[PLACE], value->text);
     return TRUE;
   case VALUES:

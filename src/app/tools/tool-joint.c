@@ -8,7 +8,7 @@
 void
 qn_tool_joint_set_law (QnCanvas *canvas, const QnId *ids, guint count, const char *law)
 {
-  const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (canvas));
+  const QnContacts *contacts = &qn_canvas_get_document (canvas)->contacts;
   const QnFaceSet set = { contacts, ids, count };
   QnCanvasDraft draft;
   if (count > 0 && qn_canvas_begin_edit (canvas, &draft)) {

@@ -75,7 +75,7 @@ static gboolean
 shows_document (QnCanvas *canvas)
 {
   QnDocument *document = qn_canvas_get_document (canvas);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   return shows_undeformed (canvas)
          || (run != NULL && !qn_document_is_stale (document, run));
 }
@@ -90,7 +90,7 @@ static void
 select_face (QnCanvas *canvas, QnId face, const QnToolEvent *event)
 {
   QnSelection *selection = qn_canvas_get_selection (canvas);
-  const QnContacts *contacts = qn_document_get_contacts (qn_canvas_get_document (canvas));
+  const QnContacts *contacts = &qn_canvas_get_document (canvas)->contacts;
   if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK))
     qn_selection_toggle (selection, QN_PART_FACE, face);
   else if (event->press_count > 1)

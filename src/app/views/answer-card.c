@@ -104,7 +104,7 @@ update_events (Card *card, const QnRun *run)
 static void
 update (Card *card)
 {
-  const QnRun *run = qn_document_get_run (card->document);
+  const QnRun *run = card->document->run;
   gtk_widget_set_visible (card->box, run != NULL);
   if (run == NULL)
     return;
@@ -135,9 +135,8 @@ update (Card *card)
   set_text (card, "led", stages);
   gtk_widget_set_visible (qn_part (card->box, "stages"), stages != NULL);
   /* Without a live load there is no multiplier that other methods could find. */
-  gtk_widget_set_visible (
-    qn_part (card->box, "others"),
-    !qn_model_lacks_live_load (qn_document_get_model (card->document)));
+  gtk_widget_set_visible (qn_part (card->box, "others"),
+                          !qn_model_lacks_live_load (&card->document->project.model));
 }
 
 GtkWidget *

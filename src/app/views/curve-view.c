@@ -98,7 +98,7 @@ take_run (View *self, QnRun *run, QnCurveMotion motion)
 static void
 take_runs (View *self, QnDocument *document)
 {
-  QnRun *run = qn_document_get_run (document);
+  QnRun *run = document->run;
   if (run == NULL)
     return;
   QnCurveMotion motion = qn_result_curve_motion (&run->model, &run->result);
@@ -106,7 +106,7 @@ take_runs (View *self, QnDocument *document)
   self->dof = motion.dof;
   take_run (self, run, motion);
   self->model = &run->model;
-  const GPtrArray *runs = qn_document_get_runs (document);
+  const GPtrArray *runs = document->runs;
   for (guint i = runs->len;
        i-- > 0 && self->series_count > 0 && self->series_count < MOST_CURVES;) {
     QnRun *other = g_ptr_array_index (runs, i);
@@ -139,7 +139,7 @@ static void
 update (View *self)
 {
   QnDocument *document = qn_view_state_get_document (self->state);
-  QnJob *job = qn_document_get_job (document);
+  QnJob *job = document->job;
   clear_series (self);
   self->live = FALSE;
   self->model = NULL;
@@ -148,7 +148,7 @@ update (View *self)
     take_live_curve (self, job);
   else
     take_runs (self, document);
-  update_description (self, qn_document_get_run (document));
+  update_description (self, document->run);
   qn_plot_view_fit (self->area);
 }
 

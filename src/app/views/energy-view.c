@@ -19,7 +19,7 @@ typedef struct View {
 static const QnRun *
 run_of (const View *view)
 {
-  const QnRun *run = qn_document_get_run (qn_view_state_get_document (view->state));
+  const QnRun *run = qn_view_state_get_document (view->state)->run;
   return run != NULL && run->result.history.row_count > 1 && run->result.step_count > 0
            ? run
            : NULL;
@@ -70,7 +70,7 @@ show_values (View *view)
 static void
 update (View *view)
 {
-  gboolean busy = qn_document_get_job (qn_view_state_get_document (view->state)) != NULL;
+  gboolean busy = qn_view_state_get_document (view->state)->job != NULL;
   view->pointer = NAN;
   gtk_widget_set_visible (view->root, run_of (view) != NULL && !busy);
   show_values (view);

@@ -45,8 +45,7 @@ on_repair_all (Panel *panel)
       || !qn_canvas_end_edit (panel->canvas, &draft, _ ("Repair Contacts"), NULL,
                               qn_edit_repair_all (draft.model, &count, &draft.error)))
     return;
-  gsize left =
-    qn_document_get_contacts (qn_canvas_get_document (panel->canvas))->findings.count;
+  gsize left = qn_canvas_get_document (panel->canvas)->contacts.findings.count;
   g_autofree char *repaired = g_strdup_printf (
     ngettext ("%u finding repaired.", "%u findings repaired.", count), count);
   g_autofree char *rest = g_strdup_printf (
@@ -85,8 +84,7 @@ add_fixes (Panel *panel, GtkWidget *box, const QnModel *model, const QnFinding *
 static void
 on_row_activated (GtkListBox *list, GtkListBoxRow *row, Panel *panel)
 {
-  const QnContacts *contacts =
-    qn_document_get_contacts (qn_canvas_get_document (panel->canvas));
+  const QnContacts *contacts = &qn_canvas_get_document (panel->canvas)->contacts;
   int index = gtk_list_box_row_get_index (row);
   if (index < 0 || (gsize) index >= contacts->findings.count)
     return;
@@ -189,8 +187,8 @@ static void
 update (Panel *panel)
 {
   QnDocument *document = qn_canvas_get_document (panel->canvas);
-  const QnModel *model = qn_document_get_model (document);
-  const QnContacts *contacts = qn_document_get_contacts (document);
+  const QnModel *model = &document->project.model;
+  const QnContacts *contacts = &document->contacts;
   GtkWidget *child;
   while ((child = gtk_widget_get_first_child (panel->list)) != NULL)
     gtk_list_box_remove (GTK_LIST_BOX (panel->list), child);

@@ -50,7 +50,7 @@ add_row (List *list, const char *text, gboolean undone)
 static void
 update (List *list)
 {
-  QnEditHistory *history = qn_document_get_history (list->document);
+  QnEditHistory *history = list->document->history;
   GtkListBoxRow *row; /* the context menu is a child, too */
   while ((row = gtk_list_box_get_row_at_index (GTK_LIST_BOX (list->box), 0)) != NULL)
     gtk_list_box_remove (GTK_LIST_BOX (list->box), GTK_WIDGET (row));

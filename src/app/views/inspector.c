@@ -52,7 +52,7 @@ static gboolean
 has_result (Inspector *inspector)
 {
   QnDocument *document = qn_canvas_get_document (inspector->canvas);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   return run != NULL && !qn_document_is_stale (document, run);
 }
 

@@ -25,7 +25,7 @@ static const double speeds[] = { 0.1, 0.25, 0.5, 1.0, 2.0, 4.0 };
 static const QnRun *
 run_of (const Bar *bar)
 {
-  return qn_document_get_run (qn_view_state_get_document (bar->state));
+  return qn_view_state_get_document (bar->state)->run;
 }
 
 static int

@@ -2,7 +2,7 @@
 #include "app/forms/panel.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/context-menu.h"
-#include "doc/document/run-name.h"
+#include "doc/document/document.h"
 #include "doc/document/run.h"
 #include "doc/view/load-text.h"
 #include "io/text/outcome-text.h"
@@ -51,7 +51,7 @@ dup_run_title (const Panel *panel, const QnRun *run)
 static void
 add_runs (const Panel *panel, const QnRun *chosen, QnValue *value)
 {
-  const GPtrArray *runs = qn_document_get_runs (document_of (panel));
+  const GPtrArray *runs = document_of (panel)->runs;
   const guint before = value->row_count;
   for (guint i = 0; i < runs->len; i++) {
     qn_value_take_row (value, dup_run_title (panel, runs->pdata[i]));
@@ -91,7 +91,7 @@ shown_stage (const Panel *panel, const QnRun *run)
 static void
 follow_stage (Panel *panel)
 {
-  const QnRun *run = qn_document_get_run (document_of (panel));
+  const QnRun *run = document_of (panel)->run;
   panel->base.showing = TRUE;
   if (has_stages (run))
     gtk_drop_down_set_selected (GTK_DROP_DOWN (panel->base.widgets[STAGE]),
@@ -104,8 +104,8 @@ show (gpointer data, guint field, QnValue *value)
 {
   Panel *panel = data;
   QnDocument *document = document_of (panel);
-  const QnRun *run = qn_document_get_run (document);
-  const gboolean busy = qn_document_get_job (document) != NULL;
+  const QnRun *run = document->run;
+  const gboolean busy = document->job != NULL;
   value->number = -1;
   switch (field) {
   case EMPTY:
@@ -162,8 +162,8 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   const Panel *panel = data;
-  const GPtrArray *runs = qn_document_get_runs (document_of (panel));
-  const QnRun *run = qn_document_get_run (document_of (panel));
+  const GPtrArray *runs = document_of (panel)->runs;
+  const QnRun *run = document_of (panel)->run;
   const guint row = (guint) qn_value_int (value);
   if (field == RUNS && row < runs->len)
     qn_document_set_run (document_of (panel), runs->pdata[row]);

@@ -46,7 +46,7 @@ struct Table {
 static QnRun *
 run_of (const Table *table)
 {
-  return qn_document_get_run (qn_view_state_get_document (table->state));
+  return qn_view_state_get_document (table->state)->run;
 }
 
 static char *

@@ -70,7 +70,7 @@ static void
 go_by_step (QnWindow *self, const char *name)
 {
   const int by = g_str_equal (name, "next-step") ? 1 : -1;
-  const QnRun *run = qn_document_get_run (self->document);
+  const QnRun *run = self->document->run;
   if (run == NULL || run->result.step_count == 0)
     return;
   int last = (int) run->result.step_count - 1;
@@ -129,7 +129,7 @@ on_view (GSimpleAction *action, GVariant *value, gpointer data)
   if (!qn_find_word (g_variant_get_string (value, NULL), qn_view_names, QN_VIEW_COUNT,
                      &view))
     return;
-  if (qn_view_needs_result (view) && qn_document_get_run (self->document) == NULL) {
+  if (qn_view_needs_result (view) && self->document->run == NULL) {
     qn_window_show_error (self, _ ("There is no result to show yet: solve first (F5)"));
     return;
   }
@@ -155,7 +155,7 @@ on_diagram (GSimpleAction *action, GVariant *value, gpointer data)
     return;
   g_simple_action_set_state (action, value);
   qn_view_state_set_diagram (self->state, diagram);
-  if (qn_document_get_run (self->document) != NULL)
+  if (self->document->run != NULL)
     qn_view_state_set_view (self->state, QN_VIEW_DIAGRAMS);
 }
 
@@ -275,11 +275,11 @@ static QnNeeds
 find_facts (QnWindow *self)
 {
   QnDocument *document = self->document;
-  QnEditHistory *history = qn_document_get_history (document);
-  QnSelection *selection = qn_document_get_selection (document);
-  const QnModel *model = qn_document_get_model (document);
-  const QnRun *run = qn_document_get_run (document);
-  QnJob *job = qn_document_get_job (document);
+  QnEditHistory *history = document->history;
+  QnSelection *selection = document->selection;
+  const QnModel *model = &document->project.model;
+  const QnRun *run = document->run;
+  QnJob *job = document->job;
   gboolean busy = job != NULL && !qn_job_get_run (job)->live;
   gboolean own = qn_window_page_has (self, "undo");
   guint blocks = 0, beams = 0;
@@ -344,9 +344,8 @@ qn_window_update_actions (QnWindow *self)
   g_simple_action_set_state (
     find_action (self, "view"),
     g_variant_new_string (qn_view_names[qn_view_state_get_view (self->state)]));
-  g_simple_action_set_state (
-    find_action (self, "keep-history"),
-    g_variant_new_boolean (qn_document_get_keeps_history (self->document)));
+  g_simple_action_set_state (find_action (self, "keep-history"),
+                             g_variant_new_boolean (self->document->keeps_history));
 }
 
 /* ---- keys without an accelerator, which entries and the drawing's gestures see first ---- */

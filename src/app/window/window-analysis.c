@@ -13,18 +13,17 @@
 static void
 show_job_error (QnWindow *self)
 {
-  const GError *error = qn_document_get_job_error (self->document);
+  const GError *error = self->document->job_error;
   if (error == NULL)
     return;
-  const QnDiag *diag = qn_document_get_job_diag (self->document);
-  const QnModel *model = qn_document_get_model (self->document);
+  const QnDiag *diag = &self->document->job_diag;
+  const QnModel *model = &self->document->project.model;
   if (diag->entity == QN_ENTITY_BLOCK && diag->index >= 0
       && (gsize) diag->index < model->block_count) {
     QnId blocks[] = { diag->index, diag->other };
     gboolean two = diag->other >= 0 && (gsize) diag->other < model->block_count;
     qn_view_state_set_view (self->state, QN_VIEW_CONTACTS);
-    qn_selection_set (qn_document_get_selection (self->document), QN_PART_BLOCK, blocks,
-                      two ? 2 : 1);
+    qn_selection_set (self->document->selection, QN_PART_BLOCK, blocks, two ? 2 : 1);
     qn_window_show_error_at (self, error->message, model->blocks[diag->index].centroid);
   } else
     qn_window_show_error (self, error->message);
@@ -35,8 +34,8 @@ static void
 update_live_label (QnWindow *self)
 {
   gboolean live = g_settings_get_boolean (qn_settings_get (), "live");
-  const GError *error = qn_document_get_job_error (self->document);
-  const QnRun *run = qn_document_get_run (self->document);
+  const GError *error = self->document->job_error;
+  const QnRun *run = self->document->run;
   g_autofree char *text = NULL;
   if (live && error != NULL)
     text = g_strdup (error->message);
@@ -64,8 +63,8 @@ show_unstable (QnWindow *self, const QnRun *run)
     return;
   }
   qn_view_state_set_view (self->state, QN_VIEW_MODEL);
-  qn_selection_set (qn_document_get_selection (self->document), QN_PART_BLOCK,
-                    run->result.unstable_blocks, (guint) run->result.unstable_count);
+  qn_selection_set (self->document->selection, QN_PART_BLOCK, run->result.unstable_blocks,
+                    (guint) run->result.unstable_count);
   qn_window_show_error_at (self, message,
                            run->model.blocks[run->result.unstable_blocks[0]].centroid);
 }
@@ -73,7 +72,7 @@ show_unstable (QnWindow *self, const QnRun *run)
 static void
 show_run (QnWindow *self)
 {
-  const QnRun *run = qn_document_get_run (self->document);
+  const QnRun *run = self->document->run;
   if (run == NULL || qn_document_is_stale (self->document, run))
     return;
   gtk_stack_set_visible_child_name (self->side_stack, "result");
@@ -95,7 +94,7 @@ show_run (QnWindow *self)
 static void
 start_next (QnWindow *self)
 {
-  const QnProcedure own = qn_document_get_model (self->document)->analysis.procedure;
+  const QnProcedure own = self->document->project.model.analysis.procedure;
   const struct {
     QnProcedure procedure;
     QnFlow flow;
@@ -136,7 +135,7 @@ run_all (QnWindow *self, const char *name)
 static void
 on_job_changed (QnWindow *self)
 {
-  QnJob *job = qn_document_get_job (self->document);
+  QnJob *job = self->document->job;
   /* A live analysis is over before one could read how far it is. */
   gboolean running = job != NULL && !qn_job_get_run (job)->live;
   gboolean was_running = self->was_running;
@@ -155,10 +154,10 @@ on_job_changed (QnWindow *self)
   gtk_progress_bar_set_fraction (self->progress_bar, 0.0);
   update_live_label (self);
   qn_window_update_actions (self);
-  const QnRun *run = qn_document_get_run (self->document);
+  const QnRun *run = self->document->run;
   if (running || !was_running || self->next_method == QN_NO_METHOD)
     return;
-  if (qn_document_get_job_error (self->document) == NULL && run != NULL
+  if (self->document->job_error == NULL && run != NULL
       && run->result.outcome != QN_OUTCOME_CANCELLED)
     start_next (self);
   else
@@ -183,7 +182,7 @@ dup_time_text (QnJob *job, const QnProgress *progress)
 static void
 on_job_progress (QnWindow *self)
 {
-  QnJob *job = qn_document_get_job (self->document);
+  QnJob *job = self->document->job;
   if (job == NULL)
     return;
   QnProgress progress = qn_job_get_progress (job);
@@ -237,7 +236,7 @@ cancel (QnWindow *self, const char *name)
 static void
 pause_or_resume (QnWindow *self, const char *name)
 {
-  QnJob *job = qn_document_get_job (self->document);
+  QnJob *job = self->document->job;
   if (job == NULL)
     return;
   gboolean paused = !qn_job_is_paused (job);
@@ -292,7 +291,7 @@ static void
 on_document_changed (QnWindow *self)
 {
   GSettings *settings = qn_settings_get ();
-  gsize count = qn_document_get_model (self->document)->block_count;
+  gsize count = self->document->project.model.block_count;
   g_clear_handle_id (&self->live_timeout, g_source_remove);
   self->next_method = QN_NO_METHOD;
   update_live_label (self);

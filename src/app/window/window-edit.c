@@ -49,7 +49,7 @@ static gboolean
 selected_opening (QnWindow *self, OpeningEdit *edit)
 {
   const QnMasonries *list = qn_canvas_get_masonry (self->canvas);
-  QnSelection *selection = qn_document_get_selection (self->document);
+  QnSelection *selection = self->document->selection;
   return qn_selection_get_opening (selection, &edit->object, &edit->opening)
          && (gsize) edit->object < list->count
          && (gsize) edit->opening < list->items[edit->object].wall.opening_count;
@@ -69,7 +69,7 @@ static const char *const item_steps[QN_ITEM_COUNT][2] = {
 static gboolean
 edit_item (QnWindow *self, gboolean copy)
 {
-  QnSelection *selection = qn_document_get_selection (self->document);
+  QnSelection *selection = self->document->selection;
   QnItemKind kind;
   QnId item = qn_selection_get_any_item (selection, &kind);
   QnCanvasDraft draft;
@@ -101,7 +101,7 @@ delete_selected (QnWindow *self, const char *name)
   if (edit_item (self, FALSE))
     return;
   if (is_opening)
-    qn_selection_clear (qn_document_get_selection (self->document));
+    qn_selection_clear (self->document->selection);
   if (qn_canvas_begin_edit (self->canvas, &draft))
     qn_canvas_end_edit (
       self->canvas, &draft, is_opening ? _ ("Fill Opening") : _ ("Delete"), NULL,
@@ -126,7 +126,7 @@ join (QnWindow *self, const char *name)
 static void
 join_bodies (QnWindow *self, const char *name)
 {
-  const QnRun *run = qn_document_get_run (self->document);
+  const QnRun *run = self->document->run;
   QnMechanism mechanism = { 0 };
   QnCanvasDraft draft;
   if (run->result.mechanism == NULL || qn_document_is_stale (self->document, run)
@@ -180,8 +180,8 @@ rotate (QnWindow *self, GVariant *parameter)
 static void
 select_added (QnWindow *self, const QnModel *before)
 {
-  const QnModel *model = qn_document_get_model (self->document);
-  QnSelection *selection = qn_document_get_selection (self->document);
+  const QnModel *model = &self->document->project.model;
+  QnSelection *selection = self->document->selection;
   g_autoptr (GArray) added = g_array_new (FALSE, FALSE, sizeof (QnId));
   for (QnId i = 0; i < (QnId) model->block_count; i++) {
     if (qn_model_find_block (before, model->blocks[i].name) == QN_NONE)
@@ -207,7 +207,7 @@ duplicate (QnWindow *self, const char *name)
   QnVec2 low, high;
   QnModel before;
   if (edit_item (self, TRUE) || !qn_canvas_get_parts_box (self->canvas, &low, &high)
-      || qn_model_copy (qn_document_get_model (self->document), &before, NULL) != QN_OK)
+      || qn_model_copy (&self->document->project.model, &before, NULL) != QN_OK)
     return;
   double aside = 1.25 * (high.x - low.x);
   if (!(aside > 0.0))
@@ -268,21 +268,20 @@ go_to_step (QnWindow *self, GVariant *parameter)
 static void
 remove_run (QnWindow *self, const char *name)
 {
-  qn_document_remove_run (self->document, qn_document_get_run (self->document));
+  qn_document_remove_run (self->document, self->document->run);
 }
 
 static void
 select_all (QnWindow *self, const char *name)
 {
-  qn_selection_select_all (qn_document_get_selection (self->document),
-                           qn_document_get_model (self->document));
+  qn_selection_select_all (self->document->selection, &self->document->project.model);
 }
 
 static void
 select_like (QnWindow *self, const char *what)
 {
-  QnSelection *selection = qn_document_get_selection (self->document);
-  const QnModel *model = qn_document_get_model (self->document);
+  QnSelection *selection = self->document->selection;
+  const QnModel *model = &self->document->project.model;
   guint count = 0;
   const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &count);
   if (count == 0)
@@ -296,8 +295,8 @@ select_like (QnWindow *self, const char *what)
 static void
 select_faces_like (QnWindow *self, const char *what)
 {
-  QnSelection *selection = qn_document_get_selection (self->document);
-  const QnContacts *contacts = qn_document_get_contacts (self->document);
+  QnSelection *selection = self->document->selection;
+  const QnContacts *contacts = &self->document->contacts;
   QnId face = qn_selection_get_face (selection);
   if (face == QN_NONE || (gsize) face >= contacts->face_count)
     return;
@@ -332,8 +331,7 @@ static void
 set_joint_law (QnWindow *self, const char *law)
 {
   guint count = 0;
-  const QnId *ids =
-    qn_selection_get (qn_document_get_selection (self->document), QN_PART_FACE, &count);
+  const QnId *ids = qn_selection_get (self->document->selection, QN_PART_FACE, &count);
   qn_tool_joint_set_law (self->canvas, ids, count, law);
 }
 
@@ -354,7 +352,7 @@ static void
 copy (QnWindow *self, const char *name)
 {
   QnBlockSet set = qn_canvas_get_parts (self->canvas).blocks;
-  const QnModel *model = qn_document_get_model (self->document);
+  const QnModel *model = &self->document->project.model;
   GVariantBuilder blocks;
   g_variant_builder_init (&blocks, G_VARIANT_TYPE (BLOCKS_TYPE));
   for (guint i = 0; i < set.count; i++) {
@@ -464,7 +462,7 @@ on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
     qn_window_show_error (self, _ ("There are no blocks on the clipboard"));
     return;
   }
-  const QnModel *model = qn_document_get_model (self->document);
+  const QnModel *model = &self->document->project.model;
   QnModel before;
   if (qn_model_copy (model, &before, NULL) != QN_OK)
     return;

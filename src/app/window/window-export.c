@@ -4,7 +4,7 @@
 #include "app/dialogs/dialogs.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/settings.h"
-#include "doc/document/run-file.h"
+#include "doc/document/document.h"
 #include "doc/view/figures.h"
 #include "doc/view/report.h"
 #include "doc/view/sheet.h"
@@ -92,11 +92,11 @@ static gboolean
 write_file (gpointer data, const char *path, GError **error)
 {
   QnWindow *self = data;
-  const QnRun *run = qn_document_get_run (self->document);
+  const QnRun *run = self->document->run;
   QnProject project = *qn_document_get_project (self->document);
   if (self->exported == DRAWING)
-    return qn_dxf_export (&project.model, qn_document_get_contacts (self->document), NULL,
-                          1.0, 1.0, path, error);
+    return qn_dxf_export (&project.model, &self->document->contacts, NULL, 1.0, 1.0, path,
+                          error);
   project.model = run->model;
   switch (self->exported) {
   case RESULT:
@@ -128,7 +128,7 @@ export_to (QnWindow *self, gsize i, const char *path)
                                     .told = i == REPORT ? NULL : qn_window_show_message,
                                     .failed = qn_window_show_error,
                                     .given = path };
-  if (i != DRAWING && qn_document_get_run (self->document) == NULL)
+  if (i != DRAWING && self->document->run == NULL)
     return;
   self->exported = i;
   qn_chooser_ask (GTK_WIDGET (self), &question, self);
@@ -204,7 +204,7 @@ export_path (QnWindow *self, GVariant *parameter)
 {
   const char *name, *path;
   g_variant_get (parameter, "(&s&s)", &name, &path);
-  if (g_str_equal (name, "animation") && qn_document_get_run (self->document) != NULL)
+  if (g_str_equal (name, "animation") && self->document->run != NULL)
     qn_animation_dialog_show (GTK_WINDOW (self), self->state, qn_window_show_message,
                               path);
   for (gsize i = 0; i < G_N_ELEMENTS (exports); i++)
@@ -223,7 +223,7 @@ qn_window_open_result (QnWindow *self, const char *path)
     qn_window_show_error (self, error->message);
     return;
   }
-  const QnRun *run = qn_document_get_run (self->document);
+  const QnRun *run = self->document->run;
   gtk_stack_set_visible_child_name (self->side_stack, "result");
   if (run->result.outcome != QN_OUTCOME_DEAD_LOAD_UNSTABLE)
     qn_view_state_set_view (self->state, qn_view_of_result (&run->result));

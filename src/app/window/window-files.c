@@ -38,8 +38,7 @@ qn_window_find_path (GtkApplication *application, const char *path)
   g_autofree char *absolute = g_canonicalize_filename (path, NULL);
   for (GList *l = gtk_application_get_windows (application); l != NULL; l = l->next)
     if (QN_IS_WINDOW (l->data)
-        && g_strcmp0 (qn_document_get_path (QN_WINDOW (l->data)->document), absolute)
-             == 0)
+        && g_strcmp0 (QN_WINDOW (l->data)->document->path, absolute) == 0)
       return l->data;
   return NULL;
 }
@@ -178,7 +177,7 @@ save_as (QnWindow *self, const char *name)
                                     .failed = qn_window_show_error,
                                     .left = stop_closing,
                                     .kind = &projects,
-                                    .path = qn_document_get_path (self->document) };
+                                    .path = self->document->path };
   qn_chooser_ask (GTK_WIDGET (self), &question, self);
 }
 
@@ -186,7 +185,7 @@ save_as (QnWindow *self, const char *name)
 static void
 save_over (QnWindow *self)
 {
-  g_autofree char *path = g_strdup (qn_document_get_path (self->document));
+  g_autofree char *path = g_strdup (self->document->path);
   if (save_to (self, path) && self->closing == QN_CLOSING_NOW)
     close_soon (self);
 }
@@ -209,11 +208,11 @@ static void
 save (QnWindow *self, const char *action)
 {
   qn_window_commit_entry (self);
-  if (qn_document_get_path (self->document) == NULL)
+  if (self->document->path == NULL)
     save_as (self, action);
   else if (qn_document_is_changed_elsewhere (self->document)) {
     /* What somebody else has written since must not be lost without a word. */
-    g_autofree char *name = g_path_get_basename (qn_document_get_path (self->document));
+    g_autofree char *name = g_path_get_basename (self->document->path);
     g_autofree char *question =
       g_strdup_printf (_ ("“%s” has changed since it was opened here"), name);
     qn_dialog_ask (
@@ -321,7 +320,7 @@ ask_all (const GPtrArray *unsaved)
     g_autofree char *name = qn_document_dup_display_name (each->document);
     GtkWidget *check = gtk_check_button_new_with_label (name);
     gtk_check_button_set_active (GTK_CHECK_BUTTON (check), TRUE);
-    gtk_widget_set_tooltip_text (check, qn_document_get_path (each->document));
+    gtk_widget_set_tooltip_text (check, each->document->path);
     gtk_box_append (GTK_BOX (list), check);
     g_object_set_data_full (G_OBJECT (each), CHECK, g_object_ref (check), g_object_unref);
   }

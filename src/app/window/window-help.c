@@ -14,7 +14,7 @@ static const struct {
 static const char *
 page_of_drawing (QnWindow *self)
 {
-  QnSelection *selection = qn_document_get_selection (self->document);
+  QnSelection *selection = self->document->selection;
   QnId object;
   int opening;
   guint beams;

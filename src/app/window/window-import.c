@@ -3,8 +3,8 @@
 #include "app/dialogs/dialogs.h"
 #include "app/window/window-private.h"
 
+#include "doc/document/document.h"
 #include "doc/document/import.h"
-#include "doc/document/run-file.h"
 #include "doc/document/underlay.h"
 #include <glib/gi18n.h>
 
@@ -52,7 +52,7 @@ take_strip (GtkWindow *window, const QnProject *project)
 {
   QnWindow *self = QN_WINDOW (window);
   g_autoptr (GError) error = NULL;
-  if (qn_document_get_model (self->document)->block_count > 0)
+  if (self->document->project.model.block_count > 0)
     self = qn_window_new (gtk_window_get_application (window));
   qn_window_show_work (self);
   if (!qn_document_import (self->document, _ ("Strip of a Façade"), project, &error))
@@ -75,8 +75,7 @@ qn_window_take_file (QnWindow *self, const char *path)
     insert_picture (self, path);
   else if (qn_import_knows_file (path))
     qn_import_dialog_show (GTK_WINDOW (self), path,
-                           qn_document_get_model (self->document)->block_count > 0,
-                           take_import);
+                           self->document->project.model.block_count > 0, take_import);
   else
     gtk_widget_activate_action (GTK_WIDGET (self), "win.open-path", "s", path);
 }

@@ -46,8 +46,8 @@ complete_joint_menu (GtkBuilder *builder, const QnModel *model)
 static GMenu *
 make_for_selection (QnWindow *self)
 {
-  QnSelection *selection = qn_document_get_selection (self->document);
-  const QnModel *model = qn_document_get_model (self->document);
+  QnSelection *selection = self->document->selection;
+  const QnModel *model = &self->document->project.model;
   g_autoptr (GtkBuilder) builder = qn_builder_new ("context-menus");
   const char *id = "paper";
   guint blocks = 0, beams = 0;
@@ -74,7 +74,7 @@ make_for_selection (QnWindow *self)
   }
   GMenu *menu = g_object_ref (get (builder, id));
   if (!g_str_equal (id, "paper")) {
-    gboolean solved = qn_document_get_run (self->document) != NULL;
+    gboolean solved = self->document->run != NULL;
     GMenu *panels = get (builder, solved ? "panels-with-result" : "panels");
     g_menu_append_section (menu, NULL, G_MENU_MODEL (panels));
   }

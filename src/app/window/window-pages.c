@@ -245,7 +245,7 @@ show_study (QnWindow *self, const char *path, const char *action, GVariant *para
     add (self, "study", _ ("Study"), page);
   else
     qn_window_show_error (self, error->message);
-  if (page == NULL && qn_document_get_path (self->document) == NULL) {
+  if (page == NULL && self->document->path == NULL) {
     gtk_widget_activate_action (GTK_WIDGET (self), "win.save-as", NULL);
     self->after_save = g_action_print_detailed_name (action, parameter);
   }

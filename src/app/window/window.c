@@ -9,8 +9,8 @@
 #include "app/widgets/shortened.h"
 #include "app/widgets/text-unit.h"
 #include "app/window/action-table.h"
+#include "doc/document/document.h"
 #include "doc/document/import.h"
-#include "doc/document/run-file.h"
 #include "doc/text/explain.h"
 #include "io/exchange/drawing-import.h"
 #include <glib/gi18n.h>
@@ -47,7 +47,7 @@ static void
 update_title (QnWindow *self)
 {
   g_autofree char *name = qn_document_dup_display_name (self->document);
-  const char *path = qn_document_get_path (self->document);
+  const char *path = self->document->path;
   g_autofree char *base = path != NULL ? g_path_get_basename (path) : NULL;
   gboolean modified =
     qn_document_is_modified (self->document) && !qn_window_is_blank (self);
@@ -76,7 +76,7 @@ update_title (QnWindow *self)
 static void
 update_history (QnWindow *self)
 {
-  QnEditHistory *history = qn_document_get_history (self->document);
+  QnEditHistory *history = self->document->history;
   guint position = qn_history_get_position (history);
   gboolean own = qn_window_page_has (self, "undo");
   g_autofree char *undo =
@@ -100,8 +100,8 @@ update_history (QnWindow *self)
 static void
 update_counts (QnWindow *self)
 {
-  const QnModel *model = qn_document_get_model (self->document);
-  const QnContacts *contacts = qn_document_get_contacts (self->document);
+  const QnModel *model = &self->document->project.model;
+  const QnContacts *contacts = &self->document->contacts;
   const QnCount counts[] = { { QN_COUNTED_BEAMS, model->beam_count },
                              { QN_COUNTED_BLOCKS, model->block_count },
                              { QN_COUNTED_FACES, contacts->face_count },
@@ -124,7 +124,7 @@ update_status (QnWindow *self)
 static void
 update_stale (QnWindow *self)
 {
-  const QnRun *run = qn_document_get_run (self->document);
+  const QnRun *run = self->document->run;
   gboolean shown =
     run != NULL && qn_view_needs_result (qn_view_state_get_view (self->state));
   QnRunAge age = shown ? qn_document_get_run_age (self->document, run) : QN_RUN_CURRENT;
@@ -151,8 +151,8 @@ update_view_menu (QnWindow *self)
 static void
 update_view_buttons (QnWindow *self)
 {
-  const QnRun *run = qn_document_get_run (self->document);
-  gboolean beams = qn_document_get_model (self->document)->beam_count > 0
+  const QnRun *run = self->document->run;
+  gboolean beams = self->document->project.model.beam_count > 0
                    || (run != NULL && run->result.beam_forces != NULL);
   gboolean shown = qn_view_state_get_view (self->state) == QN_VIEW_DIAGRAMS;
   gtk_widget_set_visible (self->diagrams_button, beams || shown);
@@ -386,7 +386,7 @@ connect_document (QnWindow *self)
     { self->document, "file-changed", update_title },
     { self->document, "runs-changed", on_view_changed },
     { self->state, "changed", on_view_changed },
-    { qn_document_get_selection (self->document), "changed", qn_window_update_actions },
+    { self->document->selection, "changed", qn_window_update_actions },
     { self->canvas, "status", update_status },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (signals); i++)

@@ -1,6 +1,6 @@
 #include "doc/document/batch.h"
 
-#include "doc/document/run-file.h"
+#include "doc/document/document.h"
 #include "io/result/result-file.h"
 #include <glib/gi18n-lib.h>
 #include <string.h>
@@ -35,17 +35,17 @@ static void on_job_changed (QnDocument *document, QnBatch *self);
 static void
 go_on (QnBatch *self)
 {
-  if (self->next > 0
-      && qn_document_get_job (self->documents->pdata[self->next - 1]) != NULL)
+  const QnDocument *last = self->next > 0 ? self->documents->pdata[self->next - 1] : NULL;
+  if (last != NULL && last->job != NULL)
     return;
   while (self->next < self->documents->len && !self->cancelled) {
     QnDocument *document = self->documents->pdata[self->next++];
     g_autoptr (GError) error = NULL;
-    if (qn_document_get_runs (document)->len > 0)
+    if (document->runs->len > 0)
       continue;
     if (qn_document_analyse (document, &error))
       return;
-    tell (self, qn_document_get_path (document), error->message);
+    tell (self, document->path, error->message);
     g_signal_emit_by_name (self, "changed");
   }
 }
@@ -53,11 +53,11 @@ go_on (QnBatch *self)
 static void
 on_job_changed (QnDocument *document, QnBatch *self)
 {
-  const GError *error = qn_document_get_job_error (document);
-  if (qn_document_get_job (document) != NULL)
+  const GError *error = document->job_error;
+  if (document->job != NULL)
     return;
   if (error != NULL && !g_error_matches (error, G_IO_ERROR, G_IO_ERROR_CANCELLED))
-    tell (self, qn_document_get_path (document), error->message);
+    tell (self, document->path, error->message);
   g_signal_emit_by_name (self, "changed");
   go_on (self);
 }
@@ -67,9 +67,11 @@ on_job_changed (QnDocument *document, QnBatch *self)
 static QnDocument *
 find (QnBatch *self, const char *path)
 {
-  for (guint i = 0; i < self->documents->len; i++)
-    if (g_strcmp0 (qn_document_get_path (self->documents->pdata[i]), path) == 0)
-      return self->documents->pdata[i];
+  for (guint i = 0; i < self->documents->len; i++) {
+    QnDocument *document = self->documents->pdata[i];
+    if (g_strcmp0 (document->path, path) == 0)
+      return document;
+  }
   return NULL;
 }
 

@@ -75,7 +75,7 @@ qn_bounds_collect (QnDocument *document, double values[QN_BOUND_KIND_COUNT])
   guint count = 0;
   for (int i = 0; i < QN_BOUND_KIND_COUNT; i++)
     values[i] = NAN;
-  const GPtrArray *runs = qn_document_get_runs (document);
+  const GPtrArray *runs = document->runs;
   for (guint i = 0; i < runs->len; i++) {
     const QnRun *run = g_ptr_array_index (runs, i);
     if (run->kind == QN_RUN_ANALYSIS && !qn_document_is_stale (document, run))

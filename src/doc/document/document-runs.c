@@ -1,9 +1,9 @@
 /* Analyses of a document and the runs that they leave. */
-#include "doc/document/document-private.h"
-#include "io/exchange/record.h"
+#include "doc/document/document.h"
 
 #include "doc/edit/edit.h"
 #include "doc/text/explain.h"
+#include "io/exchange/record.h"
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
@@ -149,36 +149,6 @@ qn_document_cancel (QnDocument *self)
 {
   if (self->job != NULL)
     qn_job_cancel (self->job);
-}
-
-QnJob *
-qn_document_get_job (QnDocument *self)
-{
-  return self->job;
-}
-
-const GError *
-qn_document_get_job_error (QnDocument *self)
-{
-  return self->job_error;
-}
-
-const QnDiag *
-qn_document_get_job_diag (QnDocument *self)
-{
-  return &self->job_diag;
-}
-
-const GPtrArray *
-qn_document_get_runs (QnDocument *self)
-{
-  return self->runs;
-}
-
-QnRun *
-qn_document_get_run (QnDocument *self)
-{
-  return self->run;
 }
 
 void

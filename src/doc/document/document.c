@@ -1,4 +1,4 @@
-#include "doc/document/document-private.h"
+#include "doc/document/document.h"
 
 #include "doc/edit/edit.h"
 #include "io/project/number-path.h"
@@ -297,12 +297,6 @@ qn_document_set_keeps_history (QnDocument *self, gboolean keeps)
 }
 
 gboolean
-qn_document_get_keeps_history (QnDocument *self)
-{
-  return self->keeps_history;
-}
-
-gboolean
 qn_document_save (QnDocument *self, const char *path, GError **error)
 {
   g_autofree char *text = dup_file_text (self, error);
@@ -318,24 +312,6 @@ qn_document_save (QnDocument *self, const char *path, GError **error)
   }
   g_signal_emit_by_name (self, "history-changed");
   return TRUE;
-}
-
-const char *
-qn_document_get_path (QnDocument *self)
-{
-  return self->path;
-}
-
-const char *
-qn_document_get_folder (QnDocument *self)
-{
-  return self->folder;
-}
-
-const char *
-qn_document_get_text (QnDocument *self)
-{
-  return self->text->text;
 }
 
 char *
@@ -354,30 +330,12 @@ qn_document_is_modified (QnDocument *self)
   return self->never_saved || !qn_history_is_clean (self->history);
 }
 
-const QnModel *
-qn_document_get_model (QnDocument *self)
-{
-  return &self->project.model;
-}
-
-const QnContacts *
-qn_document_get_contacts (QnDocument *self)
-{
-  return &self->contacts;
-}
-
 const QnProject *
 qn_document_get_project (QnDocument *self)
 {
   if (self->project.sha256 == NULL)
     self->project.sha256 = digest_file (self->text->text, self->text->length);
   return &self->project;
-}
-
-QnSelection *
-qn_document_get_selection (QnDocument *self)
-{
-  return self->selection;
 }
 
 /* ---- edits ---- */
@@ -476,12 +434,6 @@ qn_document_edit (QnDocument *self, const char *name, const char *key, QnEditFun
                                   func (&draft, user_data, error), error);
 }
 
-gboolean
-qn_document_has_dissolved (QnDocument *self)
-{
-  return self->dissolved;
-}
-
 /* The text of the project after an edit; NULL where that is refused. */
 static QnProjectText *
 write_edited (QnDocument *self, QnEditFunc func, gpointer user_data)
@@ -520,12 +472,6 @@ qn_document_edit_extra (QnDocument *self, const char *name, const char *key,
     return step_to (self, name, key, &draft, error);
   qn_project_clear (&draft);
   return FALSE;
-}
-
-QnEditHistory *
-qn_document_get_history (QnDocument *self)
-{
-  return self->history;
 }
 
 gboolean

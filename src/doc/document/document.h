@@ -26,6 +26,35 @@
 #define QN_TYPE_DOCUMENT (qn_document_get_type ())
 G_DECLARE_FINAL_TYPE (QnDocument, qn_document, QN, DOCUMENT, GObject)
 
+/* Read by all, changed by the functions below alone. Model and contacts are borrowed until the next
+ * "changed"; the model is prepared, and empty (no blocks) for an empty drawing. */
+struct _QnDocument {
+  GObject parent_instance;
+
+  char *path;          /* NULL: never saved */
+  char *folder;        /* that relative paths start from; NULL: nowhere */
+  QnProject project;   /* the state; its digest: qn_document_get_project() */
+  QnProjectText *text; /* what it is written as, without the history */
+  QnContacts contacts;
+  char *fingerprint; /* qn_document_get_fingerprint(); NULL: to be computed */
+  char *file_digest; /* of the file as it was read or written; NULL: not known */
+  QnEditHistory *history;
+  gboolean
+    dissolved; /* by the last edit: free blocks of a parametric wall or another object
+                         that was moved, turned or cut in part; its step says so in its name */
+  QnSelection *selection;
+  gboolean never_saved;   /* came from memory: counts as modified */
+  gboolean keeps_history; /* in the file */
+
+  QnJob *job;        /* NULL: none runs */
+  char *job_text;    /* what the project was written as when it began; NULL: a live one */
+  GError *job_error; /* why the last analysis gave no run, or NULL */
+  QnDiag job_diag;
+  GPtrArray *runs; /* of QnRun, of this session, oldest first */
+  QnRun *run;      /* the current one, or NULL */
+  guint run_number;
+};
+
 /* An empty drawing: no blocks, one dry joint law, own weight as dead load, own weight to the
  * right as live load. */
 QnDocument *qn_document_new (void);
@@ -55,24 +84,12 @@ gboolean qn_document_is_changed_elsewhere (QnDocument *document);
 /* Whether the file holds the history too, so that steps can be undone after opening it again.
  * Loading a file that has one turns it on. */
 void qn_document_set_keeps_history (QnDocument *document, gboolean keeps);
-gboolean qn_document_get_keeps_history (QnDocument *document);
 
-const char *qn_document_get_path (QnDocument *document); /* NULL: never saved */
-/* Folder that relative paths start from, or NULL for a document that came from no file. */
-const char *qn_document_get_folder (QnDocument *document);
-/* The project as it would be written, without the history. */
-const char *qn_document_get_text (QnDocument *document);
 char *qn_document_dup_display_name (QnDocument *document);
 gboolean qn_document_is_modified (QnDocument *document);
 
-/* ---- the model ---- */
-
-/* Prepared; empty (no blocks) for an empty drawing. Borrowed until the next "changed". */
-const QnModel *qn_document_get_model (QnDocument *document);
-/* Faces, pairs and findings of the model; empty for an empty drawing. Borrowed likewise. */
-const QnContacts *qn_document_get_contacts (QnDocument *document);
+/* The project with its digest, as metadata and results name it. */
 const QnProject *qn_document_get_project (QnDocument *document);
-QnSelection *qn_document_get_selection (QnDocument *document);
 
 /* ---- edits ---- */
 
@@ -101,16 +118,11 @@ gboolean qn_document_edit (QnDocument *document, const char *name, const char *k
 char *qn_document_dup_number_path (QnDocument *document, QnEditFunc func, gpointer same,
                                    gpointer other, double value, double *number);
 
-/* Whether the last edit has made free blocks of a parametric wall or another object that was moved,
- * turned or cut in part. Its step says so in its name. */
-gboolean qn_document_has_dissolved (QnDocument *document);
-
 /* Replaces a top-level member that the model does not hold (view, figures, …), as an
  * undoable step; `json` is the new value or NULL to remove it. */
 gboolean qn_document_edit_extra (QnDocument *document, const char *name, const char *key,
                                  const char *member, const char *json, GError **error);
 
-QnEditHistory *qn_document_get_history (QnDocument *document); /* for reading */
 gboolean qn_document_undo (QnDocument *document);
 gboolean qn_document_redo (QnDocument *document);
 /* Walks to the state after `position` steps; FALSE where there are not so many. */
@@ -140,15 +152,7 @@ gboolean qn_document_find_stability (QnDocument *document, GError **error);
 gboolean qn_document_analyse_live (QnDocument *document, GError **error);
 
 void qn_document_cancel (QnDocument *document);
-QnJob *qn_document_get_job (QnDocument *document); /* NULL when none runs */
 
-/* Why the last analysis gave no run, or NULL. */
-const GError *qn_document_get_job_error (QnDocument *document);
-const QnDiag *qn_document_get_job_diag (QnDocument *document);
-
-/* Runs of this session, oldest first; of QnRun. */
-const GPtrArray *qn_document_get_runs (QnDocument *document);
-QnRun *qn_document_get_run (QnDocument *document); /* the current one, or NULL */
 void qn_document_set_run (QnDocument *document, QnRun *run);
 /* Adds a run that was made elsewhere, and makes it the current one. */
 void qn_document_add_run (QnDocument *document, QnRun *run);
@@ -178,3 +182,46 @@ const char *qn_run_age_text (QnRunAge age);
 
 /* Whether it is not current. */
 gboolean qn_document_is_stale (QnDocument *document, const QnRun *run);
+
+/* What an analysis depends on: a digest of all of it, a space, and one of the model alone. */
+const char *qn_document_get_fingerprint (QnDocument *document);
+
+/* Ends the running analysis, if any, and forgets its outcome. */
+void qn_document_drop_job (QnDocument *document);
+
+/* ---- names of runs (run-name.c): the difference from the first run or the user's text, and the method ---- */
+
+/* The member of the project that keeps names the user gave, by the digest of the model. */
+#define QN_RUN_NAMES_MEMBER "run_names"
+
+/* Renames a run, and all others of the same model, as a step; "" or NULL: as proposed. */
+gboolean qn_document_rename_run (QnDocument *document, const QnRun *run,
+                                 const char *label, GError **error);
+
+/* Differences between the projects of two runs, translated, such as "friction 0.5"; NULL if the text of one
+ * project is unknown. */
+GPtrArray *qn_run_list_changes (const QnRun *from, const QnRun *to);
+
+/* Proposes a name for a run that is to be added, whose name is its method so far, and drops those that it
+ * repeats; `text` is what the project was written as. */
+void qn_document_take_run (QnDocument *document, QnRun *run, const char *text);
+/* Names of all runs from what the project keeps; TRUE where one is new. */
+gboolean qn_document_name_runs (QnDocument *document);
+
+/* ---- runs as result files (run-file.c): kept beside the project, and looked at again without solving ---- */
+
+/* Writes a run of the document as `quoin-cli solve -o` would. Refuses one of an earlier model, for
+ * the file must name the project that it belongs to, and those that are no load path or limit
+ * analysis. */
+gboolean qn_document_write_result (QnDocument *document, const QnRun *run,
+                                   const char *path, GError **error);
+
+/* What was set for the run alone, as for `--set`; NULL where that is nothing. Free with g_strfreev(). */
+char **qn_run_dup_overrides (const QnRun *run, const QnAnalysisSettings *projects);
+
+/* Whether the file says of itself, at its beginning, that it is a result. */
+gboolean qn_is_result_file (const char *path);
+
+/* Adds what a result file says to the runs and makes it the current one. It counts as outdated
+ * where the project has changed since; refused where blocks or contacts are others. */
+gboolean qn_document_open_result (QnDocument *document, const char *path, GError **error);

@@ -42,10 +42,10 @@ write_file (QnRecovery *recovery)
 {
   g_autofree char *folder = qn_recovery_dup_folder ();
   g_autofree char *fresh = g_strconcat (recovery->path, ".new", NULL);
-  const char *original = qn_document_get_path (recovery->document);
+  const char *original = recovery->document->path;
   g_autofree char *escaped = g_strescape (original != NULL ? original : "", NULL);
   g_autofree char *content =
-    g_strdup_printf ("%s\n%s", escaped, qn_document_get_text (recovery->document));
+    g_strdup_printf ("%s\n%s", escaped, recovery->document->text->text);
   g_autoptr (GError) error = NULL;
   if (g_mkdir_with_parents (folder, 0700) != 0
       || !g_file_set_contents (fresh, content, -1, &error)) {

@@ -1,6 +1,5 @@
-#include "doc/document/run-file.h"
+#include "doc/document/document.h"
 
-#include "doc/document/document-private.h"
 #include "doc/edit/edit.h"
 #include "io/project/project-members.h"
 #include "io/result/result-file.h"

@@ -1,6 +1,5 @@
-#include "doc/document/run-name.h"
+#include "doc/document/document.h"
 
-#include "doc/document/document-private.h"
 #include "io/project/project.h"
 #include "render/drawing/text.h"
 #include <glib/gi18n-lib.h>

@@ -251,7 +251,7 @@ allowed_files (QnDocument *document)
 char *
 qn_document_dup_file (QnDocument *document, const char *file, GError **error)
 {
-  const char *folder = qn_document_get_folder (document);
+  const char *folder = document->folder;
   g_autofree char *whole = g_canonicalize_filename (file, folder);
   gboolean allowed = g_hash_table_contains (allowed_files (document), whole);
   return qn_file_inside (folder, file, allowed, error);
@@ -261,8 +261,8 @@ gboolean
 qn_document_read_picture (QnDocument *document, QnUnderlay *underlay, GError **error)
 {
   g_autofree char *name = NULL;
-  if (!qn_underlay_locate (qn_document_get_project (document),
-                           qn_document_get_folder (document), &name, underlay, error))
+  if (!qn_underlay_locate (qn_document_get_project (document), document->folder, &name,
+                           underlay, error))
     return FALSE;
   if (name == NULL)
     return TRUE;
@@ -273,7 +273,7 @@ qn_document_read_picture (QnDocument *document, QnUnderlay *underlay, GError **e
 void
 qn_document_allow_file (QnDocument *document, const char *file)
 {
-  const char *folder = qn_document_get_folder (document);
+  const char *folder = document->folder;
   g_hash_table_add (allowed_files (document), g_canonicalize_filename (file, folder));
 }
 
@@ -281,7 +281,7 @@ void
 qn_document_allow_picture (QnDocument *document)
 {
   QnUnderlay underlay;
-  const char *folder = qn_document_get_folder (document);
+  const char *folder = document->folder;
   g_autofree char *path = NULL;
   if (qn_underlay_locate (qn_document_get_project (document), folder, &path, &underlay,
                           NULL)
@@ -297,7 +297,7 @@ qn_document_insert_picture (QnDocument *document, const char *path, GError **err
     return FALSE;
   cairo_surface_destroy (image);
   qn_document_allow_file (document, path);
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   QnUnderlay underlay = { .width = 5, .opacity = 0.6 };
   QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
   for (gsize i = 0; i < model->node_count; i++)
@@ -306,7 +306,7 @@ qn_document_insert_picture (QnDocument *document, const char *path, GError **err
     underlay.origin = box.min;
     underlay.width = MAX (box.max.x - box.min.x, 1e-3);
   }
-  const char *folder = qn_document_get_folder (document);
+  const char *folder = document->folder;
   g_autofree char *name = dup_name (path, folder);
   g_autofree char *json = qn_underlay_to_json (name, &underlay);
   return qn_document_edit_extra (document, _ ("Add Picture"), NULL, MEMBER, json, error);
@@ -352,8 +352,8 @@ qn_document_carry_picture (QnDocument *document, const char *path, GError **erro
   g_autofree char *new_folder = g_path_get_dirname (path);
   QnUnderlay underlay;
   g_autofree char *image = NULL;
-  if (!qn_underlay_locate (qn_document_get_project (document),
-                           qn_document_get_folder (document), &image, &underlay, error))
+  if (!qn_underlay_locate (qn_document_get_project (document), document->folder, &image,
+                           &underlay, error))
     return FALSE;
   if (image == NULL)
     return TRUE;

@@ -33,7 +33,7 @@ void
 qn_animation_settings_init (QnAnimationSettings *settings, QnViewState *state)
 {
   QnViewOptions shown = qn_view_state_get_options (state);
-  const QnRun *run = qn_document_get_run (qn_view_state_get_document (state));
+  const QnRun *run = qn_view_state_get_document (state)->run;
   gboolean moves = run != NULL && run->result.mechanism != NULL;
   gboolean path =
     shown.view == QN_VIEW_DEFORMED && run != NULL && run->result.step_count > 1;
@@ -108,7 +108,7 @@ on_completed (GTask *task, GParamSpec *pspec, gpointer data)
 static QnViewOptions
 options_of (QnViewState *state, const QnAnimationSettings *settings)
 {
-  const QnRun *run = qn_document_get_run (qn_view_state_get_document (state));
+  const QnRun *run = qn_view_state_get_document (state)->run;
   QnViewOptions options = qn_view_state_get_options (state);
   options.view = settings->view;
   options.scale = settings->scale;
@@ -129,9 +129,9 @@ qn_animation_write_async (QnViewState *state, const QnAnimationSettings *setting
                           GAsyncReadyCallback callback, gpointer user_data)
 {
   QnDocument *document = qn_view_state_get_document (state);
-  g_return_if_fail (qn_document_get_run (document) != NULL);
+  g_return_if_fail (document->run != NULL);
   Work *work = g_new0 (Work, 1);
-  work->run = qn_run_ref (qn_document_get_run (document));
+  work->run = qn_run_ref (document->run);
   work->settings = *settings;
   work->options = options_of (state, settings);
   work->path = g_strdup (path);

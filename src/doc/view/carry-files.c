@@ -38,9 +38,9 @@ carry_file (const char *old_folder, const char *new_folder, const char *name,
 gboolean
 qn_document_carry_files (QnDocument *document, const char *path, GError **error)
 {
-  const char *old_folder = qn_document_get_folder (document);
+  const char *old_folder = document->folder;
   const QnProject *project = qn_document_get_project (document);
-  gboolean is_copy = qn_document_get_path (document) == NULL && old_folder != NULL;
+  gboolean is_copy = document->path == NULL && old_folder != NULL;
   g_autofree char *new_folder = g_path_get_dirname (path);
   if (!is_copy && !qn_document_carry_picture (document, path, error))
     return FALSE;

@@ -80,7 +80,7 @@ qn_document_dup_figure_name (QnDocument *document, const char *like)
 static QnRun *
 find_own_run (QnDocument *document)
 {
-  const QnAnalysisSettings *own = &qn_document_get_model (document)->analysis;
+  const QnAnalysisSettings *own = &document->project.model.analysis;
   return qn_document_find_run (document, own->procedure, own->flow, TRUE);
 }
 
@@ -111,8 +111,7 @@ draw (QnDocument *document, const QnRecipe *recipe, const QnResult *result,
   QnUnderlay underlay;
   if (!qn_document_read_picture (document, &underlay, error))
     return FALSE;
-  qn_recipe_fill (recipe, qn_document_get_model (document),
-                  qn_document_get_contacts (document), result, &figure);
+  qn_recipe_fill (recipe, &document->project.model, &document->contacts, result, &figure);
   qn_document_get_metadata (document, &metadata);
   figure.options.underlay = underlay;
   gboolean done = qn_figure_export (&figure, path, &recipe->output, &metadata, error);
@@ -129,7 +128,7 @@ draw_with_file (QnDocument *document, const QnRecipe *recipe, const char *path,
   if (place == NULL || !qn_result_file_read (place, &file, error))
     return FALSE;
   gboolean done = qn_result_file_match (&file, place, qn_document_get_project (document),
-                                        qn_document_get_contacts (document), NULL, error)
+                                        &document->contacts, NULL, error)
                   && draw (document, recipe, &file.result, path, error);
   qn_result_file_clear (&file);
   return done;
@@ -138,7 +137,7 @@ draw_with_file (QnDocument *document, const QnRecipe *recipe, const char *path,
 gboolean
 qn_document_export_figure (QnDocument *document, const QnRecipe *recipe, GError **error)
 {
-  if (qn_document_get_path (document) == NULL)
+  if (document->path == NULL)
     return qn_edit_refuse (
       error, _ ("Save the project first: its figures are written beside it"));
   g_autofree char *place = qn_document_dup_file (document, recipe->file, error);
@@ -190,7 +189,7 @@ qn_view_state_export_as (QnViewState *state, const QnRecipe *recipe, const char 
 void
 qn_document_get_metadata (QnDocument *document, QnMetadata *metadata)
 {
-  const char *path = qn_document_get_path (document);
+  const char *path = document->path;
   const char *slash = path != NULL ? strrchr (path, G_DIR_SEPARATOR) : NULL;
   qn_project_get_metadata (qn_document_get_project (document), metadata);
   metadata->model = slash != NULL ? slash + 1 : path;

@@ -35,7 +35,7 @@ qn_step_view_init (QnStepView *view, QnViewState *state)
   if (!qn_view_state_get_content (state, &view->model, &view->contacts, &view->result))
     return FALSE;
   QnDocument *document = qn_view_state_get_document (state);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   /* The contacts of the same model are the same. */
   if (view->result == NULL && run != NULL && !qn_document_is_stale (document, run))
     view->result = &run->result;

@@ -1,7 +1,7 @@
 #include "doc/view/report.h"
 
+#include "doc/document/document.h"
 #include "doc/document/job.h"
-#include "doc/document/run-file.h"
 #include "render/backend/output.h"
 
 #include <glib/gi18n-lib.h>
@@ -121,11 +121,11 @@ write_in_thread (GTask *task, gpointer source, gpointer data, GCancellable *canc
 static gboolean
 take_up (ReportWork *work, QnDocument *document, GError **error)
 {
-  const GPtrArray *all = qn_document_get_runs (document);
+  const GPtrArray *all = document->runs;
   if (!qn_report_template_read (&work->plan, qn_document_get_project (document), error)
       || !qn_project_copy (qn_document_get_project (document), &work->project, error))
     return FALSE;
-  work->project.text = g_strdup (qn_document_get_text (document));
+  work->project.text = g_strdup (document->text->text);
   work->project.text_length = strlen (work->project.text);
   work->project.sha256 = g_strdup (qn_document_get_project (document)->sha256);
   for (guint i = 0; i < all->len; i++) {

@@ -57,7 +57,7 @@ emit_changed (QnViewState *self)
 static void
 update_underlay (QnViewState *self)
 {
-  const char *folder = qn_document_get_folder (self->document);
+  const char *folder = self->document->folder;
   g_autofree char *path = NULL;
   QnUnderlay underlay;
   g_clear_error (&self->image_error);
@@ -109,7 +109,7 @@ on_runs_changed (QnDocument *document, QnViewState *self)
   self->options.step = QN_STEP_LAST;
   self->options.phase = 1.0;
   self->fitting_scale = 0.0;
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   if (self->onion != NULL && (run == NULL || !same_structure (self->onion, run)))
     g_clear_pointer (&self->onion, qn_run_unref);
   if (run == NULL && qn_view_needs_result (self->options.view))
@@ -163,7 +163,7 @@ QnViewOptions
 qn_view_state_get_options (QnViewState *self)
 {
   QnViewOptions options = self->options;
-  const QnRun *run = qn_document_get_run (self->document);
+  const QnRun *run = self->document->run;
   options.step = qn_view_state_get_step (self);
   if (options.view == QN_VIEW_MECHANISM)
     options.scale = self->mechanism_scale;
@@ -196,7 +196,7 @@ qn_view_state_set_view (QnViewState *self, QnView view)
 int
 qn_view_state_get_step (QnViewState *self)
 {
-  const QnRun *run = qn_document_get_run (self->document);
+  const QnRun *run = self->document->run;
   if (run == NULL || self->options.step == QN_STEP_LAST || run->result.step_count == 0)
     return QN_STEP_LAST;
   return MIN (self->options.step, (int) run->result.step_count - 1);
@@ -205,7 +205,7 @@ qn_view_state_get_step (QnViewState *self)
 gsize
 qn_view_state_get_shown_step (QnViewState *self)
 {
-  const QnRun *run = qn_document_get_run (self->document);
+  const QnRun *run = self->document->run;
   const int step = qn_view_state_get_step (self);
   return step != QN_STEP_LAST                        ? (gsize) step
          : run != NULL && run->result.step_count > 0 ? run->result.step_count - 1
@@ -215,7 +215,7 @@ qn_view_state_get_shown_step (QnViewState *self)
 void
 qn_view_state_set_step (QnViewState *self, int step)
 {
-  const QnRun *run = qn_document_get_run (self->document);
+  const QnRun *run = self->document->run;
   int count = run != NULL ? (int) run->result.step_count : 0;
   int clamped = step < 0 || step >= count ? QN_STEP_LAST : step;
   if (self->options.step == clamped)
@@ -247,7 +247,7 @@ qn_view_state_set_scale (QnViewState *self, double scale)
 double
 qn_view_state_get_shown_scale (QnViewState *self)
 {
-  const QnRun *run = qn_document_get_run (self->document);
+  const QnRun *run = self->document->run;
   if (self->options.scale > 0.0)
     return self->options.scale;
   if (self->fitting_scale == 0.0)
@@ -340,7 +340,7 @@ qn_view_state_show_underlay_at (QnViewState *self, const QnUnderlay *underlay)
 void
 qn_view_state_set_onion (QnViewState *self, QnRun *run)
 {
-  const QnRun *current = qn_document_get_run (self->document);
+  const QnRun *current = self->document->run;
   if (run == self->onion
       || (run != NULL && (current == NULL || !same_structure (run, current))))
     return;
@@ -366,10 +366,10 @@ gboolean
 qn_view_state_get_content_of (QnViewState *self, QnView view, const QnModel **model,
                               const QnContacts **contacts, const QnResult **result)
 {
-  const QnRun *run = qn_document_get_run (self->document);
+  const QnRun *run = self->document->run;
   if (!qn_view_needs_result (view)) {
-    *model = qn_document_get_model (self->document);
-    *contacts = qn_document_get_contacts (self->document);
+    *model = &self->document->project.model;
+    *contacts = &self->document->contacts;
     *result = NULL;
     return TRUE;
   }

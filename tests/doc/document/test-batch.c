@@ -1,7 +1,7 @@
 /* Files opened to be compared: projects that are solved, results, folders, and what cannot be read. */
 #include "doc/document/batch.h"
 
-#include "doc/document/run-file.h"
+#include "doc/document/document.h"
 #include "support/room.h"
 
 #include <glib/gstdio.h>
@@ -38,7 +38,7 @@ is_busy (QnBatch *batch)
 {
   const GPtrArray *documents = qn_batch_get_documents (batch);
   for (guint i = 0; i < documents->len; i++)
-    if (qn_document_get_job (documents->pdata[i]) != NULL)
+    if (((QnDocument *) documents->pdata[i])->job != NULL)
       return TRUE;
   return FALSE;
 }
@@ -81,13 +81,13 @@ test_folder (void)
   g_assert_nonnull (strstr (qn_batch_get_messages (batch)->pdata[0], "c.quoin"));
   const double multipliers[] = { 0.5, 0.4 };
   for (guint i = 0; i < documents->len; i++) {
-    const QnRun *run = qn_document_get_run (documents->pdata[i]);
+    const QnRun *run = ((QnDocument *) documents->pdata[i])->run;
     g_assert_nonnull (run);
     g_assert_cmpfloat_with_epsilon (run->result.collapse_multiplier, multipliers[i],
                                     1e-4);
   }
-  g_assert_true (qn_document_write_result (
-    documents->pdata[0], qn_document_get_run (documents->pdata[0]), result, NULL));
+  QnDocument *solved = documents->pdata[0];
+  g_assert_true (qn_document_write_result (solved, solved->run, result, NULL));
 
   /* A result comes with its project and is not solved again; neither comes twice. */
   g_autoptr (QnBatch) again = qn_batch_new ();
@@ -95,8 +95,8 @@ test_folder (void)
   g_assert_false (is_busy (again));
   g_assert_cmpuint (qn_batch_add (again, first), ==, 1);
   g_assert_cmpuint (qn_batch_get_documents (again)->len, ==, 1);
-  g_assert_cmpuint (qn_document_get_runs (qn_batch_get_documents (again)->pdata[0])->len,
-                    ==, 1);
+  const QnDocument *come = qn_batch_get_documents (again)->pdata[0];
+  g_assert_cmpuint (come->runs->len, ==, 1);
   g_assert_cmpuint (qn_batch_add (again, "/no/such/wall.quoin"), ==, 0);
   g_assert_cmpuint (qn_batch_get_messages (again)->len, ==, 1);
   const char *const files[] = { first, second, broken, result };

@@ -119,7 +119,7 @@ test_events (void)
 {
   g_autoptr (QnDocument) document = open_example ("06-arch.quoin");
   analyse (document, QN_PROCEDURE_LOAD, QN_FLOW_ASSOCIATIVE);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   guint told;
   g_autofree char *events = qn_run_dup_events (run, QN_UNITS_SI, &told);
   g_assert_cmpuint (told, ==, 1);

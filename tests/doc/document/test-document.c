@@ -59,23 +59,23 @@ test_empty (void)
 {
   g_autoptr (QnDocument) document = qn_document_new ();
   g_assert_false (qn_document_is_modified (document));
-  g_assert_cmpuint (qn_document_get_model (document)->block_count, ==, 0);
-  g_assert_cmpuint (qn_document_get_model (document)->law_count, ==, 1);
+  g_assert_cmpuint (document->project.model.block_count, ==, 0);
+  g_assert_cmpuint (document->project.model.law_count, ==, 1);
   g_autoptr (GError) error = NULL;
   g_assert_false (qn_document_analyse (document, &error));
   g_assert_nonnull (error);
 
   /* An empty drawing can be changed, undone, saved and opened. */
   g_assert_true (change (document, 0.7, NULL));
-  g_assert_cmpfloat (qn_document_get_model (document)->laws[0].friction, ==, 0.7);
+  g_assert_cmpfloat (document->project.model.laws[0].friction, ==, 0.7);
   g_assert_true (qn_document_undo (document));
-  g_assert_cmpfloat (qn_document_get_model (document)->laws[0].friction, ==, 0.65);
+  g_assert_cmpfloat (document->project.model.laws[0].friction, ==, 0.65);
   g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
   g_autofree char *path = g_build_filename (folder, "empty.quoin", NULL);
   g_assert_true (qn_document_save (document, path, NULL));
   g_autoptr (QnDocument) again = qn_document_new ();
   g_assert_true (qn_document_load (again, path, NULL));
-  g_assert_cmpuint (qn_document_get_model (again)->block_count, ==, 0);
+  g_assert_cmpuint (again->project.model.block_count, ==, 0);
   g_unlink (path);
   g_rmdir (folder);
 }
@@ -91,15 +91,15 @@ test_save_and_load (void)
   g_assert_true (qn_document_is_modified (document));
   g_assert_true (qn_document_save (document, path, NULL));
   g_assert_false (qn_document_is_modified (document));
-  g_assert_cmpstr (qn_document_get_path (document), ==, path);
+  g_assert_cmpstr (document->path, ==, path);
   g_assert_true (qn_document_undo (document));
   g_assert_true (qn_document_is_modified (document));
 
   g_autoptr (QnDocument) again = qn_document_new ();
   g_assert_true (qn_document_load (again, path, NULL));
-  g_assert_cmpfloat (qn_document_get_model (again)->laws[0].friction, ==, 0.5);
-  g_assert_cmpuint (qn_document_get_model (again)->block_count, ==,
-                    qn_document_get_model (document)->block_count);
+  g_assert_cmpfloat (again->project.model.laws[0].friction, ==, 0.5);
+  g_assert_cmpuint (again->project.model.block_count, ==,
+                    document->project.model.block_count);
 
   /* Written by another document since: told until it is written here. */
   g_assert_false (qn_document_is_changed_elsewhere (document));
@@ -113,11 +113,11 @@ test_save_and_load (void)
   g_autoptr (GError) error = NULL;
   g_assert_false (qn_document_save (document, "/no/such/folder/x.quoin", &error));
   g_assert_nonnull (error);
-  g_assert_cmpstr (qn_document_get_path (document), ==, path);
+  g_assert_cmpstr (document->path, ==, path);
   g_clear_error (&error);
   g_assert_false (qn_document_load (document, folder, &error));
   g_assert_nonnull (error);
-  g_assert_cmpuint (qn_document_get_model (document)->block_count, >, 0);
+  g_assert_cmpuint (document->project.model.block_count, >, 0);
   g_unlink (path);
   g_rmdir (folder);
 }
@@ -126,17 +126,16 @@ static void
 test_refused_edit (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
-  g_autofree char *text = g_strdup (qn_document_get_text (document));
+  g_autofree char *text = g_strdup (document->text->text);
   g_autoptr (GError) error = NULL;
   g_assert_false (edit_model (document, "Break", NULL, break_polygon, NULL, &error));
   g_assert_nonnull (strstr (error->message, "blocks[0]"));
-  g_assert_cmpstr (qn_document_get_text (document), ==, text);
+  g_assert_cmpstr (document->text->text, ==, text);
   g_assert_false (qn_document_is_modified (document));
 
   /* An edit that changes nothing makes no step. */
-  g_assert_true (
-    change (document, qn_document_get_model (document)->laws[0].friction, NULL));
-  g_assert_false (qn_history_can_undo (qn_document_get_history (document)));
+  g_assert_true (change (document, document->project.model.laws[0].friction, NULL));
+  g_assert_false (qn_history_can_undo (document->history));
 }
 
 static gboolean
@@ -167,7 +166,7 @@ test_deleted (void)
     g_assert_true (qn_document_save (document, path, &error));
     g_assert_true (qn_document_load (document, path, &error));
     check_state (document);
-    g_assert_cmpuint (qn_document_get_model (document)->block_count, ==, 0);
+    g_assert_cmpuint (document->project.model.block_count, ==, 0);
   }
   g_unlink (path);
   g_rmdir (folder);
@@ -188,18 +187,18 @@ static void
 test_thousand_undos (void)
 {
   g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall1.quoin");
-  g_autofree char *first = g_strdup (qn_document_get_text (document));
+  g_autofree char *first = g_strdup (document->text->text);
   for (int i = 1; i <= 10; i++)
     g_assert_true (change (document, 0.65 + 0.01 * i, NULL));
-  g_autofree char *last = g_strdup (qn_document_get_text (document));
+  g_autofree char *last = g_strdup (document->text->text);
   gsize warm = 0;
   for (int round = 0; round < 100; round++) {
     for (int i = 0; i < 10; i++)
       g_assert_true (qn_document_undo (document));
-    g_assert_cmpstr (qn_document_get_text (document), ==, first);
+    g_assert_cmpstr (document->text->text, ==, first);
     for (int i = 0; i < 10; i++)
       g_assert_true (qn_document_redo (document));
-    g_assert_cmpstr (qn_document_get_text (document), ==, last);
+    g_assert_cmpstr (document->text->text, ==, last);
     if (round == 20)
       warm = resident_bytes ();
   }
@@ -209,8 +208,7 @@ test_thousand_undos (void)
   g_assert_cmpuint (resident_bytes (), <, warm + 4 * 1024 * 1024);
 #endif
   qn_document_go_to (document, 3);
-  g_assert_cmpfloat_with_epsilon (qn_document_get_model (document)->laws[0].friction,
-                                  0.68, 1e-12);
+  g_assert_cmpfloat_with_epsilon (document->project.model.laws[0].friction, 0.68, 1e-12);
 }
 
 static void
@@ -229,7 +227,7 @@ test_gestures_and_signals (void)
   change (document, 0.4, "drag");
   change (document, 0.3, "drag");
   g_assert_cmpint (changes, ==, 3);
-  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
+  g_assert_cmpuint (qn_history_get_count (document->history), ==, 1);
   g_assert_true (qn_document_undo (document));
   g_assert_cmpint (changes, ==, 4);
   g_assert_false (qn_document_is_modified (document));
@@ -240,8 +238,8 @@ static void
 test_selection_ends_gesture (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
-  QnSelection *selection = qn_document_get_selection (document);
-  QnEditHistory *history = qn_document_get_history (document);
+  QnSelection *selection = document->selection;
+  QnEditHistory *history = document->history;
   const QnId first = 0;
   qn_selection_set (selection, QN_PART_BLOCK, &first, 1);
   change (document, 0.5, "nudge");
@@ -280,7 +278,7 @@ test_analysis (void)
   /* Editing goes on meanwhile. */
   change (document, 0.6, NULL);
   wait_for_job (document);
-  QnRun *run = qn_document_get_run (document);
+  QnRun *run = document->run;
   g_assert_nonnull (run);
   g_assert_cmpfloat (run->model.laws[0].friction, ==, 0.65);
   g_assert_cmpfloat (fabs (run->result.collapse_multiplier - 0.356), <, 0.01 * 0.356);
@@ -305,8 +303,8 @@ test_analysis (void)
   qn_document_undo (document);
   g_assert_cmpint (qn_document_get_run_age (document, run), ==, QN_RUN_CURRENT);
   qn_document_remove_run (document, run);
-  g_assert_null (qn_document_get_run (document));
-  g_assert_cmpuint (qn_document_get_runs (document)->len, ==, 0);
+  g_assert_null (document->run);
+  g_assert_cmpuint (document->runs->len, ==, 0);
 }
 
 static void
@@ -315,11 +313,11 @@ test_cancel (void)
   g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall6.quoin");
   long_analysis_ask (document);
   qn_document_analyse (document, NULL);
-  while (qn_job_get_progress (qn_document_get_job (document)).steps < 2)
+  while (qn_job_get_progress (document->job).steps < 2)
     g_main_context_iteration (NULL, TRUE);
   qn_document_cancel (document);
   wait_for_job (document);
-  const QnRun *run = qn_document_get_run (document);
+  const QnRun *run = document->run;
   g_assert_nonnull (run);
   g_assert_cmpint (run->result.outcome, ==, QN_OUTCOME_CANCELLED);
   g_assert_cmpuint (run->result.step_count, >=, 2);
@@ -338,8 +336,8 @@ test_restart (void)
     g_usleep (5000);
     g_main_context_iteration (NULL, FALSE);
   }
-  g_assert_cmpuint (qn_document_get_runs (document)->len, ==, 1);
-  g_assert_cmpfloat (qn_document_get_run (document)->model.laws[0].friction, ==, 0.5);
+  g_assert_cmpuint (document->runs->len, ==, 1);
+  g_assert_cmpfloat (document->run->model.laws[0].friction, ==, 0.5);
 }
 
 /* A document may be closed while its analysis runs. */
@@ -372,13 +370,13 @@ test_explained_failure (void)
   edit_model (document, "Lift", NULL, lift_block, NULL, NULL);
   qn_document_analyse (document, NULL);
   wait_for_job (document);
-  g_assert_null (qn_document_get_run (document));
-  const GError *error = qn_document_get_job_error (document);
+  g_assert_null (document->run);
+  const GError *error = document->job_error;
   g_assert_error (error, QN_EDIT_ERROR, 0);
-  const QnDiag *diag = qn_document_get_job_diag (document);
+  const QnDiag *diag = &document->job_diag;
   g_assert_cmpint (diag->entity, ==, QN_ENTITY_BLOCK);
   g_assert_nonnull (
-    strstr (error->message, qn_document_get_model (document)->blocks[diag->index].name));
+    strstr (error->message, document->project.model.blocks[diag->index].name));
 }
 
 static gsize

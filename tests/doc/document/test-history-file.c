@@ -81,25 +81,25 @@ test_document (void)
   g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);
   g_autofree char *path = g_build_filename (folder, "kept.quoin", NULL);
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
-  g_autofree char *opened = g_strdup (qn_document_get_text (document));
+  g_autofree char *opened = g_strdup (document->text->text);
   for (double friction = 0.3; friction < 0.55; friction += 0.1)
     g_assert_true (
       edit_model (document, "Set Friction", NULL, set_friction, &friction, NULL));
-  g_assert_false (qn_document_get_keeps_history (document));
+  g_assert_false (document->keeps_history);
   qn_document_set_keeps_history (document, TRUE);
-  g_autofree char *digest = g_strdup (qn_document_get_text (document));
+  g_autofree char *digest = g_strdup (document->text->text);
   g_assert_true (qn_document_save (document, path, NULL));
 
   g_autoptr (QnDocument) again = qn_document_new ();
   g_autoptr (GError) error = NULL;
   qn_document_load (again, path, &error);
   g_assert_no_error (error);
-  g_assert_true (qn_document_get_keeps_history (again));
-  g_assert_cmpstr (qn_document_get_text (again), ==, digest);
+  g_assert_true (again->keeps_history);
+  g_assert_cmpstr (again->text->text, ==, digest);
   g_assert_false (qn_document_is_modified (again));
   g_assert_cmpuint (qn_document_get_project (again)->warnings->len, ==, 0);
   qn_document_go_to (again, 0);
-  g_assert_cmpstr (qn_document_get_text (again), ==, opened);
+  g_assert_cmpstr (again->text->text, ==, opened);
 
   g_autofree char *text = NULL;
   g_assert_true (g_file_get_contents (path, &text, NULL, NULL));
@@ -109,7 +109,7 @@ test_document (void)
   g_assert_true (g_file_set_contents (path, text, -1, NULL));
   qn_document_load (again, path, &error);
   g_assert_no_error (error);
-  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (again)), ==, 0);
+  g_assert_cmpuint (qn_history_get_count (again->history), ==, 0);
   g_assert_cmpuint (qn_document_get_project (again)->warnings->len, ==, 1);
   g_unlink (path);
   g_rmdir (folder);

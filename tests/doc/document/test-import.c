@@ -23,18 +23,16 @@ test_into_empty (void)
   g_auto (QnProject) project;
   read_drawing ("wall-clean.dxf", &project);
   g_autoptr (QnDocument) document = qn_document_new ();
-  g_autofree char *empty = g_strdup (qn_document_get_text (document));
+  g_autofree char *empty = g_strdup (document->text->text);
   g_autoptr (GError) error = NULL;
   qn_document_import (document, NULL, &project, &error);
   g_assert_no_error (error);
-  g_assert_cmpuint (qn_document_get_model (document)->block_count, ==,
-                    project.model.block_count);
-  g_assert_cmpfloat (qn_document_get_model (document)->laws[0].kn, ==,
-                     project.model.laws[0].kn);
-  g_assert_cmpstr (qn_history_get_name (qn_document_get_history (document), 0), ==,
+  g_assert_cmpuint (document->project.model.block_count, ==, project.model.block_count);
+  g_assert_cmpfloat (document->project.model.laws[0].kn, ==, project.model.laws[0].kn);
+  g_assert_cmpstr (qn_history_get_name (document->history, 0), ==,
                    "Import wall-clean.dxf");
   g_assert_true (qn_document_undo (document));
-  g_assert_cmpstr (qn_document_get_text (document), ==, empty);
+  g_assert_cmpstr (document->text->text, ==, empty);
 }
 
 /* Into another drawing the blocks come with their supports, under names that are free. */
@@ -44,13 +42,13 @@ test_into_drawing (void)
   g_auto (QnProject) project;
   read_drawing ("wall-clean.dxf", &project);
   g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall1.quoin");
-  gsize before = qn_document_get_model (document)->block_count;
+  gsize before = document->project.model.block_count;
   for (int i = 0; i < 2; i++) {
     g_autoptr (GError) error = NULL;
     qn_document_import (document, NULL, &project, &error);
     g_assert_no_error (error);
   }
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpuint (model->block_count, ==, before + 2 * project.model.block_count);
   gsize fixed = 0, imported_fixed = 0;
   for (gsize i = 0; i < model->block_count; i++)

@@ -46,7 +46,7 @@ static QnJob *
 make_job_of (QnDocument *document)
 {
   g_autoptr (GError) error = NULL;
-  QnJob *job = qn_job_new (qn_document_get_model (document), "one", "mark", &error);
+  QnJob *job = qn_job_new (&document->project.model, "one", "mark", &error);
   g_assert_no_error (error);
   return job;
 }
@@ -152,7 +152,7 @@ test_history (void)
   QnId block;
   QnDof dof;
   gsize count = 0;
-  double duration = qn_document_get_model (document)->analysis.dynamic.duration;
+  double duration = document->project.model.analysis.dynamic.duration;
   g_assert_cmpfloat (qn_job_get_followed (job, &block, &dof), ==, duration);
   g_assert_cmpint (block, !=, QN_NONE);
   qn_job_start (job, on_done, &outcome);
@@ -211,8 +211,7 @@ test_unsound (void)
   g_autoptr (GError) error = NULL;
   qn_document_load_recovered (document, text, NULL, &error);
   g_assert_no_error (error);
-  g_autoptr (QnJob) job =
-    qn_job_new (qn_document_get_model (document), "one", "mark", &error);
+  g_autoptr (QnJob) job = qn_job_new (&document->project.model, "one", "mark", &error);
   g_auto (Outcome) outcome = { 0 };
   qn_job_start (job, on_done, &outcome);
   wait_for (&outcome);

@@ -82,7 +82,7 @@ test_after_a_crash (void)
   g_autoptr (GError) error = NULL;
   qn_document_load_recovered (document, text, NULL, &error);
   g_assert_no_error (error);
-  g_assert_cmpuint (qn_document_get_model (document)->block_count, ==, 1);
+  g_assert_cmpuint (document->project.model.block_count, ==, 1);
   g_assert_true (qn_document_is_modified (document));
   g_unlink (path);
   g_autoptr (GPtrArray) after = qn_recovery_list ();

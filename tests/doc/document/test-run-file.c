@@ -1,4 +1,4 @@
-#include "doc/document/run-file.h"
+#include "doc/document/document.h"
 
 #include "doc/fixture.h"
 #include "io/result/result-file.h"
@@ -59,14 +59,14 @@ test_round_trip (Place *place, gconstpointer data)
   g_assert_no_error (error);
 
   g_assert_true (qn_is_result_file (place->result));
-  g_assert_false (qn_is_result_file (qn_document_get_path (document)));
+  g_assert_false (qn_is_result_file (document->path));
   g_assert_false (qn_is_result_file (place->folder));
 
   g_autoptr (QnDocument) again = open_example ("ferris-tin-loi/wall3.quoin");
   g_assert_true (qn_document_open_result (again, place->result, &error));
   g_assert_no_error (error);
-  const QnRun *read = qn_document_get_run (again);
-  g_assert_cmpuint (qn_document_get_runs (again)->len, ==, 1);
+  const QnRun *read = again->run;
+  g_assert_cmpuint (again->runs->len, ==, 1);
   g_assert_cmpstr (read->name, ==, "kept.json");
   g_assert_false (qn_document_is_stale (again, read));
   g_assert_cmpfloat (read->result.collapse_multiplier, ==,
@@ -92,8 +92,8 @@ test_other_procedure (Place *place, gconstpointer data)
                                            QN_FLOW_NON_ASSOCIATIVE, NULL));
   wait_for_job (document);
   g_autoptr (GError) error = NULL;
-  g_assert_true (qn_document_write_result (document, qn_document_get_run (document),
-                                           place->result, &error));
+  g_assert_true (
+    qn_document_write_result (document, document->run, place->result, &error));
   g_assert_no_error (error);
   QnResultFile file;
   g_assert_true (qn_result_file_read (place->result, &file, &error));
@@ -104,7 +104,7 @@ test_other_procedure (Place *place, gconstpointer data)
   qn_result_file_clear (&file);
   g_assert_true (qn_document_open_result (document, place->result, &error));
   g_assert_no_error (error);
-  const QnRun *read = qn_document_get_run (document);
+  const QnRun *read = document->run;
   g_assert_cmpint (read->model.analysis.procedure, ==, QN_PROCEDURE_LIMIT);
   g_assert_false (qn_document_is_stale (document, read));
 }
@@ -130,7 +130,7 @@ test_live_limit (Place *place, gconstpointer data)
   g_assert_no_error (error);
   g_assert_true (qn_document_analyse_live (document, &error));
   wait_for_job (document);
-  const QnResult *result = &qn_document_get_run (document)->result;
+  const QnResult *result = &document->run->result;
   g_assert_cmpfloat_with_epsilon (result->collapse_multiplier, 0.3558, 1e-3);
   g_assert_cmpfloat_with_epsilon (result->associative_bound, 0.4037, 1e-3);
 }
@@ -147,14 +147,14 @@ test_outdated (Place *place, gconstpointer data)
   const QnRun *run = solve_example (document);
   g_assert_true (qn_document_write_result (document, run, place->result, &error));
   g_assert_true (qn_document_open_result (document, place->result, &error));
-  g_assert_false (qn_document_is_stale (document, qn_document_get_run (document)));
+  g_assert_false (qn_document_is_stale (document, document->run));
   g_assert_true (change (document, 0.8));
   g_assert_false (qn_document_write_result (document, run, place->result, &error));
   g_assert_nonnull (error);
   g_clear_error (&error);
   g_assert_true (qn_document_open_result (document, place->result, &error));
   g_assert_no_error (error);
-  g_assert_true (qn_document_is_stale (document, qn_document_get_run (document)));
+  g_assert_true (qn_document_is_stale (document, document->run));
 }
 
 /* Nothing changes where the result is of other blocks, or no result. */
@@ -177,8 +177,8 @@ test_refuses (Place *place, gconstpointer data)
   g_assert_false (qn_document_open_result (document, place->folder, &error));
   g_assert_nonnull (error);
   g_clear_error (&error);
-  g_assert_cmpuint (qn_document_get_runs (other)->len, ==, 0);
-  g_assert_cmpuint (qn_document_get_runs (document)->len, ==, 1);
+  g_assert_cmpuint (other->runs->len, ==, 0);
+  g_assert_cmpuint (document->runs->len, ==, 1);
 
   g_autoptr (QnDocument) empty = qn_document_new ();
   g_assert_false (qn_document_open_result (empty, place->result, &error));
@@ -187,7 +187,7 @@ test_refuses (Place *place, gconstpointer data)
   g_autoptr (QnDocument) column = open_example ("21-column-pinned.quoin");
   g_assert_true (qn_document_find_stability (column, NULL));
   wait_for_job (column);
-  const QnRun *run = qn_document_get_run (column);
+  const QnRun *run = column->run;
   g_assert_cmpint (run->kind, ==, QN_RUN_STABILITY);
   g_assert_false (qn_document_write_result (column, run, place->result, &error));
   g_assert_nonnull (error);

@@ -1,5 +1,5 @@
 /* What runs are called: proposed from what differs, said by the user, kept with the project. */
-#include "doc/document/run-name.h"
+#include "doc/document/document.h"
 
 #include "doc/edit/edit.h"
 #include "doc/fixture.h"
@@ -36,14 +36,13 @@ test_proposed (void)
 
   /* The same again takes the place of what was there; another method stands beside it. */
   second = solve_example (document);
-  g_assert_cmpuint (qn_document_get_runs (document)->len, ==, 2);
+  g_assert_cmpuint (document->runs->len, ==, 2);
   g_assert_cmpstr (second->label, ==, "friction 0.25");
   g_assert_true (
     qn_document_analyse_with (document, QN_PROCEDURE_LIMIT, QN_FLOW_ASSOCIATIVE, NULL));
   wait_for_job (document);
-  g_assert_cmpuint (qn_document_get_runs (document)->len, ==, 3);
-  g_assert_cmpstr (qn_document_get_run (document)->name, ==,
-                   "friction 0.25, associative limit analysis");
+  g_assert_cmpuint (document->runs->len, ==, 3);
+  g_assert_cmpstr (document->run->name, ==, "friction 0.25, associative limit analysis");
 
   /* A third one is named by what differs from the first; from where that is too much, by number. */
   vary (document, 0.75);
@@ -55,15 +54,15 @@ test_given (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
   QnRun *first = solve_example (document);
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  g_autofree char *before = g_strdup (document->text->text);
   g_assert_true (qn_document_rename_run (document, first, " as built ", NULL));
   g_assert_cmpstr (first->name, ==, "as built, load control");
   g_assert_cmpint (qn_document_get_run_age (document, first), ==, QN_RUN_CURRENT);
-  g_autofree char *kept = g_strdup (qn_document_get_text (document));
+  g_autofree char *kept = g_strdup (document->text->text);
 
   qn_document_undo (document);
   g_assert_cmpstr (first->label, ==, "Run 1");
-  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  g_assert_cmpstr (document->text->text, ==, before);
   qn_document_redo (document);
   g_assert_cmpstr (first->label, ==, "as built");
 
@@ -71,8 +70,8 @@ test_given (void)
   g_autoptr (QnDocument) again = open_text (kept);
   g_assert_cmpstr (solve_example (again)->label, ==, "as built");
   /* No name is what was proposed, and leaves nothing behind. */
-  g_assert_true (qn_document_rename_run (again, qn_document_get_run (again), "", NULL));
-  g_assert_cmpstr (qn_document_get_run (again)->label, ==, "Run 1");
+  g_assert_true (qn_document_rename_run (again, again->run, "", NULL));
+  g_assert_cmpstr (again->run->label, ==, "Run 1");
   g_autofree char *rest =
     qn_project_dup_extra (qn_document_get_project (again), QN_RUN_NAMES_MEMBER);
   g_assert_null (rest);

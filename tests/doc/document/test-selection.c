@@ -42,8 +42,8 @@ test_like (void)
     g_build_filename (g_getenv ("QUOIN_EXAMPLES"), "ferris-tin-loi", "wall1.quoin", NULL);
   g_autoptr (QnDocument) document = qn_document_new ();
   g_assert_true (qn_document_load (document, path, NULL));
-  const QnModel *model = qn_document_get_model (document);
-  QnSelection *selection = qn_document_get_selection (document);
+  const QnModel *model = &document->project.model;
+  QnSelection *selection = document->selection;
   QnId block = qn_model_find_block (model, "w.2.1");
   guint count = 0;
   qn_selection_select_blocks_like (selection, model, block, QN_LIKE_COURSE);

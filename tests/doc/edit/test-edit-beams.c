@@ -63,7 +63,7 @@ test_delete (void)
   g_assert_cmpuint (model->section_count, ==, 1);
   g_assert_cmpuint (model->live_load_count, ==, 0);
   g_assert_true (qn_document_undo (document));
-  model = qn_document_get_model (document);
+  model = &document->project.model;
   g_assert_cmpuint (model->node_count, ==, 5);
   g_assert_cmpuint (model->element_count, ==, 4);
   g_assert_cmpint (model->live_loads[0].node, ==, qn_model_find_node (model, "head"));
@@ -90,7 +90,7 @@ test_survive (void)
   g_autoptr (QnDocument) again = qn_document_new ();
   qn_document_load (again, path, &error);
   g_assert_no_error (error);
-  model = qn_document_get_model (again);
+  model = &again->project.model;
   g_assert_cmpuint (model->element_count, ==, 4);
   g_assert_cmpstr (model->blocks[model->nodes[0].block].name, ==, "stone");
   g_unlink (path);

@@ -73,27 +73,25 @@ static void
 test_walls_stay_or_detach (void)
 {
   g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall3.quoin");
-  qn_selection_select_all (qn_document_get_selection (document),
-                           qn_document_get_model (document));
+  qn_selection_select_all (document->selection, &document->project.model);
   guint count = 0;
-  const QnId *ids =
-    qn_selection_get (qn_document_get_selection (document), QN_PART_BLOCK, &count);
+  const QnId *ids = qn_selection_get (document->selection, QN_PART_BLOCK, &count);
   g_autofree QnId *all = g_memdup2 (ids, count * sizeof *ids);
-  gsize faces = qn_document_get_contacts (document)->face_count;
+  gsize faces = document->contacts.face_count;
 
   edit (
     document, transform,
     &(Edit){ .set = { all, count }, .transform = qn_transform_translation (1.0, 2.0) });
-  g_assert_cmpuint (qn_document_get_model (document)->wall_count, ==, 1);
-  assert_place (qn_document_get_model (document)->walls[0].origin, 1.0, 2.0);
+  g_assert_cmpuint (document->project.model.wall_count, ==, 1);
+  assert_place (document->project.model.walls[0].origin, 1.0, 2.0);
 
   edit (document, transform,
         &(Edit){ .set = { all, count },
                  .transform = qn_transform_rotation (qn_vec2 (0.0, 0.0), 0.3) });
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpuint (model->wall_count, ==, 0);
   g_assert_cmpuint (model->block_count, ==, count);
-  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, faces);
+  g_assert_cmpuint (document->contacts.face_count, ==, faces);
   g_assert_cmpint (qn_model_find_block (model, "w.3.2"), !=, QN_NONE);
 }
 
@@ -101,11 +99,11 @@ static void
 test_delete (void)
 {
   g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall3.quoin");
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   gsize count = model->block_count;
   QnId block = qn_model_find_block (model, "w.11.2");
   edit (document, delete_blocks, &(Edit){ .set = { &block, 1 } });
-  model = qn_document_get_model (document);
+  model = &document->project.model;
   g_assert_cmpuint (model->block_count, ==, count - 1);
   g_assert_cmpuint (model->wall_count, ==, 1);
   /* The courses, from the bottom: 1 to 10, then the one that the block was in. */
@@ -116,21 +114,21 @@ test_delete (void)
   g_assert_cmpfloat (gap, <, 0.0);
 
   qn_document_undo (document);
-  g_assert_cmpuint (qn_document_get_model (document)->block_count, ==, count);
+  g_assert_cmpuint (document->project.model.block_count, ==, count);
 }
 
 static void
 test_array (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
-  gsize count = qn_document_get_model (document)->block_count;
+  gsize count = document->project.model.block_count;
   QnId block = 1;
-  QnVec2 from = qn_document_get_model (document)->blocks[block].centroid;
+  QnVec2 from = document->project.model.blocks[block].centroid;
   edit (document, copy,
         &(Edit){ .set = { &block, 1 },
                  .transform = qn_transform_translation (0.0, 3.0),
                  .copies = 4 });
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpuint (model->block_count, ==, count + 4);
   assert_place (model->blocks[count + 3].centroid, from.x, from.y + 12.0);
 }
@@ -150,13 +148,13 @@ static void
 test_copies_of_a_ring (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
-  gsize count = qn_document_get_model (document)->block_count;
+  gsize count = document->project.model.block_count;
   QnId block = 1;
   edit (document, lay_in_ring,
         &(Edit){ .set = { &block, 1 },
                  .transform = qn_transform_translation (0.0, 3.0),
                  .copies = 1 });
-  const QnBlock *copied = &qn_document_get_model (document)->blocks[count];
+  const QnBlock *copied = &document->project.model.blocks[count];
   g_assert_cmpint (copied->ring, ==, 2);
   g_assert_cmpint (copied->ring_law, ==, 0);
   g_assert_true (copied->rigid);
@@ -166,10 +164,10 @@ static void
 test_support (void)
 {
   g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall1.quoin");
-  QnId block = qn_model_find_block (qn_document_get_model (document), "w.2.1");
+  QnId block = qn_model_find_block (&document->project.model, "w.2.1");
   edit (document, support,
         &(Edit){ .set = { &block, 1 }, .support = { true, false, true } });
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   const QnBlock *changed = &model->blocks[qn_model_find_block (model, "w.2.1")];
   g_assert_true (changed->support[QN_DOF_UX]);
   g_assert_false (changed->support[QN_DOF_UY]);
@@ -187,7 +185,7 @@ test_nothing_selected (void)
     g_assert_false (edit_model (document, "edit", NULL, funcs[i], &edit, &error));
     g_assert_error (error, QN_EDIT_ERROR, 0);
   }
-  g_assert_false (qn_history_can_undo (qn_document_get_history (document)));
+  g_assert_false (qn_history_can_undo (document->history));
 }
 
 QN_TESTS

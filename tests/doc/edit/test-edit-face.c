@@ -48,7 +48,7 @@ apply (QnDocument *document, ModelEdit func, Change change)
 static QnFaceSet
 first_faces (QnDocument *document, guint count)
 {
-  const QnContacts *contacts = qn_document_get_contacts (document);
+  const QnContacts *contacts = &document->contacts;
   g_assert_cmpuint (contacts->face_count, >=, count);
   static const QnId ids[] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 };
   g_assert_cmpuint (count, <=, G_N_ELEMENTS (ids));
@@ -60,13 +60,13 @@ test_law (void)
 {
   g_autoptr (QnDocument) document = open_stack ();
   apply (document, set_law, (Change){ first_faces (document, 2), 1, NULL });
-  const QnContacts *contacts = qn_document_get_contacts (document);
-  g_assert_cmpuint (qn_document_get_model (document)->override_count, ==, 2);
+  const QnContacts *contacts = &document->contacts;
+  g_assert_cmpuint (document->project.model.override_count, ==, 2);
   g_assert_cmpint (contacts->faces[0].law_a, ==, 1);
   g_assert_cmpint (contacts->faces[1].law_b, ==, 1);
   /* None of its own again: no exception is left behind. */
   apply (document, set_law, (Change){ first_faces (document, 2), QN_NONE, NULL });
-  g_assert_cmpuint (qn_document_get_model (document)->override_count, ==, 0);
+  g_assert_cmpuint (document->project.model.override_count, ==, 0);
 }
 
 /* All placements, one after the other; the law that was given before stays. */
@@ -88,16 +88,16 @@ test_pairs (void)
   for (gsize i = 0; i < G_N_ELEMENTS (rules); i++) {
     apply (document, set_pairs,
            (Change){ first_faces (document, 1), QN_NONE, &rules[i] });
-    const QnContactFace *face = &qn_document_get_contacts (document)->faces[0];
+    const QnContactFace *face = &document->contacts.faces[0];
     g_assert_cmpint (face->pair_count, ==, expected[i]);
     g_assert_cmpint (face->law_a, ==, 1);
-    g_assert_cmpuint (qn_document_get_model (document)->override_count, ==, 1);
+    g_assert_cmpuint (document->project.model.override_count, ==, 1);
   }
   apply (document, set_pairs, (Change){ first_faces (document, 1), QN_NONE, NULL });
-  g_assert_nonnull (qn_model_find_override (
-    qn_document_get_model (document), &qn_document_get_contacts (document)->faces[0]));
+  g_assert_nonnull (
+    qn_model_find_override (&document->project.model, &document->contacts.faces[0]));
   apply (document, set_law, (Change){ first_faces (document, 1), QN_NONE, NULL });
-  g_assert_cmpuint (qn_document_get_model (document)->override_count, ==, 0);
+  g_assert_cmpuint (document->project.model.override_count, ==, 0);
 }
 
 /* The selection keeps its faces across an edit that numbers them anew. */
@@ -105,25 +105,22 @@ static void
 test_selection (void)
 {
   g_autoptr (QnDocument) document = open_stack ();
-  QnSelection *selection = qn_document_get_selection (document);
+  QnSelection *selection = document->selection;
   const QnId faces[] = { 0, 1 };
   qn_selection_set (selection, QN_PART_FACE, faces, 2);
   apply (document, set_law, (Change){ first_faces (document, 2), 1, NULL });
   guint count = 0;
   qn_selection_get (selection, QN_PART_FACE, &count);
   g_assert_cmpuint (count, ==, 2);
-  qn_selection_select_faces_like (selection, qn_document_get_contacts (document), 0,
-                                  QN_LIKE_LAW);
+  qn_selection_select_faces_like (selection, &document->contacts, 0, QN_LIKE_LAW);
   qn_selection_get (selection, QN_PART_FACE, &count);
   g_assert_cmpuint (count, ==, 2);
-  qn_selection_select_faces_like (selection, qn_document_get_contacts (document), 0,
-                                  QN_LIKE_LINE);
+  qn_selection_select_faces_like (selection, &document->contacts, 0, QN_LIKE_LINE);
   qn_selection_get (selection, QN_PART_FACE, &count);
   g_assert_cmpuint (count, ==, 1);
-  qn_selection_select_faces_like (selection, qn_document_get_contacts (document), 0,
-                                  QN_LIKE_DIRECTION);
+  qn_selection_select_faces_like (selection, &document->contacts, 0, QN_LIKE_DIRECTION);
   qn_selection_get (selection, QN_PART_FACE, &count);
-  g_assert_cmpuint (count, ==, qn_document_get_contacts (document)->face_count);
+  g_assert_cmpuint (count, ==, document->contacts.face_count);
 }
 
 QN_TESTS

@@ -57,8 +57,8 @@ test_add (void)
   refuse (document, add, &inside);
   while (qn_document_undo (document))
     ;
-  g_assert_cmpuint (qn_document_get_model (document)->beam_count, ==, 0);
-  g_assert_cmpuint (qn_document_get_model (document)->node_count, ==, 0);
+  g_assert_cmpuint (document->project.model.beam_count, ==, 0);
+  g_assert_cmpuint (document->project.model.node_count, ==, 0);
 }
 
 static gboolean
@@ -83,10 +83,10 @@ test_delete (void)
   g_autoptr (QnDocument) document = open_text (text);
   edit (document, add, &bridge);
   edit (document, add, &mast);
-  gsize live = qn_document_get_model (document)->live_load_count;
+  gsize live = document->project.model.live_load_count;
   const QnModel *model = edit (document, load_inner, "beam1.1");
   g_assert_cmpuint (model->live_load_count, ==, live + 1);
-  g_autofree char *full = g_strdup (qn_document_get_text (document));
+  g_autofree char *full = g_strdup (document->text->text);
   model = edit (document, delete_first, NULL);
   g_assert_cmpuint (model->beam_count, ==, 1);
   g_assert_cmpuint (model->node_count, ==, 2);
@@ -95,7 +95,7 @@ test_delete (void)
   g_assert_cmpuint (model->node_count, ==, 0);
   g_assert_true (qn_document_undo (document));
   g_assert_true (qn_document_undo (document));
-  g_assert_cmpstr (qn_document_get_text (document), ==, full);
+  g_assert_cmpstr (document->text->text, ==, full);
 }
 
 static gboolean
@@ -233,7 +233,7 @@ edit_parts (QnDocument *document, QnEditFunc func, Motion motion)
   g_autoptr (GError) error = NULL;
   qn_document_edit (document, "parts", NULL, func, &motion, &error);
   g_assert_no_error (error);
-  return qn_document_get_model (document);
+  return &document->project.model;
 }
 
 /* Everything once, whether its block or its beam takes it along. */
@@ -276,7 +276,7 @@ test_copy (void)
   g_assert_cmpint (foot->seat, ==, QN_SEAT_POINT);
   g_assert_cmpfloat (model->blocks[foot->block].centroid.y, ==, 20.5);
   g_assert_true (qn_document_undo (document));
-  g_assert_cmpuint (qn_document_get_model (document)->beam_count, ==, 2);
+  g_assert_cmpuint (document->project.model.beam_count, ==, 2);
 }
 
 static gboolean

@@ -49,9 +49,9 @@ static void
 test_forces (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
-  gsize before = qn_document_get_model (document)->live_load_count;
+  gsize before = document->project.model.live_load_count;
   edit (document, add_force, NULL);
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpuint (model->live_load_count, ==, before + 1);
   const QnLoad *load = &model->live_loads[before];
   g_assert_cmpint (load->kind, ==, QN_LOAD_FORCE);
@@ -63,9 +63,9 @@ test_forces (void)
   QnId none = 99, force = (QnId) before;
   refuse (document, delete_force, &none);
   edit (document, delete_force, &force);
-  g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, before);
+  g_assert_cmpuint (document->project.model.live_load_count, ==, before);
   g_assert_true (qn_document_undo (document));
-  g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, before + 1);
+  g_assert_cmpuint (document->project.model.live_load_count, ==, before + 1);
 }
 
 /* There is one load of own weight; no direction means none. */
@@ -75,22 +75,22 @@ test_weight (void)
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
   QnVec2 left = qn_vec2 (-2.0, 0.0), none = qn_vec2 (0.0, 0.0);
   edit (document, set_weight, &left);
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpuint (model->live_load_count, ==, 1);
   g_assert_cmpfloat (model->live_loads[0].vector.x, ==, -2.0);
   edit (document, set_weight, &none);
-  g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, 0);
+  g_assert_cmpuint (document->project.model.live_load_count, ==, 0);
   edit (document, set_weight, &left);
-  g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, 1);
+  g_assert_cmpuint (document->project.model.live_load_count, ==, 1);
 }
 
 static void
 test_laws (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
-  gsize before = qn_document_get_model (document)->law_count;
+  gsize before = document->project.model.law_count;
   edit (document, add_law, "mortar");
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpuint (model->law_count, ==, before + 1);
   g_assert_cmpstr (model->laws[before].name, ==, "mortar");
   g_assert_cmpfloat (model->laws[before].friction, ==, model->laws[0].friction);
@@ -98,19 +98,19 @@ test_laws (void)
   g_assert_cmpstr (model->laws[before + 1].name, ==, "mortar 2");
   g_assert_true (qn_document_undo (document));
 
-  QnId contact = qn_document_get_model (document)->contact.law, added = (QnId) before;
+  QnId contact = document->project.model.contact.law, added = (QnId) before;
   refuse (document, delete_law, &contact); /* it is needed */
   edit (document, delete_law, &added);
-  g_assert_cmpuint (qn_document_get_model (document)->law_count, ==, before);
+  g_assert_cmpuint (document->project.model.law_count, ==, before);
 
   /* Another law takes its place everywhere. */
   edit (document, add_law, "mortar");
-  guint uses = qn_edit_count_law_uses (qn_document_get_model (document), 0);
+  guint uses = qn_edit_count_law_uses (&document->project.model, 0);
   g_assert_cmpuint (uses, >, 0);
-  g_assert_cmpuint (
-    qn_edit_count_law_uses (qn_document_get_model (document), (QnId) before), ==, 0);
+  g_assert_cmpuint (qn_edit_count_law_uses (&document->project.model, (QnId) before), ==,
+                    0);
   edit (document, replace_law, NULL);
-  model = qn_document_get_model (document);
+  model = &document->project.model;
   g_assert_cmpuint (model->law_count, ==, before);
   g_assert_cmpstr (model->laws[model->contact.law].name, ==, "mortar");
   g_assert_cmpuint (qn_edit_count_law_uses (model, model->contact.law), ==, uses);
@@ -215,7 +215,7 @@ test_edges_cut (void)
                                      { { -0.1, 1.5 }, { 0.9, 2.1 } } };
   for (gsize i = 0; i < G_N_ELEMENTS (lines); i++) {
     g_autoptr (QnDocument) document = open_text (loaded);
-    const Sum before = sum_loads (qn_document_get_model (document));
+    const Sum before = sum_loads (&document->project.model);
     g_assert_cmpfloat_with_epsilon (before.force.y, -8000.0 + 3000.0 - 1250.0, 1e-6);
     g_assert_cmpfloat_with_epsilon (before.force.x, 1000.0, 1e-6);
     const QnModel *model = edit (document, cut, lines[i]);
@@ -234,7 +234,7 @@ static void
 test_edges_moved (void)
 {
   g_autoptr (QnDocument) document = open_text (loaded);
-  const Sum before = sum_loads (qn_document_get_model (document));
+  const Sum before = sum_loads (&document->project.model);
   QnTransform t = qn_transform_translation (0.5, 0.0);
   Sum after = before;
   after.moment += 0.5 * before.force.y;
@@ -303,7 +303,7 @@ test_edges_dissolved (void)
   g_autoptr (QnDocument) document = open_example ("27-retaining-wall.quoin");
   const QnVec2 top = qn_vec2 (0.3, 3.0), line[] = { { 0.5, 3.5 }, { 0.5, 1.0 } };
   edit (document, load_top, &top);
-  const Sum before = sum_loads (qn_document_get_model (document));
+  const Sum before = sum_loads (&document->project.model);
   check_sum (edit (document, detach_all, NULL), before);
   check_sum (edit (document, cut, line), before);
   check_state (document);
@@ -315,7 +315,7 @@ static void
 test_find_edge (void)
 {
   g_autoptr (QnDocument) document = open_text (loaded);
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   static const struct {
     QnVec2 at;
     QnId block, edge;
@@ -379,22 +379,22 @@ test_bars (void)
                 { "01-sliding-block.quoin", 0, 1 } };
   for (gsize c = 0; c < G_N_ELEMENTS (cases); c++) {
     g_autoptr (QnDocument) document = open_example (cases[c].example);
-    const QnModel *model = qn_document_get_model (document);
+    const QnModel *model = &document->project.model;
     gsize laws = model->law_count, blocks = model->block_count;
     g_autofree QnId *ids = g_new (QnId, blocks);
     for (gsize i = 0; i < blocks; i++)
       ids[i] = (QnId) i;
-    gsize pairs = qn_document_get_contacts (document)->pair_count;
-    gsize faces = qn_document_get_contacts (document)->face_count;
+    gsize pairs = document->contacts.pair_count;
+    gsize faces = document->contacts.face_count;
     QnBlockSet none = { NULL, 0 }, all = { ids, (guint) blocks };
     QnId unknown = 99, last = (QnId) cases[c].bars;
     g_assert_cmpuint (model->bar_count, ==, cases[c].bars);
     refuse (document, add_bar, &none);
     edit (document, add_bar, &all);
-    model = qn_document_get_model (document);
+    model = &document->project.model;
     g_assert_cmpuint (model->bar_count, ==, cases[c].bars + 1);
     g_assert_cmpuint (model->law_count, ==, laws + cases[c].laws);
-    g_assert_cmpuint (qn_document_get_contacts (document)->pair_count, ==, pairs + faces);
+    g_assert_cmpuint (document->contacts.pair_count, ==, pairs + faces);
     g_assert_cmpfloat_with_epsilon (qn_bar_get_diameter (model->bars[last].area), 0.016,
                                     1e-12);
     g_autofree char *text = qn_bar_dup_text (model, &model->bars[last], QN_UNITS_SI);
@@ -410,9 +410,9 @@ test_bars (void)
     g_assert_true (qn_document_undo (document));
     refuse (document, remove_bar, &unknown);
     edit (document, remove_bar, &last);
-    g_assert_cmpuint (qn_document_get_model (document)->bar_count, ==, cases[c].bars);
+    g_assert_cmpuint (document->project.model.bar_count, ==, cases[c].bars);
     g_assert_true (qn_document_undo (document));
-    g_assert_cmpuint (qn_document_get_model (document)->bar_count, ==, cases[c].bars + 1);
+    g_assert_cmpuint (document->project.model.bar_count, ==, cases[c].bars + 1);
   }
 }
 

@@ -138,7 +138,7 @@ free_area (const QnModel *model)
 static QnId
 block_called (QnDocument *document, const char *name)
 {
-  QnId id = qn_model_find_block (qn_document_get_model (document), name);
+  QnId id = qn_model_find_block (&document->project.model, name);
   g_assert_cmpint (id, >=, 0);
   return id;
 }
@@ -148,9 +148,9 @@ static void
 test_parameters (void)
 {
   g_autoptr (QnDocument) document = document_with_window ();
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpfloat_with_epsilon (free_area (model), 3.2 * 2.0 - 0.8 * 0.8, 1e-9);
-  g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
+  g_assert_cmpuint (document->contacts.findings.count, ==, 0);
   block_called (document, "w1.o1.lintel");
 
   Change arch = { .object = 0, .func = make_flat_arch };
@@ -158,21 +158,20 @@ test_parameters (void)
   apply (document, "Flat Arch", change, &arch);
   block_called (document, "w1.o1.v1");
   apply (document, "Bond", change, &bond);
-  g_assert_cmpfloat_with_epsilon (free_area (qn_document_get_model (document)),
+  g_assert_cmpfloat_with_epsilon (free_area (&document->project.model),
                                   3.2 * 2.0 - 0.8 * 0.8, 1e-9);
 
   g_autoptr (GPtrArray) texts = g_ptr_array_new_with_free_func (g_free);
-  guint steps = qn_history_get_count (qn_document_get_history (document));
+  guint steps = qn_history_get_count (document->history);
   g_assert_cmpuint (steps, ==, 4);
   for (guint i = 0; i < steps; i++) {
-    g_ptr_array_add (texts, g_strdup (qn_document_get_text (document)));
+    g_ptr_array_add (texts, g_strdup (document->text->text));
     g_assert_true (qn_document_undo (document));
   }
-  g_assert_cmpuint (qn_document_get_model (document)->block_count, ==, 0);
+  g_assert_cmpuint (document->project.model.block_count, ==, 0);
   for (guint i = steps; i > 0; i--) {
     g_assert_true (qn_document_redo (document));
-    g_assert_cmpstr (qn_document_get_text (document), ==,
-                     g_ptr_array_index (texts, i - 1));
+    g_assert_cmpstr (document->text->text, ==, g_ptr_array_index (texts, i - 1));
   }
 }
 
@@ -181,7 +180,7 @@ static void
 test_refused (void)
 {
   g_autoptr (QnDocument) document = document_with_window ();
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  g_autofree char *before = g_strdup (document->text->text);
   g_autoptr (GError) error = NULL;
   Change bad = { .object = 0, .func = make_impossible };
   g_assert_false (qn_document_edit (document, "Bad", NULL, change, &bad, &error));
@@ -190,7 +189,7 @@ test_refused (void)
   Change none = { .object = 7, .func = make_english };
   g_assert_false (qn_document_edit (document, "Bad", NULL, change, &none, &error));
   g_assert_error (error, QN_EDIT_ERROR, 0);
-  g_assert_cmpstr (qn_document_get_text (document), ==, before);
+  g_assert_cmpstr (document->text->text, ==, before);
 }
 
 static gboolean
@@ -210,13 +209,13 @@ test_loads_follow (void)
   g_autoptr (GError) error = NULL;
   edit_model (document, "Force", NULL, load_block, (gpointer) "w1.10.3", &error);
   g_assert_no_error (error);
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   gsize loads = model->live_load_count;
   QnVec2 at = model->live_loads[loads - 1].at;
 
   Change bond = { .object = 0, .func = make_english };
   apply (document, "Bond", change, &bond);
-  model = qn_document_get_model (document);
+  model = &document->project.model;
   g_assert_cmpuint (model->live_load_count, ==, loads);
   g_assert_cmpfloat (model->live_loads[loads - 1].at.x, ==, at.x);
 
@@ -225,7 +224,7 @@ test_loads_follow (void)
   g_assert_no_error (error);
   Change closed = { .object = 0, .opening = 0 };
   apply (document, "Remove Opening", remove_opening, &closed);
-  model = qn_document_get_model (document);
+  model = &document->project.model;
   g_assert_cmpfloat_with_epsilon (free_area (model), 3.2 * 2.0, 1e-9);
   g_assert_cmpuint (model->live_load_count, ==, loads + 1);
 }
@@ -242,7 +241,7 @@ static void
 test_transform (void)
 {
   g_autoptr (QnDocument) document = document_with_window ();
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_autofree QnId *all = g_new (QnId, model->block_count);
   for (gsize i = 0; i < model->block_count; i++)
     all[i] = (QnId) i;
@@ -251,7 +250,7 @@ test_transform (void)
   Change turn = { .set = { all, (guint) model->block_count },
                   .transform = qn_transform_rotation (qn_vec2 (0.0, 0.0), 0.3) };
   apply (document, "Rotate", transform, &turn);
-  model = qn_document_get_model (document);
+  model = &document->project.model;
   QnVec2 after = model->blocks[block_called (document, "w1.10.3")].centroid;
   QnVec2 expected = qn_transform_apply (turn.transform, before);
   g_assert_cmpfloat_with_epsilon (after.x, expected.x, 1e-12);
@@ -265,14 +264,14 @@ test_transform (void)
                   .transform = qn_transform_translation (5.0, 0.0),
                   .copies = 2 };
   apply (document, "Array", copy, &more);
-  model = qn_document_get_model (document);
+  model = &document->project.model;
   g_assert_cmpuint (model->block_count, ==, 3 * count);
   g_assert_cmpint (model->blocks[block_called (document, "w3.1.1")].masonry, ==, 2);
 
   QnId one = block_called (document, "w1.10.3");
   Change part = { .set = { &one, 1 }, .transform = qn_transform_translation (0.0, 0.5) };
   apply (document, "Move", transform, &part);
-  model = qn_document_get_model (document);
+  model = &document->project.model;
   g_assert_cmpuint (model->block_count, ==, 3 * count);
   g_assert_cmpint (model->blocks[block_called (document, "w1.1.1")].masonry, ==, QN_NONE);
   g_assert_cmpint (model->blocks[block_called (document, "w3.1.1")].masonry, ==, 1);
@@ -287,7 +286,7 @@ test_transform (void)
   Change mirror = { .set = { (const QnId *) w2->data, w2->len },
                     .transform = qn_transform_mirror (qn_vec2 (0, 0), qn_vec2 (0, 1)) };
   apply (document, "Mirror", transform, &mirror);
-  model = qn_document_get_model (document);
+  model = &document->project.model;
   g_assert_cmpint (model->blocks[block_called (document, "w2.1.1")].masonry, ==, QN_NONE);
   g_assert_cmpuint (model->block_count, ==, 3 * count);
 }

@@ -53,7 +53,7 @@ static QnExtent
 extent_of (QnDocument *document, const QnId *ids, guint count)
 {
   QnExtent extent;
-  g_assert_true (qn_extent_find (qn_document_get_model (document),
+  g_assert_true (qn_extent_find (&document->project.model,
                                  (QnPartSet){ { ids, count }, { NULL, 0 } }, &extent));
   return extent;
 }
@@ -83,8 +83,7 @@ test_extents (void)
   g_assert_cmpfloat (all.angle, ==, 0.0);
   g_assert_cmpfloat_with_epsilon (extent_of (document, &ids[2], 1).angle, G_PI_2, 1e-12);
   QnExtent none;
-  g_assert_false (
-    qn_extent_find (qn_document_get_model (document), (QnPartSet){ 0 }, &none));
+  g_assert_false (qn_extent_find (&document->project.model, (QnPartSet){ 0 }, &none));
 }
 
 /* Place, size and angle of one block and of several; each is one step that undo takes back. */
@@ -143,7 +142,7 @@ test_walls (void)
   g_autoptr (QnDocument) document = open_text (project);
   g_autoptr (GError) error = NULL;
   g_assert_true (qn_document_edit (document, "walls", NULL, add_walls, NULL, &error));
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_autofree QnId *walls = g_new (QnId, model->block_count);
   guint count = 0;
   for (QnId i = 0; i < (QnId) model->block_count; i++)
@@ -153,7 +152,7 @@ test_walls (void)
   QnPartSet set = { { walls, count }, { NULL, 0 } };
   g_assert_false (qn_extent_can_scale (model, set));
   edit_place (document, set_extent, (Place){ set, QN_EXTENT_Y, 1.0 });
-  model = qn_document_get_model (document);
+  model = &document->project.model;
   QnBox first = QN_BOX_EMPTY;
   guint parametric = 0;
   for (QnId i = 0; i < (QnId) model->block_count; i++) {

@@ -47,7 +47,7 @@ move (QnModel *model, gpointer data, GError **error)
 static double
 area_of (QnDocument *document, const char *name)
 {
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   QnId id = qn_model_find_block (model, name);
   g_assert_cmpint (id, !=, QN_NONE);
   return model->blocks[id].area;
@@ -60,10 +60,10 @@ test_cut (void)
 {
   g_autoptr (QnDocument) document = open_text (project);
   edit (document, cut, &(Shape){ { NULL, 0 }, { 1.5, -1.0 }, { 1.5, 2.0 } });
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpuint (model->block_count, ==, 3);
   g_assert_cmpfloat_with_epsilon (area_of (document, "a"), 1.5, 1e-12);
-  g_assert_cmpuint (qn_document_get_contacts (document)->face_count, ==, 2);
+  g_assert_cmpuint (document->contacts.face_count, ==, 2);
   const QnLoad *load = &model->live_loads[0];
   g_assert_cmpfloat (load->at.x, ==, 1.75);
   g_assert_cmpfloat_with_epsilon (model->blocks[load->block].centroid.x, 1.75, 1e-12);
@@ -91,7 +91,7 @@ test_cut_keeps (void)
   const QnId b = 1;
   edit (document, track, &b);
   edit (document, cut, &(Shape){ { &b, 1 }, { 2.4, -1.0 }, { 2.4, 2.0 } });
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpuint (model->initial_count, ==, 1);
   g_assert_cmpuint (model->track_count, ==, 1);
   g_assert_cmpstr (model->blocks[model->initial[0].block].name, ==, "b");
@@ -103,7 +103,7 @@ static void
 test_crossing (void)
 {
   g_autoptr (QnDocument) document = open_text (project);
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_true (qn_block_is_crossed (model, 0, qn_vec2 (1, -1), qn_vec2 (1, 0.5)));
   g_assert_false (qn_block_is_crossed (model, 0, qn_vec2 (-1, 0), qn_vec2 (3, 0)));
   g_assert_false (qn_block_is_crossed (model, 0, qn_vec2 (2, -1), qn_vec2 (2, 2)));
@@ -121,7 +121,7 @@ test_join (void)
   g_autoptr (QnDocument) document = open_text (project);
   const QnId both[] = { 0, 1 };
   edit (document, join, &(Shape){ { both, 2 }, { 0, 0 }, { 0, 0 } });
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpuint (model->block_count, ==, 1);
   g_assert_cmpint (model->blocks[0].vertex_count, ==, 4);
   g_assert_cmpfloat_with_epsilon (area_of (document, "a"), 3.0, 1e-12);
@@ -144,7 +144,7 @@ test_corner (void)
 {
   g_autoptr (QnDocument) document = open_text (project);
   edit (document, move, &(Shape){ { NULL, 0 }, { 2, 1 }, { 2.2, 1.1 } });
-  const QnContacts *contacts = qn_document_get_contacts (document);
+  const QnContacts *contacts = &document->contacts;
   g_assert_cmpuint (contacts->face_count, ==, 1);
   g_assert_cmpfloat_with_epsilon (contacts->faces[0].length, hypot (0.2, 1.1), 1e-12);
 }

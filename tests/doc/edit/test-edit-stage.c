@@ -179,7 +179,7 @@ test_loads (void)
   g_assert_cmpuint (model->live_load_count, ==, 2);
   while (qn_document_undo (document))
     ;
-  g_assert_cmpuint (qn_document_get_model (document)->live_load_count, ==, 1);
+  g_assert_cmpuint (document->project.model.live_load_count, ==, 1);
 }
 
 typedef struct Place {
@@ -246,7 +246,7 @@ test_unknown_members (void)
   g_autoptr (QnDocument) document = open_text (text);
   QnLoad force = push;
   edit (document, append, &(Put){ DEAD, 0, force });
-  g_auto (GStrv) parts = g_strsplit (qn_document_get_text (document), "[0, -500]", 2);
+  g_auto (GStrv) parts = g_strsplit (document->text->text, "[0, -500]", 2);
   g_autofree char *marked =
     g_strjoin ("[0, -500], \"source\": \"site\"", parts[0], parts[1], NULL);
   g_auto (GStrv) halves = g_strsplit (marked, "\"name\": \"stone\"", 2);
@@ -257,9 +257,9 @@ test_unknown_members (void)
   edit (document, rename_stone, NULL);
   edit (document, remove_it, &(Put){ DEAD, 0, force }); /* the weight */
   force.vector.y = -800;
-  force.note = qn_document_get_model (document)->dead_loads[0].note;
+  force.note = document->project.model.dead_loads[0].note;
   edit (document, replace, &(Put){ DEAD, 0, force });
-  const char *now = qn_document_get_text (document);
+  const char *now = document->text->text;
   g_assert_nonnull (strstr (now, "[0, -800], \"source\": \"site\" }"));
   g_assert_nonnull (strstr (now, "\"name\": \"rock\""));
   g_assert_nonnull (strstr (now, "\"colour\": \"red\" }"));
@@ -305,8 +305,8 @@ test_stages (void)
   g_assert_cmpuint (model->stage_count, ==, 2);
   while (qn_document_undo (document))
     ;
-  g_assert_cmpuint (qn_document_get_model (document)->stage_count, ==, 0);
-  g_assert_cmpfloat (qn_document_get_model (document)->analysis.max_multiplier, ==, 0.25);
+  g_assert_cmpuint (document->project.model.stage_count, ==, 0);
+  g_assert_cmpfloat (document->project.model.analysis.max_multiplier, ==, 0.25);
 }
 
 /* The order changes; the stage without an end gets one where it is no longer the last. */
@@ -350,7 +350,7 @@ test_cycles (void)
   g_autofree char *cyclic = g_strjoinv (
     "\"stages\": [ { \"loads\": \"live\", \"amplitudes\": [0.1, 0.2] } ]", parts);
   g_autoptr (QnDocument) document = open_text (cyclic);
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   g_assert_cmpuint (model->stage_count, ==, 6);
   g_assert_cmpint (model->stages[5].leg, ==, 6);
   Settings settings = { 0, model->stages[0], { 0.1, 0.3 }, 2, 2 };

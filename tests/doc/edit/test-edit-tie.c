@@ -50,8 +50,7 @@ test_add (void)
     { qn_beam_end_dup_text, { -2, 1.2 }, "free" },
   };
   for (gsize i = 0; i < G_N_ELEMENTS (held); i++) {
-    g_autofree char *words =
-      held[i].dup_text (qn_document_get_model (document), held[i].at);
+    g_autofree char *words = held[i].dup_text (&document->project.model, held[i].at);
     g_assert_cmpstr (words, ==, held[i].text);
   }
   const QnModel *model = edit (document, add, &across);
@@ -71,7 +70,7 @@ test_add (void)
   g_assert_nonnull (strstr (words, "top – right"));
   while (qn_document_undo (document))
     ;
-  g_assert_cmpuint (qn_document_get_model (document)->tie_count, ==, 0);
+  g_assert_cmpuint (document->project.model.tie_count, ==, 0);
 }
 
 static gboolean

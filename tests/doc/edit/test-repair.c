@@ -47,7 +47,7 @@ open_pair (double bottom)
 static QnFinding
 finding_of (QnDocument *document, QnProblem problem)
 {
-  const QnFindings *findings = &qn_document_get_contacts (document)->findings;
+  const QnFindings *findings = &document->contacts.findings;
   for (gsize i = 0; i < findings->count; i++) {
     if (findings->items[i].problem == problem)
       return findings->items[i];
@@ -63,12 +63,12 @@ check_every_choice (QnDocument *opened, QnProblem problem, guint expected)
   QnFinding finding = finding_of (document, problem);
   QnRepair choices[QN_REPAIR_COUNT];
   guint count =
-    qn_repair_get_choices (qn_document_get_model (document), &finding, FALSE, choices);
+    qn_repair_get_choices (&document->project.model, &finding, FALSE, choices);
   g_assert_cmpuint (count, ==, expected);
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  g_autofree char *before = g_strdup (document->text->text);
   for (guint i = 0; i < count; i++) {
     g_autofree char *what =
-      qn_repair_explain (qn_document_get_model (document), &finding, choices[i]);
+      qn_repair_explain (&document->project.model, &finding, choices[i]);
     g_assert_true (choices[i] == QN_REPAIR_CLOSE || strstr (what, "above") != NULL
                    || strstr (what, "these 2 blocks") != NULL);
     Fix fix = { finding, choices[i] };
@@ -76,14 +76,14 @@ check_every_choice (QnDocument *opened, QnProblem problem, guint expected)
     edit_model (document, qn_repair_get_step_name (choices[i]), NULL, repair, &fix,
                 &error);
     g_assert_no_error (error);
-    const QnContacts *contacts = qn_document_get_contacts (document);
+    const QnContacts *contacts = &document->contacts;
     for (gsize k = 0; k < contacts->findings.count; k++)
       g_assert_cmpint (contacts->findings.items[k].problem, !=, problem);
     if (choices[i] == QN_REPAIR_CLOSE || choices[i] == QN_REPAIR_SNAP
         || choices[i] == QN_REPAIR_TRIM || choices[i] == QN_REPAIR_MOVE)
       g_assert_cmpuint (contacts->face_count, ==, 1);
     g_assert_true (qn_document_undo (document));
-    g_assert_cmpstr (qn_document_get_text (document), ==, before);
+    g_assert_cmpstr (document->text->text, ==, before);
   }
 }
 
@@ -135,7 +135,7 @@ test_who_moves (void)
   g_autoptr (QnDocument) document = open_pair (0.5004);
   Fix fix = { finding_of (document, QN_PROBLEM_NEAR_MISS_GAP), QN_REPAIR_SNAP };
   g_assert_true (edit_model (document, "Snap", NULL, repair, &fix, NULL));
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   QnId below = qn_model_find_block (model, "below");
   QnId above = qn_model_find_block (model, "above");
   g_assert_cmpfloat_with_epsilon (model->blocks[below].area, 0.5, 1e-15);
@@ -149,8 +149,8 @@ test_all (void)
   guint count = 0;
   g_assert_true (edit_model (document, "All", NULL, repair_all, &count, NULL));
   g_assert_cmpuint (count, ==, 1);
-  g_assert_cmpuint (qn_document_get_contacts (document)->findings.count, ==, 0);
-  g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
+  g_assert_cmpuint (document->contacts.findings.count, ==, 0);
+  g_assert_cmpuint (qn_history_get_count (document->history), ==, 1);
   g_autoptr (GError) error = NULL;
   g_assert_false (edit_model (document, "All", NULL, repair_all, &count, &error));
   g_assert_error (error, QN_EDIT_ERROR, 0);
@@ -201,9 +201,9 @@ static void
 test_mortar (void)
 {
   g_autoptr (QnDocument) document = open_mortar ();
-  g_autofree char *before = g_strdup (qn_document_get_text (document));
+  g_autofree char *before = g_strdup (document->text->text);
   QnGaps gaps;
-  g_assert_true (qn_model_find_gaps (qn_document_get_model (document), 0, &gaps));
+  g_assert_true (qn_model_find_gaps (&document->project.model, 0, &gaps));
   g_assert_cmpuint (gaps.count, ==, 5);
   g_autofree char *text = qn_gaps_dup_text (&gaps);
   g_assert_cmpstr (text, ==, "5 joints of mortar, 8 to 20 mm (mean 12 mm) wide");
@@ -211,8 +211,7 @@ test_mortar (void)
 
   QnFinding finding = finding_of (document, QN_PROBLEM_BLOCK_FLOATING);
   QnRepair choices[QN_REPAIR_COUNT];
-  guint count =
-    qn_repair_get_choices (qn_document_get_model (document), &finding, TRUE, choices);
+  guint count = qn_repair_get_choices (&document->project.model, &finding, TRUE, choices);
   g_assert_cmpuint (count, ==, 2);
   g_assert_cmpint (choices[0], ==, QN_REPAIR_CLOSE);
   g_assert_cmpint (choices[1], ==, QN_REPAIR_DELETE);
@@ -226,17 +225,17 @@ test_mortar (void)
     const ModelEdit edits[] = { repair, close_gaps, repair_all };
     gpointer data[] = { &fix, &widths[1], &repaired };
     g_assert_true (edit_model (document, "Close", NULL, edits[way], data[way], NULL));
-    const QnContacts *contacts = qn_document_get_contacts (document);
-    const QnModel *model = qn_document_get_model (document);
+    const QnContacts *contacts = &document->contacts;
+    const QnModel *model = &document->project.model;
     g_assert_cmpuint (contacts->face_count, ==, 5);
     g_assert_cmpuint (contacts->findings.count, ==, 0);
-    g_assert_cmpuint (qn_history_get_count (qn_document_get_history (document)), ==, 1);
+    g_assert_cmpuint (qn_history_get_count (document->history), ==, 1);
     for (gsize i = 0; i < contacts->face_count; i++)
       if (model->blocks[contacts->faces[i].a].support[0]
           || model->blocks[contacts->faces[i].b].support[0])
         g_assert_cmpfloat (contacts->faces[i].start.y, ==, contacts->faces[i].end.y);
     g_assert_true (qn_document_undo (document));
-    g_assert_cmpstr (qn_document_get_text (document), ==, before);
+    g_assert_cmpstr (document->text->text, ==, before);
   }
 }
 

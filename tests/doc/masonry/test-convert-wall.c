@@ -25,7 +25,7 @@ test_same_blocks (void)
     qn_document_edit (after, "Convert", NULL, convert, &wall, &error);
     g_assert_no_error (error);
 
-    const QnModel *a = qn_document_get_model (before), *b = qn_document_get_model (after);
+    const QnModel *a = &before->project.model, *b = &after->project.model;
     g_assert_cmpuint (b->wall_count, ==, a->wall_count - 1);
     g_assert_cmpuint (a->block_count, ==, b->block_count);
     for (gsize i = 0; i < a->block_count; i++) {
@@ -38,8 +38,7 @@ test_same_blocks (void)
               && fabs (a->blocks[i].area - b->blocks[k].area) < 1e-9);
       g_assert_true (found);
     }
-    g_assert_cmpuint (qn_document_get_contacts (before)->face_count, ==,
-                      qn_document_get_contacts (after)->face_count);
+    g_assert_cmpuint (before->contacts.face_count, ==, after->contacts.face_count);
   }
 }
 
@@ -76,11 +75,11 @@ test_openings (void)
   g_assert_cmpint (opening->span, ==, QN_SPAN_LINTEL);
   g_assert_cmpfloat_with_epsilon (opening->bearing, 0.2, 1e-12);
   qn_masonries_clear (&list);
-  g_assert_cmpint (qn_model_find_block (qn_document_get_model (document), "w.o1.lintel"),
-                   !=, QN_NONE);
+  g_assert_cmpint (qn_model_find_block (&document->project.model, "w.o1.lintel"), !=,
+                   QN_NONE);
 
   g_assert_true (qn_document_undo (document));
-  g_assert_cmpuint (qn_document_get_model (document)->wall_count, ==, 1);
+  g_assert_cmpuint (document->project.model.wall_count, ==, 1);
 }
 
 QN_TESTS

@@ -10,7 +10,7 @@ static void
 test_diag (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   const struct {
     QnDiag diag;
     const char *expected;
@@ -49,7 +49,7 @@ static void
 test_finding (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   QnFinding finding = {
     .problem = QN_PROBLEM_NO_BLOCKS, .block_a = 0, .block_b = 1, .value = 2e-5
   };
@@ -122,7 +122,7 @@ static void
 test_peak (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
-  const QnModel *model = qn_document_get_model (document);
+  const QnModel *model = &document->project.model;
   double peaks[] = { 0, 0.0125 };
   QnResult result = { .outcome = QN_OUTCOME_REST,
                       .block_count = model->block_count,
@@ -147,7 +147,7 @@ test_not_converged (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
   QnResult result = { .outcome = QN_OUTCOME_NOT_CONVERGED };
-  QnModel model = *qn_document_get_model (document);
+  QnModel model = *&document->project.model;
 
   model.analysis.procedure = QN_PROCEDURE_LIMIT;
   g_autofree char *limit = qn_explain_outcome (&model, &result);
@@ -162,8 +162,8 @@ static void
 test_modes (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
-  const QnModel *model = qn_document_get_model (document);
-  const QnContacts *contacts = qn_document_get_contacts (document);
+  const QnModel *model = &document->project.model;
+  const QnContacts *contacts = &document->contacts;
   g_autofree double *shape = g_new0 (double, QN_DOF_COUNT * model->block_count);
   shape[QN_DOF_COUNT * (model->block_count - 1)] = 1;
   QnResult result = { .mechanism = shape, .block_count = model->block_count };

@@ -83,9 +83,9 @@ test_copy (void)
   g_autoptr (GError) error = NULL;
   qn_document_load_copy (document, rig.model, &error);
   g_assert_no_error (error);
-  g_assert_null (qn_document_get_path (document));
+  g_assert_null (document->path);
   g_assert_false (qn_document_is_modified (document));
-  g_assert_cmpstr (qn_document_get_folder (document), ==, rig.from);
+  g_assert_cmpstr (document->folder, ==, rig.from);
   g_autoptr (QnViewState) state = qn_view_state_new (document);
   g_assert_nonnull (qn_view_state_get_underlay (state)->image);
   qn_document_analyse (document, &error);
@@ -97,8 +97,8 @@ test_copy (void)
   g_assert_no_error (error);
   expect_text (rig.from, "shaken.quoin", project);
   expect_text (rig.to, "data/ground.csv", record);
-  g_assert_cmpstr (qn_document_get_path (document), ==, rig.copy);
-  g_assert_cmpstr (qn_document_get_folder (document), ==, rig.to);
+  g_assert_cmpstr (document->path, ==, rig.copy);
+  g_assert_cmpstr (document->folder, ==, rig.to);
 
   g_autoptr (QnDocument) again = qn_document_new ();
   g_assert_true (qn_document_load (again, rig.copy, &error));

@@ -26,7 +26,7 @@ test_without_result (void)
   const QnContacts *contacts;
   const QnResult *result;
   g_assert_true (qn_view_state_get_content (state, &model, &contacts, &result));
-  g_assert_true (model == qn_document_get_model (document));
+  g_assert_true (model == &document->project.model);
   g_assert_null (result);
   g_assert_false (
     qn_view_state_get_content_of (state, QN_VIEW_MECHANISM, &model, &contacts, &result));
@@ -87,7 +87,7 @@ test_steps (void)
   g_assert_true (
     qn_document_analyse_with (document, QN_PROCEDURE_LIMIT, QN_FLOW_ASSOCIATIVE, NULL));
   wait_for_job (document);
-  const GPtrArray *runs = qn_document_get_runs (document);
+  const GPtrArray *runs = document->runs;
   qn_view_state_set_onion (state, g_ptr_array_index (runs, 0));
   g_assert_true (qn_view_state_get_options (state).onion
                  == &((QnRun *) g_ptr_array_index (runs, 0))->result);
