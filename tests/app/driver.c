@@ -578,7 +578,7 @@ const char *
 driver_last_step (QnWindow *window)
 {
   QnEditHistory *history = qn_window_get_document (window)->history;
-  return qn_history_get_name (history, qn_history_get_position (history) - 1);
+  return qn_history_get_name (history, history->position - 1);
 }
 
 void

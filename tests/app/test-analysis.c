@@ -28,7 +28,7 @@ test_live (void)
   g_settings_set_boolean (settings, "live", TRUE);
   driver_wait (has_fresh_run, window);
   double before = document->run->result.collapse_multiplier;
-  g_assert_cmpint (qn_view_state_get_view (state_of (window)), ==, QN_VIEW_MODEL);
+  g_assert_cmpint (state_of (window)->options.view, ==, QN_VIEW_MODEL);
 
   QnId top = 0;
   for (gsize i = 0; i < model_of (window)->block_count; i++) {
@@ -367,7 +367,7 @@ test_modes_and_stability (void)
   g_assert_true (first == g_ptr_array_index (runs, 0));
   g_assert_cmpfloat_with_epsilon (first->result.vibration.omega, 315.711, 0.01);
   QnViewState *state = state_of (window);
-  g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_MECHANISM);
+  g_assert_cmpint (state->options.view, ==, QN_VIEW_MECHANISM);
   qn_document_set_run (document, g_ptr_array_index (runs, 1));
   driver_screenshot (GTK_WIDGET (window), "mode-2");
   double bounds[QN_BOUND_KIND_COUNT];

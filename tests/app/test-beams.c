@@ -17,7 +17,7 @@ check_history (QnWindow *window)
 {
   QnDocument *document = qn_window_get_document (window);
   g_autofree char *text = g_strdup (document->text->text);
-  guint steps = qn_history_get_position (document->history);
+  guint steps = document->history->position;
   for (guint i = 0; i < steps; i++)
     g_assert_true (qn_document_undo (document));
   g_assert_cmpuint (document->project.model.beam_count, ==, 0);
@@ -132,7 +132,7 @@ test_diagrams (void)
   g_assert_nonnull (run->result.beam_forces);
   driver_key ("ctrl+6");
   QnViewState *state = state_of (window);
-  g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_DIAGRAMS);
+  g_assert_cmpint (state->options.view, ==, QN_VIEW_DIAGRAMS);
   driver_screenshot (GTK_WIDGET (window), "diagram-moments");
   driver_activate (window, "win.diagram::V");
   g_assert_cmpint ((int) qn_view_state_get_options (state).diagram, ==, QN_DIAGRAM_SHEAR);

@@ -17,7 +17,7 @@
 static guint
 steps_of (QnWindow *window)
 {
-  return qn_history_get_position (qn_window_get_document (window)->history);
+  return qn_window_get_document (window)->history->position;
 }
 
 static QnMasonries
@@ -162,8 +162,8 @@ test_whole_wall (void)
   g_assert_cmpuint (count_objects (window), ==, 0);
   g_assert_cmpfloat (place_of_stone (window).y, >, at.y + 0.5);
   QnEditHistory *history = qn_window_get_document (window)->history;
-  g_assert_cmpstr (qn_history_get_name (history, qn_history_get_position (history) - 1),
-                   ==, "Move, Wall to Free Blocks");
+  g_assert_cmpstr (qn_history_get_name (history, history->position - 1), ==,
+                   "Move, Wall to Free Blocks");
   guint moved = 0;
   qn_selection_get (qn_window_get_document (window)->selection, QN_PART_BLOCK, &moved);
   g_assert_cmpuint (moved, ==, 1);

@@ -196,7 +196,7 @@ test_playback (void)
     double seconds = 1e-6 * (double) (g_get_monotonic_time () - start);
     /* kept steps are apart */
     g_assert_cmpfloat (time_of (window), <=, seconds / slowed[i] + 0.05);
-    g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_DEFORMED);
+    g_assert_cmpint (state->options.view, ==, QN_VIEW_DEFORMED);
     driver_activate (window, "win.play");
   }
   int held = step_of (window);

@@ -287,7 +287,7 @@ test_files (void)
   run = qn_window_get_document (window)->run;
   g_assert_nonnull (run);
   g_assert_cmpfloat (run->result.collapse_multiplier, ==, solved);
-  g_assert_cmpint (qn_view_state_get_view (state_of (window)), ==, QN_VIEW_MECHANISM);
+  g_assert_cmpint (state_of (window)->options.view, ==, QN_VIEW_MECHANISM);
   driver_screenshot (GTK_WIDGET (window), "result-opened");
   driver_discard (window);
 

@@ -29,7 +29,7 @@ test_kept_history (void)
   window = driver_open_window (1280, 800);
   g_assert_true (qn_window_open_path (window, path));
   document = qn_window_get_document (window);
-  g_assert_cmpuint (qn_history_get_count (document->history), ==, 2);
+  g_assert_cmpuint (document->history->steps->len, ==, 2);
   g_assert_true (g_variant_get_boolean (
     g_action_group_get_action_state (G_ACTION_GROUP (window), "keep-history")));
   driver_activate (window, "win.undo");

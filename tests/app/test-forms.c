@@ -278,7 +278,7 @@ test_joint (void)
   g_assert_cmpfloat (law->cohesion, ==, 1e5);
   g_assert_cmpint (law->basis, ==, QN_BASIS_SURFACE);
   g_assert_cmpstr (law->source, ==, qn_typical_joints[QN_JOINT_LIME_MORTAR].source);
-  g_assert_cmpuint (qn_history_get_count (document->history), ==, 1);
+  g_assert_cmpuint (document->history->steps->len, ==, 1);
   driver_activate (window, "win.undo");
   g_assert_cmpstr (document->text->text, ==, before);
   driver_discard (window);
@@ -427,7 +427,7 @@ test_laws (void)
   model = &document->project.model;
   g_assert_cmpuint (model->law_count, ==, 2);
   g_assert_cmpint (model->contact.law, ==, 0);
-  g_assert_cmpuint (qn_history_get_count (document->history), ==, steps);
+  g_assert_cmpuint (document->history->steps->len, ==, steps);
   for (guint i = 0; i < steps; i++)
     driver_activate (window, "win.undo");
   g_assert_cmpstr (document->text->text, ==, before);
@@ -518,7 +518,7 @@ test_project (void)
                                   1e-9 * weight);
   enter (GTK_WIDGET (window), "title", "");
   g_assert_null (document->project.model.title);
-  g_assert_cmpuint (qn_history_get_count (document->history), ==, 3);
+  g_assert_cmpuint (document->history->steps->len, ==, 3);
   for (int i = 0; i < 3; i++)
     driver_activate (window, "win.undo");
   g_assert_cmpstr (document->text->text, ==, before);

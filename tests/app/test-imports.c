@@ -43,7 +43,7 @@ test_import (void)
   driver_press (dialog, "Import");
   gsize count = model_of (window)->block_count;
   g_assert_cmpuint (count, >, 0);
-  g_assert_cmpuint (qn_history_get_count (document->history), ==, 1);
+  g_assert_cmpuint (document->history->steps->len, ==, 1);
   g_assert_cmpuint (document->contacts.face_count, >, 0);
 
   /* Again, into a drawing that has blocks: they are added, and stand in each other's way. */
@@ -85,7 +85,7 @@ test_facade_strip (void)
   driver_screenshot (dialog, "facade-strip");
   driver_press (dialog, "Draw");
   g_assert_cmpuint (model_of (window)->block_count, ==, 13);
-  g_assert_cmpuint (qn_history_get_count (document->history), ==, 1);
+  g_assert_cmpuint (document->history->steps->len, ==, 1);
   g_assert_nonnull (strstr (document->text->text, "\"mechanism\": true"));
   driver_activate (window, "win.undo");
   g_assert_cmpuint (model_of (window)->block_count, ==, 0);
@@ -225,7 +225,7 @@ test_picture (void)
   QnViewState *state = state_of (window);
   g_autofree char *empty = g_strdup (document->text->text);
   driver_activate_target (window, "win.take-path", g_variant_new_string (picture));
-  const QnUnderlay *underlay = qn_view_state_get_underlay (state);
+  const QnUnderlay *underlay = &state->options.underlay;
   g_assert_nonnull (underlay->image);
   g_assert_cmpfloat (underlay->width, ==, 5.0);
   g_assert_cmpfloat (underlay->origin.x, ==, 0.0);
@@ -237,9 +237,9 @@ test_picture (void)
   double pixel = qn_canvas_to_screen (canvas, qn_vec2 (1.013, 0.3)).x;
   double gripped = 1.013 + (round (pixel) - pixel) / scale;
   driver_drag (window, 1.013, 0.3, 1.51, 0.3);
-  underlay = qn_view_state_get_underlay (state);
+  underlay = &state->options.underlay;
   g_assert_cmpfloat_with_epsilon (underlay->origin.x, 1.5 - gripped, 1e-5);
-  g_assert_cmpuint (qn_history_get_count (document->history), ==, 2);
+  g_assert_cmpuint (document->history->steps->len, ==, 2);
 
   /* The dark door is 2.5 m wide on the screen; it is 1.25 m wide in truth. */
   double left = underlay->origin.x + 1.25;
@@ -248,7 +248,7 @@ test_picture (void)
   driver_type ("1,25");
   driver_screenshot (GTK_WIDGET (window), "picture");
   driver_key ("Return");
-  underlay = qn_view_state_get_underlay (state);
+  underlay = &state->options.underlay;
   g_assert_cmpfloat_with_epsilon (underlay->width, 2.5, 0.02);
 
   /* Four corners, in any order, become a rectangle of typed size. */
@@ -261,7 +261,7 @@ test_picture (void)
   assert_lines_end_at (window, 0.1);
   driver_type ("2; 1,5");
   driver_key ("Return");
-  underlay = qn_view_state_get_underlay (state);
+  underlay = &state->options.underlay;
   g_assert_true (underlay->rectified);
   g_assert_cmpfloat (underlay->width, ==, 2.0);
   g_assert_cmpfloat (underlay->height, ==, 1.5);
@@ -271,12 +271,12 @@ test_picture (void)
                                   round (10.0 * underlay->origin.x), 1e-9);
   driver_screenshot (GTK_WIDGET (window), "picture-rectified");
   driver_click_on (GTK_WIDGET (window), driver_is_check, "Cropped to the rectangle");
-  g_assert_true (qn_view_state_get_underlay (state)->cropped);
-  g_assert_cmpfloat (qn_view_state_get_underlay (state)->seen.max.x, ==, 1.0);
+  g_assert_true (state->options.underlay.cropped);
+  g_assert_cmpfloat (state->options.underlay.seen.max.x, ==, 1.0);
   driver_press (GTK_WIDGET (window), "Show as Taken");
-  g_assert_false (qn_view_state_get_underlay (state)->rectified);
+  g_assert_false (state->options.underlay.rectified);
   driver_activate (window, "win.undo");
-  g_assert_true (qn_view_state_get_underlay (state)->rectified);
+  g_assert_true (state->options.underlay.rectified);
 
   g_autofree char *path = g_build_filename (folder, "survey.quoin", NULL);
   driver_activate_target (window, "win.save-path", g_variant_new_string (path));
@@ -284,12 +284,12 @@ test_picture (void)
   g_autofree char *json =
     qn_project_dup_extra (qn_document_get_project (document), "underlay");
   g_assert_nonnull (strstr (json, "\"survey.png\""));
-  g_assert_nonnull (qn_view_state_get_underlay (state)->image);
+  g_assert_nonnull (state->options.underlay.image);
 
-  while (qn_history_can_undo (document->history))
+  while (document->history->position > 0)
     driver_activate (window, "win.undo");
   g_assert_cmpstr (document->text->text, ==, empty);
-  g_assert_null (qn_view_state_get_underlay (state)->image);
+  g_assert_null (state->options.underlay.image);
   driver_discard (window);
   g_unlink (path);
   g_unlink (picture);

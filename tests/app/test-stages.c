@@ -94,7 +94,7 @@ test_settle_and_push (void)
   gtk_drop_down_set_selected (GTK_DROP_DOWN (stage), 1);
   driver_settle ();
   QnViewState *state = state_of (window);
-  g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_DEFORMED);
+  g_assert_cmpint (state->options.view, ==, QN_VIEW_DEFORMED);
   int step = qn_view_state_get_step (state);
   g_assert_cmpint (run->result.steps[step].stage, ==, 1);
   g_assert_cmpint (run->result.steps[step + 1].stage, ==, 2);

@@ -193,7 +193,7 @@ test_vary (void)
     driver_find_widget (GTK_WIDGET (window), driver_says, "case of the study"));
   driver_screenshot (GTK_WIDGET (window), "study-case");
   click_points (dialog, window);
-  g_assert_cmpint (qn_view_state_get_view (state_of (window)), ==, QN_VIEW_MECHANISM);
+  g_assert_cmpint (state_of (window)->options.view, ==, QN_VIEW_MECHANISM);
 
   g_autofree char *table = g_build_filename (folder, "t.csv", NULL);
   g_autofree char *figure = g_build_filename (folder, "f.svg", NULL);

@@ -326,11 +326,11 @@ test_draw (void)
   }
   g_assert_cmpfloat_with_epsilon (area, 0.32, 1e-9);
 
-  while (qn_history_can_undo (document->history))
+  while (document->history->position > 0)
     driver_activate (window, "win.undo");
   g_assert_cmpstr (document->text->text, ==, empty);
   g_assert_cmpuint (model_of (window)->block_count, ==, 0);
-  while (qn_history_can_redo (document->history))
+  while (document->history->position < document->history->steps->len)
     driver_activate (window, "win.redo");
   g_assert_cmpuint (free_blocks (model_of (window)), ==, 1);
   driver_discard (window);
@@ -355,7 +355,7 @@ test_edit (void)
   driver_key ("Right");
   g_assert_cmpfloat (model_of (window)->blocks[top].centroid.x, >, c.x);
   driver_key ("Right");
-  g_assert_cmpuint (qn_history_get_count (document->history), ==, 1);
+  g_assert_cmpuint (document->history->steps->len, ==, 1);
   driver_activate (window, "win.undo");
   g_assert_cmpfloat (model_of (window)->blocks[top].centroid.x, ==, c.x);
 
@@ -382,7 +382,7 @@ test_solve (void)
   g_assert_nonnull (run);
   g_assert_cmpint (run->result.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat (fabs (run->result.collapse_multiplier - 0.356), <, 0.01 * 0.356);
-  g_assert_cmpint (qn_view_state_get_view (state_of (window)), ==, QN_VIEW_MECHANISM);
+  g_assert_cmpint (state_of (window)->options.view, ==, QN_VIEW_MECHANISM);
   driver_screenshot (GTK_WIDGET (window), "mechanism");
   driver_activate (window, "win.view::forces");
   driver_screenshot (GTK_WIDGET (window), "forces");
@@ -410,9 +410,10 @@ exists (gpointer path)
 }
 
 static gboolean
-is_on_its_way (gpointer state)
+is_on_its_way (gpointer data)
 {
-  double phase = qn_view_state_get_phase (state);
+  const QnViewState *state = data;
+  const double phase = state->options.phase;
   return phase > 0.0 && phase < 1.0;
 }
 
@@ -424,15 +425,15 @@ test_animate (void)
   driver_key ("F5");
   driver_wait_for_job (window);
   g_assert_nonnull (qn_window_get_document (window)->run);
-  g_assert_cmpfloat (qn_view_state_get_phase (state), ==, 1.0);
+  g_assert_cmpfloat (state->options.phase, ==, 1.0);
   driver_set_animated (TRUE);
   driver_activate (window, "win.play");
   driver_wait (is_on_its_way, state);
   driver_activate (window, "win.play");
   driver_set_animated (FALSE);
-  double held = qn_view_state_get_phase (state);
+  double held = state->options.phase;
   driver_settle ();
-  g_assert_cmpfloat (qn_view_state_get_phase (state), ==, held);
+  g_assert_cmpfloat (state->options.phase, ==, held);
   driver_activate (window, "win.compare");
 
   g_autofree char *folder = g_dir_make_tmp ("quoin-XXXXXX", NULL);

@@ -265,7 +265,7 @@ draw_selection (QnCanvas *self, cairo_t *cr)
   const QnContacts *contacts = &document->contacts;
   QnSelection *selection = qn_canvas_get_selection (self);
   const QnRun *run = document->run;
-  gboolean displaced = qn_view_needs_result (qn_view_state_get_view (self->state));
+  gboolean displaced = qn_view_needs_result (self->state->options.view);
   if (displaced && (run == NULL || qn_document_is_stale (document, run)))
     return;
   QnMotion motion = displaced ? qn_canvas_get_motion (self) : (QnMotion){ 0 };
@@ -629,7 +629,7 @@ void
 qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
 {
   const QnScene *scene = qn_canvas_get_scene (self);
-  gboolean undeformed = !qn_view_needs_result (qn_view_state_get_view (self->state));
+  gboolean undeformed = !qn_view_needs_result (self->state->options.view);
   if (with_labels && scene != NULL)
     qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_ABOVE, cr, NULL);
   draw_selection (self, cr);

@@ -50,7 +50,8 @@ qn_canvas_get_motion (QnCanvas *self)
   const QnResult *result;
   const QnScene *scene = qn_canvas_get_scene (self);
   if (scene == NULL
-      || !qn_view_state_get_content (self->state, &model, &contacts, &result))
+      || !qn_view_state_get_content (self->state, self->state->options.view, &model,
+                                     &contacts, &result))
     return (QnMotion){ 0 };
   QnViewOptions options = qn_view_state_get_options (self->state);
   return qn_scene_motion (scene, model, result, &options);
@@ -82,11 +83,12 @@ qn_canvas_pick_joint (QnCanvas *self, QnVec2 screen)
   const QnModel *model;
   const QnContacts *contacts;
   const QnResult *result;
-  if (qn_view_state_get_view (self->state) == QN_VIEW_CONTACTS) {
+  if (self->state->options.view == QN_VIEW_CONTACTS) {
     QnPick pick = qn_canvas_pick (self, screen, 1u << QN_PICK_FACE);
     return pick.kind == QN_PICK_FACE ? pick.id : QN_NONE;
   }
-  if (!qn_view_state_get_content (self->state, &model, &contacts, &result))
+  if (!qn_view_state_get_content (self->state, self->state->options.view, &model,
+                                  &contacts, &result))
     return QN_NONE;
   QnMotion motion = qn_canvas_get_motion (self);
   g_autofree bool *left =
@@ -139,7 +141,7 @@ on_rest (gpointer data)
 void
 qn_canvas_pointer_moved (QnCanvas *self)
 {
-  self->rested_view = qn_view_state_get_view (self->state);
+  self->rested_view = self->state->options.view;
   self->rested_run = qn_canvas_get_document (self)->run;
   self->has_rested = self->rested_view != QN_VIEW_MODEL;
   g_clear_handle_id (&self->inspect_timeout, g_source_remove);
@@ -258,7 +260,7 @@ qn_canvas_draw_inspected (QnCanvas *self, cairo_t *cr)
 {
   self->card = QN_BOX_EMPTY;
   if (!self->pointer_inside || self->in_gesture || self->tool != self->resting
-      || !self->has_rested || self->rested_view != qn_view_state_get_view (self->state)
+      || !self->has_rested || self->rested_view != self->state->options.view
       || self->rested_run != qn_canvas_get_document (self)->run)
     return;
   QnInspected what = find_under_pointer (self);

@@ -62,8 +62,7 @@ can_type (QnCanvas *self, gunichar first)
   if (self->in_gesture || self->typed->len > 0)
     return TRUE;
   QnVec2 low, high;
-  return self->tool->numbers_at_rest
-         && !qn_view_needs_result (qn_view_state_get_view (self->state))
+  return self->tool->numbers_at_rest && !qn_view_needs_result (self->state->options.view)
          && ((first < 128 && g_ascii_isdigit ((char) first)) || first == '-'
              || first == '(')
          && qn_canvas_get_parts_box (self, &low, &high);

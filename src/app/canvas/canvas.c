@@ -41,9 +41,10 @@ qn_canvas_get_scene (QnCanvas *self)
   const QnModel *model;
   const QnContacts *contacts;
   const QnResult *result;
-  if (!qn_view_state_get_content (self->state, &model, &contacts, &result)
+  if (!qn_view_state_get_content (self->state, self->state->options.view, &model,
+                                  &contacts, &result)
       || (model->block_count == 0 && model->beam_count == 0
-          && qn_view_state_get_underlay (self->state)->image == NULL))
+          && self->state->options.underlay.image == NULL))
     return NULL;
   QnViewOptions options = qn_view_state_get_options (self->state);
   self->scene = qn_scene_build (model, contacts, result, &options, &self->scene_error);
@@ -54,7 +55,7 @@ qn_canvas_get_scene (QnCanvas *self)
 static void
 on_state_changed (QnCanvas *self)
 {
-  QnView view = qn_view_state_get_view (self->state);
+  QnView view = self->state->options.view;
   if (view != self->shown_view && self->keeps_fit)
     self->wants_fit = TRUE;
   self->shown_view = view;
@@ -100,7 +101,7 @@ qn_canvas_snapshot (GtkWidget *widget, GtkSnapshot *snapshot)
   const graphene_rect_t all = GRAPHENE_RECT_INIT (0, 0, (float) width, (float) height);
   const QnScene *scene = qn_canvas_get_scene (self);
   /* A photo stays as it is, of which nothing would be recognised. */
-  gboolean dark = qn_view_state_get_underlay (self->state)->image == NULL
+  gboolean dark = self->state->options.underlay.image == NULL
                   && qn_paper_area_push_dark (widget, snapshot);
   cairo_t *cr = gtk_snapshot_append_cairo (snapshot, &all);
   if (qn_gl_layer_prepare (&self->gl_layer, scene, &self->camera)) {
@@ -241,7 +242,7 @@ qn_canvas_set_state (QnCanvas *self, QnViewState *state, QnToolSettings *setting
   self->state = g_object_ref (state);
   self->settings = settings;
   self->tool = self->resting = resting;
-  QnDocument *document = qn_view_state_get_document (state);
+  QnDocument *document = state->document;
   qn_watch (GTK_WIDGET (self), state, "changed", G_CALLBACK (on_state_changed), self);
   qn_watch (GTK_WIDGET (self), document, "changed", G_CALLBACK (on_document_changed),
             self);
@@ -261,7 +262,7 @@ qn_canvas_get_state (QnCanvas *self)
 QnDocument *
 qn_canvas_get_document (QnCanvas *self)
 {
-  return qn_view_state_get_document (self->state);
+  return self->state->document;
 }
 
 const QnModel *

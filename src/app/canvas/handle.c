@@ -106,7 +106,7 @@ static GArray *
 collect_all (QnCanvas *canvas)
 {
   GArray *grips = g_array_new (FALSE, FALSE, sizeof (QnGrip));
-  if (qn_view_needs_result (qn_view_state_get_view (qn_canvas_get_state (canvas))))
+  if (qn_view_needs_result (qn_canvas_get_state (canvas)->options.view))
     return grips;
   QnSelection *selection = qn_canvas_get_selection (canvas);
   const QnModel *model = qn_canvas_get_model (canvas);
@@ -212,7 +212,7 @@ draw_opening_outline (QnCanvas *canvas, cairo_t *cr)
   QnId object;
   int opening;
   const QnMasonries *list = qn_canvas_get_masonry (canvas);
-  if (qn_view_needs_result (qn_view_state_get_view (qn_canvas_get_state (canvas))))
+  if (qn_view_needs_result (qn_canvas_get_state (canvas)->options.view))
     return;
   if (!qn_selection_get_opening (qn_canvas_get_selection (canvas), &object, &opening)
       || (gsize) object >= list->count

@@ -102,7 +102,7 @@ on_written (GObject *source, GAsyncResult *result, gpointer data)
 static void
 write_to (Dialog *dialog, const char *path)
 {
-  if (qn_view_state_get_document (dialog->state)->run == NULL)
+  if (dialog->state->document->run == NULL)
     return;
   g_free (dialog->path);
   dialog->path = g_strdup (path);
@@ -154,7 +154,7 @@ has_webm (void)
 static const QnResult *
 result_of (const Dialog *dialog)
 {
-  const QnRun *run = qn_view_state_get_document (dialog->state)->run;
+  const QnRun *run = dialog->state->document->run;
   return run != NULL ? &run->result : NULL;
 }
 
@@ -162,7 +162,7 @@ result_of (const Dialog *dialog)
 static gboolean
 is_there (const Dialog *dialog)
 {
-  const QnRun *run = qn_view_state_get_document (dialog->state)->run;
+  const QnRun *run = dialog->state->document->run;
   if (run == NULL)
     return FALSE;
   return dialog->settings.view == QN_VIEW_MECHANISM ? run->result.mechanism != NULL

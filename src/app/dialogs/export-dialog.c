@@ -96,8 +96,8 @@ static QnRecipe *
 recipe_of_view (QnViewState *state)
 {
   QnViewOptions shown = qn_view_state_get_options (state);
-  g_autofree char *name = qn_document_dup_figure_name (qn_view_state_get_document (state),
-                                                       qn_view_names[shown.view]);
+  g_autofree char *name =
+    qn_document_dup_figure_name (state->document, qn_view_names[shown.view]);
   QnRecipe *recipe = qn_recipe_new (name, shown.view);
   recipe->view = shown;
   recipe->view.titles = true;
@@ -182,8 +182,7 @@ static void
 on_export (Dialog *dialog)
 {
   take_entries (dialog);
-  g_autofree char *name =
-    qn_document_dup_display_name (qn_view_state_get_document (dialog->state));
+  g_autofree char *name = qn_document_dup_display_name (dialog->state->document);
   g_autofree char *proposed = g_strdup_printf ("%s – %s", name, dialog->recipe->file);
   const QnFileQuestion question = { .title = _ ("Export Figure"),
                                     .accept = _ ("_Export"),
@@ -199,8 +198,7 @@ on_store (Dialog *dialog)
 {
   g_autoptr (GError) error = NULL;
   take_entries (dialog);
-  if (qn_document_store_figure (qn_view_state_get_document (dialog->state),
-                                dialog->recipe, &error)) {
+  if (qn_document_store_figure (dialog->state->document, dialog->recipe, &error)) {
     g_autofree char *message =
       g_strdup_printf (_ ("Figure “%s” is kept in the project"), dialog->recipe->name);
     dialog->tell (dialog->parent, message);

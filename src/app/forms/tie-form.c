@@ -87,7 +87,8 @@ dup_facts (const QnBoundForm *form, const QnTie *tie)
   const QnResult *result;
   g_autofree char *facts = qn_tie_dup_facts (tie, units);
   QnViewState *state = qn_canvas_get_state (form->canvas);
-  if (!qn_view_state_get_content (state, &model, &contacts, &result) || result == NULL)
+  if (!qn_view_state_get_content (state, state->options.view, &model, &contacts, &result)
+      || result == NULL)
     return g_steal_pointer (&facts);
   QnId id = qn_model_find_tie (model, tie->name);
   if (id == QN_NONE || (gsize) id >= result->tie_count)

@@ -51,7 +51,7 @@ GPtrArray *
 qn_compare_list_documents (Compare *compare)
 {
   GPtrArray *documents = compare->list_others (compare->document);
-  const GPtrArray *files = qn_batch_get_documents (compare->batch);
+  const GPtrArray *files = compare->batch->documents;
   g_ptr_array_insert (documents, 0, compare->document);
   for (guint i = 0; i < files->len; i++)
     g_ptr_array_add (documents, files->pdata[i]);
@@ -535,8 +535,8 @@ is_solved_in_window (Compare *compare, QnDocument *file)
 static void
 on_batch_changed (Compare *compare)
 {
-  const GPtrArray *documents = qn_batch_get_documents (compare->batch);
-  const GPtrArray *messages = qn_batch_get_messages (compare->batch);
+  const GPtrArray *documents = compare->batch->documents;
+  const GPtrArray *messages = compare->batch->messages;
   GString *text = g_string_new (NULL);
   gboolean any = FALSE;
   for (guint i = 0; i < documents->len; i++) {

@@ -561,7 +561,7 @@ GtkWidget *
 qn_study_page_new (QnViewState *state, const char *path, GError **error)
 {
   static const QnFormKind kind = QN_FORM_KIND ("study-page", QnStudyPage);
-  QnDocument *document = qn_view_state_get_document (state);
+  QnDocument *document = state->document;
   QnDraft *draft = take_draft (document, path, error);
   if (draft == NULL)
     return NULL;

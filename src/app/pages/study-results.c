@@ -236,7 +236,7 @@ on_solved (GObject *source, GAsyncResult *task, gpointer data)
     return;
   }
   QnRun *run = opening->run;
-  qn_document_add_run (qn_view_state_get_document (state), run);
+  qn_document_add_run (state->document, run);
   qn_view_state_set_view (state, qn_view_of_result (&run->result));
   g_autofree char *text = g_strdup_printf (_ ("%s is shown in the drawing."), run->name);
   gtk_label_set_text (status, text);

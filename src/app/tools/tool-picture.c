@@ -25,7 +25,7 @@ static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (qn_view_state_get_underlay (qn_canvas_get_state (canvas))->image == NULL) {
+  if (qn_canvas_get_state (canvas)->options.underlay.image == NULL) {
     gtk_widget_activate_action (GTK_WIDGET (canvas), "win.picture", NULL);
     return;
   }
@@ -51,7 +51,7 @@ motion (QnCanvas *canvas, const QnToolEvent *event)
     gesture->dragging = TRUE;
   }
   QnViewState *state = qn_canvas_get_state (canvas);
-  QnUnderlay moved = *qn_view_state_get_underlay (state);
+  QnUnderlay moved = *&state->options.underlay;
   moved.origin = qn_vec2_add (moved.origin, qn_vec2_sub (event->point, gesture->to));
   gesture->to = event->point;
   qn_view_state_show_underlay_at (state, &moved);
@@ -65,8 +65,7 @@ release (QnCanvas *canvas, const QnToolEvent *event)
     return;
   gesture->band = FALSE;
   if (gesture->dragging) {
-    place (canvas, _ ("Move Picture"),
-           qn_view_state_get_underlay (qn_canvas_get_state (canvas)));
+    place (canvas, _ ("Move Picture"), &qn_canvas_get_state (canvas)->options.underlay);
     return;
   }
   if (gesture->points->len >= 4)
@@ -80,7 +79,7 @@ rectify (QnCanvas *canvas, double width, double height)
 {
   QnVec2 shown[4];
   memcpy (shown, qn_canvas_get_gesture (canvas)->points->data, sizeof shown);
-  QnUnderlay underlay = *qn_view_state_get_underlay (qn_canvas_get_state (canvas));
+  QnUnderlay underlay = *&qn_canvas_get_state (canvas)->options.underlay;
   if (!qn_underlay_rectify (&underlay, shown, width, height)) {
     qn_canvas_tell (canvas, _ ("These four points cannot be the corners of a rectangle"));
     return FALSE;
@@ -108,7 +107,7 @@ numbers (QnCanvas *canvas, const double *values, int count)
     return FALSE;
   const QnVec2 start = qn_canvas_snap (canvas, shown[0]);
   QnVec2 wanted[] = { start, qn_vec2_add_scaled (start, values[0] / length, across) };
-  QnUnderlay scaled = *qn_view_state_get_underlay (qn_canvas_get_state (canvas));
+  QnUnderlay scaled = *&qn_canvas_get_state (canvas)->options.underlay;
   if (!qn_underlay_match (&scaled, shown, wanted))
     return FALSE;
   place (canvas, _ ("Scale Picture"), &scaled);

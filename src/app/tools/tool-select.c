@@ -12,7 +12,7 @@
 static gboolean
 shows_undeformed (QnCanvas *canvas)
 {
-  return !qn_view_needs_result (qn_view_state_get_view (qn_canvas_get_state (canvas)));
+  return !qn_view_needs_result (qn_canvas_get_state (canvas)->options.view);
 }
 
 /* The corner of a block that was grabbed, or the place itself. */
@@ -107,8 +107,7 @@ static gboolean
 press_on_face (QnCanvas *canvas, const QnToolEvent *event)
 {
   QnId face = face_under (canvas, event);
-  if (face == QN_NONE
-      || qn_view_state_get_view (qn_canvas_get_state (canvas)) == QN_VIEW_MODEL)
+  if (face == QN_NONE || qn_canvas_get_state (canvas)->options.view == QN_VIEW_MODEL)
     return FALSE;
   select_face (canvas, face, event);
   return TRUE;
@@ -145,8 +144,7 @@ click (QnCanvas *canvas, const QnToolEvent *event)
   gboolean plain = (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) == 0;
   if (!plain || event->press_count != 1 || select_item (canvas, event->screen))
     return;
-  if (face != QN_NONE
-      && qn_view_state_get_view (qn_canvas_get_state (canvas)) == QN_VIEW_MODEL)
+  if (face != QN_NONE && qn_canvas_get_state (canvas)->options.view == QN_VIEW_MODEL)
     qn_selection_set_face (qn_canvas_get_selection (canvas), face);
 }
 
@@ -162,8 +160,9 @@ part_under (QnCanvas *canvas, QnVec2 screen, QnPartKind *part, QnId *id)
   *part = pick.kind == QN_PICK_BEAM ? QN_PART_BEAM : QN_PART_BLOCK;
   *id = pick.id;
   if (pick.kind != QN_PICK_NOTHING && !shows_document (canvas)
-      && qn_view_state_get_content (qn_canvas_get_state (canvas), &shown, &contacts,
-                                    &result))
+      && qn_view_state_get_content (qn_canvas_get_state (canvas),
+                                    qn_canvas_get_state (canvas)->options.view, &shown,
+                                    &contacts, &result))
     *id = *part == QN_PART_BEAM
             ? qn_model_find_beam (model, shown->beams[pick.id].name)
             : qn_model_find_block (model, shown->blocks[pick.id].name);
@@ -292,7 +291,7 @@ finish_band (QnCanvas *canvas)
 {
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
   g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
-  if (qn_view_state_get_view (qn_canvas_get_state (canvas)) == QN_VIEW_CONTACTS) {
+  if (qn_canvas_get_state (canvas)->options.view == QN_VIEW_CONTACTS) {
     qn_canvas_faces_inside (canvas, gesture->from, gesture->to, ids);
     qn_selection_add (qn_canvas_get_selection (canvas), QN_PART_FACE,
                       (const QnId *) ids->data, ids->len);

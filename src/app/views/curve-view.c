@@ -138,7 +138,7 @@ update_description (View *self, const QnRun *run)
 static void
 update (View *self)
 {
-  QnDocument *document = qn_view_state_get_document (self->state);
+  QnDocument *document = self->state->document;
   QnJob *job = document->job;
   clear_series (self);
   self->live = FALSE;
@@ -350,7 +350,7 @@ qn_curve_view_new (QnViewState *state)
                                    .go_to = go_to,
                                    .tell = tell };
   View *self = g_new0 (View, 1);
-  QnDocument *document = qn_view_state_get_document (state);
+  QnDocument *document = state->document;
   GtkWidget *area = g_object_new (QN_TYPE_PAPER_AREA, "name", "curve", "content-height",
                                   LEAST_HEIGHT, "hexpand", TRUE, NULL);
   qn_plot_view_init (area, &hand, self);

@@ -19,7 +19,7 @@ typedef struct View {
 static const QnRun *
 run_of (const View *view)
 {
-  const QnRun *run = qn_view_state_get_document (view->state)->run;
+  const QnRun *run = view->state->document->run;
   return run != NULL && run->result.history.row_count > 1 && run->result.step_count > 0
            ? run
            : NULL;
@@ -70,7 +70,7 @@ show_values (View *view)
 static void
 update (View *view)
 {
-  gboolean busy = qn_view_state_get_document (view->state)->job != NULL;
+  gboolean busy = view->state->document->job != NULL;
   view->pointer = NAN;
   gtk_widget_set_visible (view->root, run_of (view) != NULL && !busy);
   show_values (view);
@@ -131,7 +131,7 @@ qn_energy_view_new (QnViewState *state)
   view->plot = qn_builder_get_widget (builder, "plot");
   qn_plot_view_init (view->plot, &hand, view);
   qn_own (view->root, view);
-  QnDocument *document = qn_view_state_get_document (state);
+  QnDocument *document = state->document;
   qn_watch (view->root, document, "runs-changed", G_CALLBACK (update), view);
   qn_watch (view->root, document, "job-changed", G_CALLBACK (update), view);
   qn_watch (view->root, state, "changed", G_CALLBACK (show_values), view);

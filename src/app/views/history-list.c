@@ -54,9 +54,9 @@ update (List *list)
   GtkListBoxRow *row; /* the context menu is a child, too */
   while ((row = gtk_list_box_get_row_at_index (GTK_LIST_BOX (list->box), 0)) != NULL)
     gtk_list_box_remove (GTK_LIST_BOX (list->box), GTK_WIDGET (row));
-  guint position = qn_history_get_position (history);
+  guint position = history->position;
   add_row (list, _ ("As opened"), FALSE);
-  for (guint i = 0; i < qn_history_get_count (history); i++)
+  for (guint i = 0; i < history->steps->len; i++)
     add_row (list, qn_history_get_name (history, i), i >= position);
   gtk_list_box_select_row (
     GTK_LIST_BOX (list->box),

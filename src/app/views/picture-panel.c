@@ -36,16 +36,15 @@ static gboolean
 look (gpointer data)
 {
   QnViewState *state = qn_canvas_get_state (((QnBoundForm *) data)->canvas);
-  return qn_view_state_get_underlay (state)->image != NULL
-         || qn_view_state_get_underlay_error (state) != NULL;
+  return state->options.underlay.image != NULL || state->image_error != NULL;
 }
 
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
   QnViewState *state = qn_canvas_get_state (((QnBoundForm *) data)->canvas);
-  const GError *error = qn_view_state_get_underlay_error (state);
-  QnUnderlay underlay = *qn_view_state_get_underlay (state);
+  const GError *error = state->image_error;
+  QnUnderlay underlay = *&state->options.underlay;
   if (field == ALLOW)
     return g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE);
   if (field == TROUBLE) {
@@ -84,7 +83,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 {
   QnCanvas *canvas = ((QnBoundForm *) data)->canvas;
   QnDocument *document = qn_canvas_get_document (canvas);
-  QnUnderlay underlay = *qn_view_state_get_underlay (qn_canvas_get_state (canvas));
+  QnUnderlay underlay = *&qn_canvas_get_state (canvas)->options.underlay;
   gboolean fade = field == OPACITY;
   if (field == ALLOW) {
     qn_document_allow_picture (document);

@@ -25,7 +25,7 @@ static const double speeds[] = { 0.1, 0.25, 0.5, 1.0, 2.0, 4.0 };
 static const QnRun *
 run_of (const Bar *bar)
 {
-  return qn_view_state_get_document (bar->state)->run;
+  return bar->state->document->run;
 }
 
 static int
@@ -38,7 +38,7 @@ last_step (const Bar *bar)
 static gboolean
 moves_by_phase (const Bar *bar)
 {
-  return qn_view_state_get_view (bar->state) == QN_VIEW_MECHANISM;
+  return bar->state->options.view == QN_VIEW_MECHANISM;
 }
 
 /* Shows the state `share` of the way from rest to the end. */
@@ -118,7 +118,7 @@ on_tick (GtkWidget *widget, GdkFrameClock *clock, gpointer data)
 static void
 play (Bar *bar)
 {
-  QnView view = qn_view_state_get_view (bar->state);
+  QnView view = bar->state->options.view;
   const QnRun *run = run_of (bar);
   if (run == NULL)
     return;
@@ -176,8 +176,7 @@ update_label (Bar *bar, const QnRun *run)
   if (run == NULL || run->result.step_count == 0)
     text = g_strdup ("");
   else if (moves_by_phase (bar))
-    text = g_strdup_printf (_ ("Motion %.0f %%"),
-                            100.0 * qn_view_state_get_phase (bar->state));
+    text = g_strdup_printf (_ ("Motion %.0f %%"), 100.0 * bar->state->options.phase);
   else {
     int shown = shown_step (bar);
     const QnStep *at = &run->result.steps[shown];
@@ -217,16 +216,15 @@ update (Bar *bar)
     return;
   }
   int last = last_step (bar);
-  double value = moves_by_phase (bar)
-                   ? qn_view_state_get_phase (bar->state) * MAX (1, last)
-                   : shown_step (bar);
+  double value =
+    moves_by_phase (bar) ? bar->state->options.phase * MAX (1, last) : shown_step (bar);
   g_signal_handlers_block_by_func (bar->slider, on_slider, bar);
   gtk_range_set_range (GTK_RANGE (bar->slider), 0.0, MAX (1, last));
   gtk_range_set_value (GTK_RANGE (bar->slider), value);
   g_signal_handlers_unblock_by_func (bar->slider, on_slider, bar);
   /* The factor drawn with, chosen or not. A mechanism has no size of its own. */
   double shown = qn_view_state_get_shown_scale (bar->state);
-  gboolean deforms = qn_view_state_get_view (bar->state) == QN_VIEW_DEFORMED;
+  gboolean deforms = bar->state->options.view == QN_VIEW_DEFORMED;
   qn_quantity_entry_set_value (bar->scale, shown);
   gtk_widget_set_visible (qn_part (bar->box, "factor"), deforms);
   g_signal_handlers_block_by_func (bar->truly, on_true_scale, bar);
@@ -261,8 +259,7 @@ qn_playback_bar_new (QnViewState *state)
   g_object_set_data (G_OBJECT (bar->box), "qn-bar", bar);
   qn_own (bar->box, bar);
   qn_watch (bar->box, state, "changed", G_CALLBACK (update), bar);
-  qn_watch (bar->box, qn_view_state_get_document (state), "runs-changed",
-            G_CALLBACK (mark_stages), bar);
+  qn_watch (bar->box, state->document, "runs-changed", G_CALLBACK (mark_stages), bar);
   update (bar);
   return bar->box;
 }

@@ -135,7 +135,7 @@ show (gpointer data, guint field, QnValue *value)
   case ONION:
     qn_value_add_row (value, C_ ("run", "None"));
     value->number = 0;
-    add_runs (panel, qn_view_state_get_onion (state_of (panel)), value);
+    add_runs (panel, state_of (panel)->onion, value);
     return value->row_count > 2;
   default:
     return TRUE;
@@ -149,7 +149,7 @@ static void
 go_to_stage (const Panel *panel, const QnRun *run, int32_t stage)
 {
   QnViewState *state = state_of (panel);
-  const QnView view = qn_view_state_get_view (state);
+  const QnView view = state->options.view;
   size_t first = 0, last = 0;
   if (run == NULL || !qn_result_stage_steps (&run->result, stage, &first, &last))
     return;

@@ -46,7 +46,7 @@ struct Table {
 static QnRun *
 run_of (const Table *table)
 {
-  return qn_view_state_get_document (table->state)->run;
+  return table->state->document->run;
 }
 
 static char *
@@ -96,7 +96,7 @@ dup_step_cell (const Table *table, const QnRun *run, guint row, guint column)
 static void
 select_step (const Table *table, const QnRun *run, guint row)
 {
-  if (qn_view_state_get_view (table->state) != QN_VIEW_DEFORMED)
+  if (table->state->options.view != QN_VIEW_DEFORMED)
     qn_view_state_set_view (table->state, QN_VIEW_DEFORMED);
   qn_view_state_set_step (table->state, (int) row);
 }
@@ -108,10 +108,9 @@ static void
 follow_step (Table *table)
 {
   int step = qn_view_state_get_step (table->state);
-  guint row =
-    step == QN_STEP_LAST || qn_view_state_get_view (table->state) != QN_VIEW_DEFORMED
-      ? GTK_INVALID_LIST_POSITION
-      : (guint) step;
+  guint row = step == QN_STEP_LAST || table->state->options.view != QN_VIEW_DEFORMED
+                ? GTK_INVALID_LIST_POSITION
+                : (guint) step;
   g_signal_handlers_block_by_func (table->selection, on_selected, table);
   gtk_single_selection_set_selected (table->selection, row);
   g_signal_handlers_unblock_by_func (table->selection, on_selected, table);
@@ -421,8 +420,7 @@ make_table (const TableKind *kind, QnViewState *state, QnCanvas *canvas,
     table->columns[i] = column; /* the view holds it */
   }
   qn_own (table->widget, table);
-  qn_watch (table->widget, qn_view_state_get_document (state), "runs-changed",
-            G_CALLBACK (updates), table);
+  qn_watch (table->widget, state->document, "runs-changed", G_CALLBACK (updates), table);
   if (kind->follow != NULL)
     qn_watch (table->widget, state, "changed", G_CALLBACK (kind->follow), table);
   updates (table);

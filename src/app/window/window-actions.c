@@ -75,7 +75,7 @@ go_by_step (QnWindow *self, const char *name)
     return;
   int last = (int) run->result.step_count - 1;
   int step = (int) qn_view_state_get_shown_step (self->state);
-  if (!qn_view_needs_result (qn_view_state_get_view (self->state)))
+  if (!qn_view_needs_result (self->state->options.view))
     qn_view_state_set_view (self->state, QN_VIEW_DEFORMED);
   qn_view_state_set_step (self->state, CLAMP (step + by, 0, last));
 }
@@ -113,8 +113,7 @@ on_tool (GSimpleAction *action, GVariant *value, gpointer data)
   if (tool == NULL)
     return;
   g_simple_action_set_state (action, value);
-  if (qn_view_needs_result (qn_view_state_get_view (self->state))
-      && tool != &qn_tool_select)
+  if (qn_view_needs_result (self->state->options.view) && tool != &qn_tool_select)
     qn_view_state_set_view (self->state, QN_VIEW_MODEL);
   qn_canvas_set_tool (self->canvas, tool);
   qn_window_show_drawing (self, FALSE);
@@ -301,9 +300,8 @@ find_facts (QnWindow *self)
       QN_NEEDS_JOB },
     { run != NULL, QN_NEEDS_RUN },
     { run != NULL && run->result.beam_forces != NULL, QN_NEEDS_BEAM_FORCES },
-    { own ? qn_window_page_can (self, "undo") : qn_history_can_undo (history),
-      QN_NEEDS_UNDO },
-    { own ? qn_window_page_can (self, "redo") : qn_history_can_redo (history),
+    { own ? qn_window_page_can (self, "undo") : history->position > 0, QN_NEEDS_UNDO },
+    { own ? qn_window_page_can (self, "redo") : history->position < history->steps->len,
       QN_NEEDS_REDO },
     { blocks > 0, QN_NEEDS_BLOCKS },
     { blocks > 1, QN_NEEDS_TWO_BLOCKS },
@@ -343,7 +341,7 @@ qn_window_update_actions (QnWindow *self)
       g_variant_new_boolean (qn_view_state_get_switch (self->state, switches[i])));
   g_simple_action_set_state (
     find_action (self, "view"),
-    g_variant_new_string (qn_view_names[qn_view_state_get_view (self->state)]));
+    g_variant_new_string (qn_view_names[self->state->options.view]));
   g_simple_action_set_state (find_action (self, "keep-history"),
                              g_variant_new_boolean (self->document->keeps_history));
 }

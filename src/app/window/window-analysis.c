@@ -78,7 +78,7 @@ show_run (QnWindow *self)
   gtk_stack_set_visible_child_name (self->side_stack, "result");
   if (run->result.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
     show_unstable (self, run);
-  else if (!qn_view_needs_result (qn_view_state_get_view (self->state)))
+  else if (!qn_view_needs_result (self->state->options.view))
     qn_view_state_set_view (self->state, qn_view_of_result (&run->result));
   /* What stands is shown where it was worst. */
   if (qn_run_is_in_time (run) && run->result.outcome != QN_OUTCOME_COLLAPSE

@@ -77,16 +77,16 @@ static void
 update_history (QnWindow *self)
 {
   QnEditHistory *history = self->document->history;
-  guint position = qn_history_get_position (history);
+  guint position = history->position;
   gboolean own = qn_window_page_has (self, "undo");
   g_autofree char *undo =
     own ? g_strdup (_ ("Undo"))
-    : qn_history_can_undo (history)
+    : history->position > 0
       ? g_strdup_printf (_ ("Undo %s"), qn_history_get_name (history, position - 1))
       : g_strdup (_ ("Nothing to undo"));
   g_autofree char *redo =
     own ? g_strdup (_ ("Redo"))
-    : qn_history_can_redo (history)
+    : history->position < history->steps->len
       ? g_strdup_printf (_ ("Redo %s"), qn_history_get_name (history, position))
       : g_strdup (_ ("Nothing to redo"));
   g_autofree char *undo_tooltip = qn_action_dup_tooltip (undo, "win.undo");
@@ -125,8 +125,7 @@ static void
 update_stale (QnWindow *self)
 {
   const QnRun *run = self->document->run;
-  gboolean shown =
-    run != NULL && qn_view_needs_result (qn_view_state_get_view (self->state));
+  gboolean shown = run != NULL && qn_view_needs_result (self->state->options.view);
   QnRunAge age = shown ? qn_document_get_run_age (self->document, run) : QN_RUN_CURRENT;
   gtk_label_set_text (GTK_LABEL (self->stale_label), qn_run_age_text (age));
   gtk_widget_set_css_classes (
@@ -154,9 +153,9 @@ update_view_buttons (QnWindow *self)
   const QnRun *run = self->document->run;
   gboolean beams = self->document->project.model.beam_count > 0
                    || (run != NULL && run->result.beam_forces != NULL);
-  gboolean shown = qn_view_state_get_view (self->state) == QN_VIEW_DIAGRAMS;
+  gboolean shown = self->state->options.view == QN_VIEW_DIAGRAMS;
   gtk_widget_set_visible (self->diagrams_button, beams || shown);
-  QnView view = qn_view_state_get_view (self->state);
+  QnView view = self->state->options.view;
   gtk_widget_set_visible (self->shown_stack, run != NULL || qn_view_needs_result (view));
   gtk_widget_set_sensitive (self->field_button, qn_view_needs_result (view));
   gtk_stack_set_visible_child (GTK_STACK (self->shown_stack),

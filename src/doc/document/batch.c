@@ -5,14 +5,6 @@
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
-struct _QnBatch {
-  GObject parent_instance;
-  GPtrArray *documents; /* of QnDocument */
-  GPtrArray *messages;  /* of char * */
-  guint next;           /* documents before this one are solved, or cannot be */
-  gboolean cancelled;
-};
-
 /* clang-format off */
 G_DEFINE_TYPE (QnBatch, qn_batch, G_TYPE_OBJECT)
 /* clang-format on */
@@ -169,18 +161,6 @@ qn_batch_add (QnBatch *self, const char *path)
 }
 
 /* ---- object ---- */
-
-const GPtrArray *
-qn_batch_get_documents (QnBatch *self)
-{
-  return self->documents;
-}
-
-const GPtrArray *
-qn_batch_get_messages (QnBatch *self)
-{
-  return self->messages;
-}
 
 static void
 qn_batch_dispose (GObject *object)

@@ -9,15 +9,18 @@
 #define QN_TYPE_BATCH (qn_batch_get_type ())
 G_DECLARE_FINAL_TYPE (QnBatch, qn_batch, QN, BATCH, GObject)
 
+/* Read by all, changed by the functions below alone. */
+struct _QnBatch {
+  GObject parent_instance;
+  GPtrArray *documents; /* of QnDocument, in the order they came in */
+  GPtrArray *messages;  /* of char *: what could not be opened or solved, and why */
+  guint next;           /* documents before this one are solved, or cannot be */
+  gboolean cancelled;
+};
+
 QnBatch *qn_batch_new (void);
 
 /* Opens a file, or every project and result of a folder. A result belongs to the project of the name
  * that it tells, in the same folder. A project that is there already is not opened again. Returns
- * how many projects and results came; what cannot be opened is told by qn_batch_get_messages(). */
+ * how many projects and results came; what cannot be opened is told by the messages. */
 guint qn_batch_add (QnBatch *batch, const char *path);
-
-/* In the order they came in; of QnDocument. */
-const GPtrArray *qn_batch_get_documents (QnBatch *batch);
-
-/* What could not be opened or solved, and why; of char *, translated. */
-const GPtrArray *qn_batch_get_messages (QnBatch *batch);

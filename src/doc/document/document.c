@@ -302,7 +302,7 @@ qn_document_save (QnDocument *self, const char *path, GError **error)
   g_autofree char *text = dup_file_text (self, error);
   if (text == NULL || !qn_file_write (path, text, strlen (text), error))
     return FALSE;
-  qn_history_mark_clean (self->history);
+  self->history->clean = self->history->position;
   self->never_saved = FALSE;
   g_free (self->file_digest);
   self->file_digest = digest_file (text, strlen (text));
@@ -327,7 +327,7 @@ qn_document_dup_display_name (QnDocument *self)
 gboolean
 qn_document_is_modified (QnDocument *self)
 {
-  return self->never_saved || !qn_history_is_clean (self->history);
+  return self->never_saved || self->history->clean != self->history->position;
 }
 
 const QnProject *
@@ -499,12 +499,11 @@ qn_document_go_to (QnDocument *self, guint position)
 gboolean
 qn_document_undo (QnDocument *self)
 {
-  return qn_history_can_undo (self->history)
-         && qn_document_go_to (self, qn_history_get_position (self->history) - 1);
+  return qn_document_go_to (self, self->history->position - 1);
 }
 
 gboolean
 qn_document_redo (QnDocument *self)
 {
-  return qn_document_go_to (self, qn_history_get_position (self->history) + 1);
+  return qn_document_go_to (self, self->history->position + 1);
 }

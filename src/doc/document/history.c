@@ -19,13 +19,6 @@ typedef struct QnEditStep {
   GArray *hunks; /* of QnHunk, by offset */
 } QnEditStep;
 
-struct QnEditHistory {
-  GPtrArray *steps; /* of QnEditStep */
-  guint position;
-  gint64 clean; /* position of the clean state; -1: it cannot be reached any more */
-  gboolean broken;
-};
-
 static void
 hunk_clear (gpointer data)
 {
@@ -225,18 +218,6 @@ qn_history_break (QnEditHistory *history)
   history->broken = TRUE;
 }
 
-gboolean
-qn_history_can_undo (const QnEditHistory *history)
-{
-  return history->position > 0;
-}
-
-gboolean
-qn_history_can_redo (const QnEditHistory *history)
-{
-  return history->position < history->steps->len;
-}
-
 char *
 qn_history_go_to (QnEditHistory *history, const char *text, guint position)
 {
@@ -255,35 +236,11 @@ qn_history_go_to (QnEditHistory *history, const char *text, guint position)
   return state;
 }
 
-guint
-qn_history_get_count (const QnEditHistory *history)
-{
-  return history->steps->len;
-}
-
-guint
-qn_history_get_position (const QnEditHistory *history)
-{
-  return history->position;
-}
-
 const char *
 qn_history_get_name (const QnEditHistory *history, guint step)
 {
   g_return_val_if_fail (step < history->steps->len, NULL);
   return ((const QnEditStep *) g_ptr_array_index (history->steps, step))->name;
-}
-
-void
-qn_history_mark_clean (QnEditHistory *history)
-{
-  history->clean = history->position;
-}
-
-gboolean
-qn_history_is_clean (const QnEditHistory *history)
-{
-  return history->clean == (gint64) history->position;
 }
 
 /* ---- in a file: `history` in data/project-format.md ---- */
@@ -395,7 +352,7 @@ read_history (const cJSON *root, const char *text, QnEditHistory *history)
     (guint) qn_to_integer (position->valuedouble, 0, history->steps->len);
   if (!try_steps (history, text))
     return FALSE;
-  qn_history_mark_clean (history);
+  history->clean = history->position;
   return TRUE;
 }
 

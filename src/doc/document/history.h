@@ -9,7 +9,13 @@
 
 #include <glib.h>
 
-typedef struct QnEditHistory QnEditHistory;
+/* Read by all, changed by the functions below and where the present state becomes the clean one. */
+typedef struct QnEditHistory {
+  GPtrArray *steps; /* those done first, then those undone, oldest first */
+  guint position;   /* steps done: there is one to undo where it is above 0 */
+  gint64 clean;     /* position of the clean state; -1: it cannot be reached any more */
+  gboolean broken;  /* the next step is separate from the last */
+} QnEditHistory;
 
 /* Without steps, in a clean state. */
 QnEditHistory *qn_history_new (void);
@@ -26,22 +32,11 @@ void qn_history_record (QnEditHistory *history, const char *name, const char *ke
 /* Ends the gesture: the next step is separate even if it has the same key. */
 void qn_history_break (QnEditHistory *history);
 
-/* Whether there is a step before the present state, or behind it. */
-gboolean qn_history_can_undo (const QnEditHistory *history);
-gboolean qn_history_can_redo (const QnEditHistory *history);
-
 /* Walks to the state after so many steps: its text, where `text` is the present one. NULL where there are
  * not so many. The caller frees it. */
 char *qn_history_go_to (QnEditHistory *history, const char *text, guint position);
 
-/* Steps that can be walked to: those done first, then those undone, oldest first. */
-guint qn_history_get_count (const QnEditHistory *history);
-guint qn_history_get_position (const QnEditHistory *history); /* steps done */
 const char *qn_history_get_name (const QnEditHistory *history, guint step);
-
-/* Whether the present state is the one that was last declared clean. */
-void qn_history_mark_clean (QnEditHistory *history);
-gboolean qn_history_is_clean (const QnEditHistory *history);
 
 /* ---- in a file ---- */
 

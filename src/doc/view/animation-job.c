@@ -33,7 +33,7 @@ void
 qn_animation_settings_init (QnAnimationSettings *settings, QnViewState *state)
 {
   QnViewOptions shown = qn_view_state_get_options (state);
-  const QnRun *run = qn_view_state_get_document (state)->run;
+  const QnRun *run = state->document->run;
   gboolean moves = run != NULL && run->result.mechanism != NULL;
   gboolean path =
     shown.view == QN_VIEW_DEFORMED && run != NULL && run->result.step_count > 1;
@@ -108,7 +108,7 @@ on_completed (GTask *task, GParamSpec *pspec, gpointer data)
 static QnViewOptions
 options_of (QnViewState *state, const QnAnimationSettings *settings)
 {
-  const QnRun *run = qn_view_state_get_document (state)->run;
+  const QnRun *run = state->document->run;
   QnViewOptions options = qn_view_state_get_options (state);
   options.view = settings->view;
   options.scale = settings->scale;
@@ -128,7 +128,7 @@ qn_animation_write_async (QnViewState *state, const QnAnimationSettings *setting
                           QnAnimationTick tick, gpointer tick_data,
                           GAsyncReadyCallback callback, gpointer user_data)
 {
-  QnDocument *document = qn_view_state_get_document (state);
+  QnDocument *document = state->document;
   g_return_if_fail (document->run != NULL);
   Work *work = g_new0 (Work, 1);
   work->run = qn_run_ref (document->run);

@@ -160,8 +160,7 @@ qn_view_state_get_figure_as (QnViewState *state, const QnRecipe *recipe, QnFigur
   const QnModel *model;
   const QnContacts *contacts;
   const QnResult *result;
-  if (!qn_view_state_get_content_of (state, recipe->view.view, &model, &contacts,
-                                     &result)) {
+  if (!qn_view_state_get_content (state, recipe->view.view, &model, &contacts, &result)) {
     g_set_error_literal (error, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE,
                          _ ("This view shows a result, and there is none yet"));
     return FALSE;
@@ -182,7 +181,7 @@ qn_view_state_export_as (QnViewState *state, const QnRecipe *recipe, const char 
   QnMetadata metadata;
   if (!qn_view_state_get_figure_as (state, recipe, &figure, error))
     return FALSE;
-  qn_document_get_metadata (qn_view_state_get_document (state), &metadata);
+  qn_document_get_metadata (state->document, &metadata);
   return qn_figure_export (&figure, path, &recipe->output, &metadata, error);
 }
 

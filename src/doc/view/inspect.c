@@ -32,9 +32,10 @@ gboolean
 qn_step_view_init (QnStepView *view, QnViewState *state)
 {
   *view = (QnStepView){ 0 };
-  if (!qn_view_state_get_content (state, &view->model, &view->contacts, &view->result))
+  if (!qn_view_state_get_content (state, state->options.view, &view->model,
+                                  &view->contacts, &view->result))
     return FALSE;
-  QnDocument *document = qn_view_state_get_document (state);
+  QnDocument *document = state->document;
   const QnRun *run = document->run;
   /* The contacts of the same model are the same. */
   if (view->result == NULL && run != NULL && !qn_document_is_stale (document, run))

@@ -5,18 +5,6 @@
 
 #include <string.h>
 
-struct _QnViewState {
-  GObject parent_instance;
-  QnDocument *document;
-  QnViewOptions options; /* its underlay's image is owned */
-  char *image_path;      /* of that image, or of the one that could not be read */
-  GError *image_error;
-  QnRun *onion;
-  bool result_loads;      /* whether the views of results show loads */
-  double mechanism_scale; /* a mechanism has no size, and a factor of its own */
-  double fitting_scale;   /* of the current run; 0: not requested yet */
-};
-
 G_DEFINE_FINAL_TYPE (QnViewState, qn_view_state, G_TYPE_OBJECT)
 
 static void
@@ -134,12 +122,6 @@ qn_view_state_new (QnDocument *document)
   return self;
 }
 
-QnDocument *
-qn_view_state_get_document (QnViewState *self)
-{
-  return self->document;
-}
-
 /* Colours of what the result does not know are none. */
 static QnField
 shown_field (QnViewState *self, const QnRun *run)
@@ -175,12 +157,6 @@ qn_view_state_get_options (QnViewState *self)
     options.symbols = false;
   options.onion = self->onion != NULL && self->onion != run ? &self->onion->result : NULL;
   return options;
-}
-
-QnView
-qn_view_state_get_view (QnViewState *self)
-{
-  return self->options.view;
 }
 
 void
@@ -265,12 +241,6 @@ qn_view_state_set_phase (QnViewState *self, double phase)
   emit_changed (self);
 }
 
-double
-qn_view_state_get_phase (QnViewState *self)
-{
-  return self->options.phase;
-}
-
 static bool *
 find_switch (QnViewState *self, const char *name)
 {
@@ -316,18 +286,6 @@ qn_view_state_set_diagram (QnViewState *self, QnDiagram diagram)
   emit_changed (self);
 }
 
-const QnUnderlay *
-qn_view_state_get_underlay (QnViewState *self)
-{
-  return &self->options.underlay;
-}
-
-const GError *
-qn_view_state_get_underlay_error (QnViewState *self)
-{
-  return self->image_error;
-}
-
 void
 qn_view_state_show_underlay_at (QnViewState *self, const QnUnderlay *underlay)
 {
@@ -349,22 +307,9 @@ qn_view_state_set_onion (QnViewState *self, QnRun *run)
   emit_changed (self);
 }
 
-QnRun *
-qn_view_state_get_onion (QnViewState *self)
-{
-  return self->onion;
-}
-
 gboolean
-qn_view_state_get_content (QnViewState *self, const QnModel **model,
+qn_view_state_get_content (QnViewState *self, QnView view, const QnModel **model,
                            const QnContacts **contacts, const QnResult **result)
-{
-  return qn_view_state_get_content_of (self, self->options.view, model, contacts, result);
-}
-
-gboolean
-qn_view_state_get_content_of (QnViewState *self, QnView view, const QnModel **model,
-                              const QnContacts **contacts, const QnResult **result)
 {
   const QnRun *run = self->document->run;
   if (!qn_view_needs_result (view)) {

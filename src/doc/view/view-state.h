@@ -11,15 +11,27 @@
 #define QN_TYPE_VIEW_STATE (qn_view_state_get_type ())
 G_DECLARE_FINAL_TYPE (QnViewState, qn_view_state, QN, VIEW_STATE, GObject)
 
+/* Read by all, changed by the functions below alone. The underlay is the picture as the document has it, or as
+ * it is being moved; its image is NULL where there is none or it cannot be read. */
+struct _QnViewState {
+  GObject parent_instance;
+  QnDocument *document;
+  QnViewOptions options; /* as they are set: see qn_view_state_get_options() */
+  char *image_path;      /* of the underlay's image, which is owned, or of the one … */
+  GError
+    *image_error; /* … that could not be read, for this reason; NULL: nothing wrong */
+  QnRun *onion;   /* a second run drawn as an outline over the current one, or NULL */
+  bool result_loads;      /* whether the views of results show loads */
+  double mechanism_scale; /* a mechanism has no size, and a factor of its own */
+  double fitting_scale;   /* of the current run; 0: not requested yet */
+};
+
 /* Shows the model; holds the document. */
 QnViewState *qn_view_state_new (QnDocument *document);
-
-QnDocument *qn_view_state_get_document (QnViewState *state);
 
 /* Current options, step resolved to a number where there is a run. */
 QnViewOptions qn_view_state_get_options (QnViewState *state);
 
-QnView qn_view_state_get_view (QnViewState *state);
 void qn_view_state_set_view (QnViewState *state, QnView view);
 
 /* Step of the current run, or QN_STEP_LAST; clamped to those there are. */
@@ -41,7 +53,6 @@ double qn_view_state_get_shown_scale (QnViewState *state);
 
 /* Share of the motion shown, 0 to 1. */
 void qn_view_state_set_phase (QnViewState *state, double phase);
-double qn_view_state_get_phase (QnViewState *state);
 
 /* Quantity shown by colour in the views of results; the views of the model show none. One that is not
  * known at the step shown (stresses where forces were not kept) is left out. */
@@ -55,11 +66,6 @@ void qn_view_state_set_switch (QnViewState *state, const char *name, gboolean on
 /* Section force that the view of diagrams shows. */
 void qn_view_state_set_diagram (QnViewState *state, QnDiagram diagram);
 
-/* The picture behind the drawing, as the document has it; its image is NULL where there is none
- * or it cannot be read, which the error tells (NULL: nothing wrong). */
-const QnUnderlay *qn_view_state_get_underlay (QnViewState *state);
-const GError *qn_view_state_get_underlay_error (QnViewState *state);
-
 /* Shows the picture elsewhere while it is being moved; the next change of the document ends
  * it. */
 void qn_view_state_show_underlay_at (QnViewState *state, const QnUnderlay *underlay);
@@ -67,17 +73,12 @@ void qn_view_state_show_underlay_at (QnViewState *state, const QnUnderlay *under
 /* Ends that: the picture is again where the document has it. */
 void qn_view_state_refresh_underlay (QnViewState *state);
 
-/* A second run of the same structure drawn as an outline over the current one; NULL: none. */
+/* Only a run of the same structure is taken. */
 void qn_view_state_set_onion (QnViewState *state, QnRun *run);
-QnRun *qn_view_state_get_onion (QnViewState *state);
 
-/* The model, contacts and result that the view shows: those of the current run where the
- * view needs a result, else the document's. `result` is NULL for the latter. False where the
- * view needs a result and there is none. */
-gboolean qn_view_state_get_content (QnViewState *state, const QnModel **model,
-                                    const QnContacts **contacts, const QnResult **result);
-
-/* The same for another view. */
-gboolean qn_view_state_get_content_of (QnViewState *state, QnView view,
-                                       const QnModel **model, const QnContacts **contacts,
-                                       const QnResult **result);
+/* The model, contacts and result that a view shows: those of the current run where the view needs a
+ * result, else the document's. `result` is NULL for the latter. False where the view needs a result and
+ * there is none. */
+gboolean qn_view_state_get_content (QnViewState *state, QnView view,
+                                    const QnModel **model, const QnContacts **contacts,
+                                    const QnResult **result);

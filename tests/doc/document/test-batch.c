@@ -36,7 +36,7 @@ write_project (const char *folder, const char *name, double friction)
 static gboolean
 is_busy (QnBatch *batch)
 {
-  const GPtrArray *documents = qn_batch_get_documents (batch);
+  const GPtrArray *documents = batch->documents;
   for (guint i = 0; i < documents->len; i++)
     if (((QnDocument *) documents->pdata[i])->job != NULL)
       return TRUE;
@@ -74,11 +74,11 @@ test_folder (void)
   g_signal_connect (batch, "changed", G_CALLBACK (count), &changes);
   g_assert_cmpuint (qn_batch_add (batch, folder), ==, 2);
   wait_for (batch);
-  const GPtrArray *documents = qn_batch_get_documents (batch);
+  const GPtrArray *documents = batch->documents;
   g_assert_cmpuint (documents->len, ==, 2);
   g_assert_cmpuint (changes, >=, 3);
-  g_assert_cmpuint (qn_batch_get_messages (batch)->len, ==, 1);
-  g_assert_nonnull (strstr (qn_batch_get_messages (batch)->pdata[0], "c.quoin"));
+  g_assert_cmpuint (batch->messages->len, ==, 1);
+  g_assert_nonnull (strstr (batch->messages->pdata[0], "c.quoin"));
   const double multipliers[] = { 0.5, 0.4 };
   for (guint i = 0; i < documents->len; i++) {
     const QnRun *run = ((QnDocument *) documents->pdata[i])->run;
@@ -94,16 +94,16 @@ test_folder (void)
   g_assert_cmpuint (qn_batch_add (again, result), ==, 1);
   g_assert_false (is_busy (again));
   g_assert_cmpuint (qn_batch_add (again, first), ==, 1);
-  g_assert_cmpuint (qn_batch_get_documents (again)->len, ==, 1);
-  const QnDocument *come = qn_batch_get_documents (again)->pdata[0];
+  g_assert_cmpuint (again->documents->len, ==, 1);
+  const QnDocument *come = again->documents->pdata[0];
   g_assert_cmpuint (come->runs->len, ==, 1);
   g_assert_cmpuint (qn_batch_add (again, "/no/such/wall.quoin"), ==, 0);
-  g_assert_cmpuint (qn_batch_get_messages (again)->len, ==, 1);
+  g_assert_cmpuint (again->messages->len, ==, 1);
   const char *const files[] = { first, second, broken, result };
   for (gsize i = 0; i < G_N_ELEMENTS (files); i++)
     g_unlink (files[i]);
   g_assert_cmpuint (qn_batch_add (again, folder), ==, 0);
-  g_assert_cmpuint (qn_batch_get_messages (again)->len, ==, 2);
+  g_assert_cmpuint (again->messages->len, ==, 2);
   g_rmdir (folder);
 }
 

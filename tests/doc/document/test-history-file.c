@@ -26,10 +26,10 @@ test_round_trip (void)
   g_autofree char *json = qn_history_to_json (history, back);
   QnEditHistory *read = qn_history_from_json (json, back);
   g_assert_nonnull (read);
-  g_assert_cmpuint (qn_history_get_count (read), ==, 3);
-  g_assert_cmpuint (qn_history_get_position (read), ==, 2);
+  g_assert_cmpuint (read->steps->len, ==, 3);
+  g_assert_cmpuint (read->position, ==, 2);
   g_assert_cmpstr (qn_history_get_name (read, 1), ==, "Two");
-  g_assert_true (qn_history_is_clean (read));
+  g_assert_true (read->clean == read->position);
   g_autofree char *forth = qn_history_go_to (read, back, 3);
   g_assert_cmpstr (forth, ==, text);
   g_autofree char *start = qn_history_go_to (read, forth, 0);
@@ -109,7 +109,7 @@ test_document (void)
   g_assert_true (g_file_set_contents (path, text, -1, NULL));
   qn_document_load (again, path, &error);
   g_assert_no_error (error);
-  g_assert_cmpuint (qn_history_get_count (again->history), ==, 0);
+  g_assert_cmpuint (again->history->steps->len, ==, 0);
   g_assert_cmpuint (qn_document_get_project (again)->warnings->len, ==, 1);
   g_unlink (path);
   g_rmdir (folder);

@@ -162,7 +162,7 @@ test_parameters (void)
                                   3.2 * 2.0 - 0.8 * 0.8, 1e-9);
 
   g_autoptr (GPtrArray) texts = g_ptr_array_new_with_free_func (g_free);
-  guint steps = qn_history_get_count (document->history);
+  guint steps = document->history->steps->len;
   g_assert_cmpuint (steps, ==, 4);
   for (guint i = 0; i < steps; i++) {
     g_ptr_array_add (texts, g_strdup (document->text->text));

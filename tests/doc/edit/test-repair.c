@@ -150,7 +150,7 @@ test_all (void)
   g_assert_true (edit_model (document, "All", NULL, repair_all, &count, NULL));
   g_assert_cmpuint (count, ==, 1);
   g_assert_cmpuint (document->contacts.findings.count, ==, 0);
-  g_assert_cmpuint (qn_history_get_count (document->history), ==, 1);
+  g_assert_cmpuint (document->history->steps->len, ==, 1);
   g_autoptr (GError) error = NULL;
   g_assert_false (edit_model (document, "All", NULL, repair_all, &count, &error));
   g_assert_error (error, QN_EDIT_ERROR, 0);
@@ -229,7 +229,7 @@ test_mortar (void)
     const QnModel *model = &document->project.model;
     g_assert_cmpuint (contacts->face_count, ==, 5);
     g_assert_cmpuint (contacts->findings.count, ==, 0);
-    g_assert_cmpuint (qn_history_get_count (document->history), ==, 1);
+    g_assert_cmpuint (document->history->steps->len, ==, 1);
     for (gsize i = 0; i < contacts->face_count; i++)
       if (model->blocks[contacts->faces[i].a].support[0]
           || model->blocks[contacts->faces[i].b].support[0])

@@ -87,7 +87,7 @@ test_copy (void)
   g_assert_false (qn_document_is_modified (document));
   g_assert_cmpstr (document->folder, ==, rig.from);
   g_autoptr (QnViewState) state = qn_view_state_new (document);
-  g_assert_nonnull (qn_view_state_get_underlay (state)->image);
+  g_assert_nonnull (state->options.underlay.image);
   qn_document_analyse (document, &error);
   g_assert_no_error (error);
   qn_document_cancel (document);
@@ -103,7 +103,7 @@ test_copy (void)
   g_autoptr (QnDocument) again = qn_document_new ();
   g_assert_true (qn_document_load (again, rig.copy, &error));
   g_autoptr (QnViewState) its_state = qn_view_state_new (again);
-  g_assert_nonnull (qn_view_state_get_underlay (its_state)->image);
+  g_assert_nonnull (its_state->options.underlay.image);
   g_assert_true (qn_document_analyse (again, &error));
   qn_document_cancel (again);
   g_clear_object (&its_state);

@@ -16,7 +16,7 @@ test_without_result (void)
   g_autoptr (QnViewState) state = qn_view_state_new (document);
   int changes = 0;
   g_signal_connect_swapped (state, "changed", G_CALLBACK (on_changed), &changes);
-  g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_MODEL);
+  g_assert_cmpint (state->options.view, ==, QN_VIEW_MODEL);
   g_assert_cmpint (qn_view_state_get_step (state), ==, QN_STEP_LAST);
   qn_view_state_set_view (state, QN_VIEW_CONTACTS);
   qn_view_state_set_view (state, QN_VIEW_CONTACTS);
@@ -25,12 +25,13 @@ test_without_result (void)
   const QnModel *model;
   const QnContacts *contacts;
   const QnResult *result;
-  g_assert_true (qn_view_state_get_content (state, &model, &contacts, &result));
+  g_assert_true (
+    qn_view_state_get_content (state, state->options.view, &model, &contacts, &result));
   g_assert_true (model == &document->project.model);
   g_assert_null (result);
   g_assert_false (
-    qn_view_state_get_content_of (state, QN_VIEW_MECHANISM, &model, &contacts, &result));
-  g_assert_null (qn_view_state_get_underlay (state)->image);
+    qn_view_state_get_content (state, QN_VIEW_MECHANISM, &model, &contacts, &result));
+  g_assert_null (state->options.underlay.image);
 }
 
 static void
@@ -97,8 +98,8 @@ test_steps (void)
   /* Without runs only the model is left to be shown. */
   while (runs->len > 0)
     qn_document_remove_run (document, g_ptr_array_index (runs, 0));
-  g_assert_cmpint (qn_view_state_get_view (state), ==, QN_VIEW_MODEL);
-  g_assert_null (qn_view_state_get_onion (state));
+  g_assert_cmpint (state->options.view, ==, QN_VIEW_MODEL);
+  g_assert_null (state->onion);
 }
 
 QN_TESTS
