@@ -1,6 +1,5 @@
 /* quoin-cli: Quoin without a display. */
 #include "cli/base/message.h"
-#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 
 #include <glib/gi18n.h>
@@ -45,17 +44,15 @@ dispatch (int argc, char **argv)
     qn_print ("quoin %s\n", QN_VERSION);
   } else if (strcmp (argv[1], QN_DESCRIBE) == 0) {
     /* What data/commands.py reads. */
-    for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++) {
-      char *arguments[] = { (char *) subcommands[i]->name, argv[1], NULL };
-      subcommands[i]->run (subcommands[i], 2, arguments);
-    }
+    for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++)
+      qn_subcommand_run (subcommands[i], argc, argv);
   } else {
     const QnSubcommand *subcommand = find_subcommand (argv[1]);
     if (subcommand == NULL)
       qn_cli_usage_error (argv[1][0] == '-' ? _ ("unknown option %s")
                                             : _ ("unknown subcommand %s"),
                           argv[1]);
-    subcommand->run (subcommand, argc - 1, argv + 1);
+    qn_subcommand_run (subcommand, argc - 1, argv + 1);
   }
 }
 
@@ -75,5 +72,5 @@ main (int argc, char **argv)
   signal (SIGXFSZ, SIG_IGN);
 
   dispatch (argc, argv);
-  return (int) qn_shown_text_end (QN_EXIT_DONE);
+  return (int) qn_cli_complete (QN_EXIT_DONE);
 }

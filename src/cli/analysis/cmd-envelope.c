@@ -2,7 +2,6 @@
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
 #include "cli/base/progress.h"
-#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "doc/view/sheet.h"
 #include "io/project/project-vehicle.h"
@@ -10,24 +9,23 @@
 
 #include <glib/gi18n.h>
 
-typedef struct EnvelopeOptions {
-  QnPictureOptions picture;
-  QnInputOptions input;
-  char *table, *vehicles;
-  QnEnvelopeSettings settings; /* what was given goes before what the project says */
-  gboolean one_way, path, quiet;
-} EnvelopeOptions;
+static char *envelope_table, *envelope_vehicles;
+static gboolean envelope_one_way, envelope_path;
+
+/* What was given goes before what the project says. */
+static QnEnvelopeSettings envelope_settings = { .from = G_MAXDOUBLE,
+                                                .to = G_MAXDOUBLE,
+                                                .step = G_MAXDOUBLE };
 
 /* Options that are not wrong in themselves are those of the project. */
 static void
-choose_settings (const EnvelopeOptions *options, QnInput *input,
-                 QnEnvelopeSettings *settings)
+choose_settings (QnInput *input, QnEnvelopeSettings *settings)
 {
-  const QnEnvelopeSettings *given = &options->settings;
+  const QnEnvelopeSettings *given = &envelope_settings;
   qn_cli_must (qn_envelope_settings_read (&input->project, settings, QN_TROUBLE));
   qn_cli_must (
-    options->vehicles == NULL
-    || qn_read_vehicle_file (options->vehicles, &input->project.model, QN_TROUBLE));
+    envelope_vehicles == NULL
+    || qn_read_vehicle_file (envelope_vehicles, &input->project.model, QN_TROUBLE));
   if (given->vehicles != NULL) {
     g_strfreev (settings->vehicles);
     settings->vehicles = g_strdupv (given->vehicles);
@@ -38,21 +36,19 @@ choose_settings (const EnvelopeOptions *options, QnInput *input,
     settings->to = given->to;
   if (given->step != G_MAXDOUBLE)
     settings->step = given->step;
-  if (options->one_way)
+  if (envelope_one_way)
     settings->ways = QN_WAYS_RIGHT;
-  if (options->path)
+  if (envelope_path)
     settings->method = QN_ENVELOPE_PATH;
 }
 
 static void
-find_envelope (const QnInput *input, const EnvelopeOptions *options, QnEnvelope *e,
-               QnEnvelopePlace *least)
+find_envelope (const QnInput *input, QnEnvelope *e, QnEnvelopePlace *least)
 {
-  QnTerminalProgress progress;
   QnDiag diag = { 0 };
-  qn_terminal_progress_begin (&progress, options->quiet);
-  QnStatus status = qn_envelope_run (e, qn_terminal_progress_update, &progress, &diag);
-  qn_terminal_progress_done (&progress);
+  qn_terminal_progress_begin ();
+  QnStatus status = qn_envelope_run (e, qn_terminal_progress_update, NULL, &diag);
+  qn_terminal_progress_done ();
   if (qn_interrupt_seen ())
     qn_cli_cancelled (input->project.name);
   if (status != QN_OK)
@@ -80,65 +76,60 @@ print_worst (const QnEnvelope *e, QnEnvelopePlace worst)
 }
 
 static void
-make_envelope (const EnvelopeOptions *options, QnInput *input)
+make_envelope (QnInput *input)
 {
   QnEnvelope *e = qn_cli_keep (g_new0 (QnEnvelope, 1));
   QnEnvelopeSettings settings = { 0 };
   QnEnvelopePlace worst;
   QnMetadata metadata;
-  choose_settings (options, input, &settings);
+  choose_settings (input, &settings);
   if (!qn_envelope_init (e, &input->project.model, &settings, QN_TROUBLE))
     qn_cli_usage_error ("%s", qn_cli_trouble->message);
   qn_envelope_settings_clear (&settings);
-  find_envelope (input, options, e, &worst);
-  if (!options->quiet && g_strcmp0 (options->table, "-") != 0
-      && g_strcmp0 (options->picture.path, "-") != 0)
+  find_envelope (input, e, &worst);
+  if (qn_subcommand_prints ())
     print_worst (e, worst);
-  qn_cli_must (options->table == NULL
-               || qn_envelope_write_table (e, options->table, QN_TROUBLE));
+  qn_cli_must (envelope_table == NULL
+               || qn_envelope_write_table (e, envelope_table, QN_TROUBLE));
   qn_project_get_metadata (&input->project, &metadata);
   metadata.title = e->model.title;
-  qn_cli_must (options->picture.path == NULL
-               || qn_envelope_export (e, worst, options->picture.path,
-                                      &options->picture.output, &metadata, QN_TROUBLE));
+  qn_cli_must (qn_picture.path == NULL
+               || qn_envelope_export (e, worst, qn_picture.path, &qn_picture.output,
+                                      &metadata, QN_TROUBLE));
 }
 
+static const GOptionEntry envelope_entries[] = {
+  { "vehicle", 0, 0, G_OPTION_ARG_STRING_ARRAY, &envelope_settings.vehicles,
+    N_ ("Instead of the project's vehicle, one of its list or built in; may be "
+        "given several times"),
+    N_ ("NAME") },
+  { "vehicles", 0, 0, G_OPTION_ARG_FILENAME, &envelope_vehicles,
+    N_ ("Read more vehicles from this file"), N_ ("FILE.json") },
+  { "from", 0, 0, G_OPTION_ARG_DOUBLE, &envelope_settings.from,
+    N_ ("First position of the front, m"), N_ ("X") },
+  { "to", 0, 0, G_OPTION_ARG_DOUBLE, &envelope_settings.to, N_ ("Last position, m"),
+    N_ ("X") },
+  { "step", 0, 0, G_OPTION_ARG_DOUBLE, &envelope_settings.step,
+    N_ ("Distance of positions, m (0.25)"), N_ ("LENGTH") },
+  { "one-way", 0, 0, G_OPTION_ARG_NONE, &envelope_one_way,
+    N_ ("Only to the right; without it to the left too"), NULL },
+  { "path", 0, 0, G_OPTION_ARG_NONE, &envelope_path,
+    N_ ("Follow the path by the project's procedure instead of limit analysis"), NULL },
+  { "csv", 0, 0, G_OPTION_ARG_FILENAME, &envelope_table,
+    N_ ("Write the multipliers as a table"), N_ ("TABLE.csv") },
+  QN_PICTURE_ENTRIES (N_ ("OUT.png|svg|pdf")),
+  QN_INPUT_ENTRIES,
+  QN_QUIET_ENTRY,
+  G_OPTION_ENTRY_NULL,
+};
+
 static void
-run_envelope (const QnSubcommand *self, int argc, char **argv)
+run_envelope (char **arguments)
 {
-  EnvelopeOptions options = {
-    .settings = { .from = G_MAXDOUBLE, .to = G_MAXDOUBLE, .step = G_MAXDOUBLE },
-  };
-  const GOptionEntry entries[] = {
-    { "vehicle", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.settings.vehicles,
-      N_ ("Instead of the project's vehicle, one of its list or built in; may be "
-          "given several times"),
-      N_ ("NAME") },
-    { "vehicles", 0, 0, G_OPTION_ARG_FILENAME, &options.vehicles,
-      N_ ("Read more vehicles from this file"), N_ ("FILE.json") },
-    { "from", 0, 0, G_OPTION_ARG_DOUBLE, &options.settings.from,
-      N_ ("First position of the front, m"), N_ ("X") },
-    { "to", 0, 0, G_OPTION_ARG_DOUBLE, &options.settings.to, N_ ("Last position, m"),
-      N_ ("X") },
-    { "step", 0, 0, G_OPTION_ARG_DOUBLE, &options.settings.step,
-      N_ ("Distance of positions, m (0.25)"), N_ ("LENGTH") },
-    { "one-way", 0, 0, G_OPTION_ARG_NONE, &options.one_way,
-      N_ ("Only to the right; without it to the left too"), NULL },
-    { "path", 0, 0, G_OPTION_ARG_NONE, &options.path,
-      N_ ("Follow the path by the project's procedure instead of limit analysis"), NULL },
-    { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.table,
-      N_ ("Write the multipliers as a table"), N_ ("TABLE.csv") },
-    QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf")),
-    QN_INPUT_ENTRIES (options.input),
-    QN_INPUT_QUIET_ENTRY (&options.quiet),
-    G_OPTION_ENTRY_NULL,
-  };
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return;
-  qn_picture_if_any (&options.picture);
-  QnInput *input = qn_input_load (argv[1], &options.input);
+  qn_picture_if_any ();
+  QnInput *input = qn_input_load (arguments[0]);
   qn_input_require_sound (input);
-  make_envelope (&options, input);
+  make_envelope (input);
 }
 
 const QnSubcommand qn_cmd_envelope = {
@@ -150,5 +141,6 @@ const QnSubcommand qn_cmd_envelope = {
         "right and to the left. The least multiplier is the adequacy factor. Picture: "
         "the bridge as it collapses at the worst position, and below it the multiplier "
         "over the position."),
+  .options = envelope_entries,
   .run = run_envelope,
 };

@@ -1,7 +1,6 @@
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
-#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "core/modal/modal.h"
 #include "io/text/file-writer.h"
@@ -9,18 +8,15 @@
 
 #include <glib/gi18n.h>
 
-typedef struct ModalOptions {
-  char *output, *csv;
-  QnInputOptions input;
-  int count, mode;
-  double damping;
-  gboolean loaded, slip, quiet, no_timings;
-} ModalOptions;
+static char *modal_output, *modal_csv;
+static int modal_count = 10, modal_mode = 1;
+static double modal_damping;
+static gboolean modal_loaded, modal_slip;
 
 static void
-write_modes (const ModalOptions *options, const QnModel *model, const QnModes *modes)
+write_modes (const QnModel *model, const QnModes *modes)
 {
-  QnFileWriter *writer = qn_file_writer_open (options->csv);
+  QnFileWriter *writer = qn_file_writer_open (modal_csv);
   qn_file_writer_puts (writer,
                        "mode,omega [rad/s],frequency [Hz],block number,x [m],y [m],"
                        "ux [m],uy [m],rz [rad]\n");
@@ -38,23 +34,21 @@ write_modes (const ModalOptions *options, const QnModel *model, const QnModes *m
 
 /* A result whose mechanism is one of the modes, for pictures and animations. */
 static void
-write_result (const ModalOptions *options, const QnInput *input, const QnModes *modes,
-              QnResult *result)
+write_result (const QnInput *input, const QnModes *modes, QnResult *result)
 {
   QnDiag diag = { 0 };
-  if ((size_t) options->mode > modes->count)
+  if ((size_t) modal_mode > modes->count)
     qn_cli_fail (QN_EXIT_INVALID, _ ("there is no mode %d: only %zu were found"),
-                 options->mode, modes->count);
-  if (qn_modes_show (modes, (size_t) options->mode - 1, &input->project.model, result,
-                     &diag)
+                 modal_mode, modes->count);
+  if (qn_modes_show (modes, (size_t) modal_mode - 1, &input->project.model, result, &diag)
       != QN_OK)
     qn_cli_fail (QN_EXIT_INTERNAL, _ ("not enough memory"));
-  qn_cli_must (qn_result_file_write (options->output, &input->project, &input->contacts,
+  qn_cli_must (qn_result_file_write (modal_output, &input->project, &input->contacts,
                                      result, QN_DETAIL_FORCES, QN_TROUBLE));
 }
 
 static void
-print_modes (const ModalOptions *options, const QnInput *input, const QnModes *modes)
+print_modes (const QnInput *input, const QnModes *modes)
 {
   qn_print ("%6s  %14s  %14s  %14s  %14s  %14s\n", _ ("mode"), _ ("omega [rad/s]"),
             _ ("frequency [Hz]"), _ ("period [s]"), _ ("mass in x [kg]"),
@@ -68,12 +62,12 @@ print_modes (const ModalOptions *options, const QnInput *input, const QnModes *m
       qn_print ("%14s", _ ("rigid motion"));
     qn_print ("  %14.6g  %14.6g\n", modes->masses[3 * i + 1], modes->masses[3 * i + 2]);
   }
-  if (options->damping > 0) {
-    const QnModesDamping damping = qn_modes_damping (modes, options->damping);
+  if (modal_damping > 0) {
+    const QnModesDamping damping = qn_modes_damping (modes, modal_damping);
     qn_print (
       _ ("damping by mass %.6g 1/s and by stiffness %.6g s: %.4g of critical for modes "
          "%zu and %zu\n"),
-      damping.mass, damping.stiffness, options->damping, damping.first + 1,
+      damping.mass, damping.stiffness, modal_damping, damping.first + 1,
       damping.last + 1);
   }
   if (modes->open + modes->slides > 0)
@@ -84,23 +78,22 @@ print_modes (const ModalOptions *options, const QnInput *input, const QnModes *m
 }
 
 static void
-solve_modal (const ModalOptions *options, const QnInput *input)
+solve_modal (const QnInput *input)
 {
-  QnTerminalProgress progress;
   QnModes modes;
   QnResult result;
   QnDiag diag = { 0 };
 
-  qn_terminal_progress_begin (&progress, options->quiet);
+  qn_terminal_progress_begin ();
   QnStatus status = qn_modal_run (&input->project.model, &input->contacts,
-                                  (options->loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD)
-                                    | (options->slip ? QN_MODAL_SLIDING : 0),
-                                  (size_t) options->count, qn_terminal_progress_update,
-                                  &progress, &modes, &result, &diag);
-  qn_terminal_progress_done (&progress);
+                                  (modal_loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD)
+                                    | (modal_slip ? QN_MODAL_SLIDING : 0),
+                                  (size_t) modal_count, qn_terminal_progress_update, NULL,
+                                  &modes, &result, &diag);
+  qn_terminal_progress_done ();
   if (status != QN_OK)
-    qn_input_fail (input, options->loaded ? QN_INPUT_PATH : QN_INPUT_DEAD_LOAD, &diag);
-  if (options->no_timings)
+    qn_input_fail (input, modal_loaded ? QN_INPUT_PATH : QN_INPUT_DEAD_LOAD, &diag);
+  if (qn_no_timings)
     qn_statistics_clear_timings (&result.statistics);
   if (result.outcome == QN_OUTCOME_CANCELLED)
     qn_cli_cancelled (input->project.name);
@@ -113,53 +106,48 @@ solve_modal (const ModalOptions *options, const QnInput *input)
     qn_cli_fail (QN_EXIT_NO_ANSWER,
                  _ ("%s: no equilibrium was found, so there are no vibrations about it"),
                  input->project.name);
-  if (!options->quiet && g_strcmp0 (options->output, "-") != 0
-      && g_strcmp0 (options->csv, "-") != 0)
-    print_modes (options, input, &modes);
-  if (options->csv != NULL)
-    write_modes (options, &input->project.model, &modes);
-  if (options->output != NULL)
-    write_result (options, input, &modes, &result);
+  if (qn_subcommand_prints ())
+    print_modes (input, &modes);
+  if (modal_csv != NULL)
+    write_modes (&input->project.model, &modes);
+  if (modal_output != NULL)
+    write_result (input, &modes, &result);
   qn_modes_clear (&modes);
   qn_result_clear (&result);
 }
 
+static const GOptionEntry modal_entries[] = {
+  { "count", 'n', 0, G_OPTION_ARG_INT, &modal_count, N_ ("How many modes (10)"),
+    N_ ("N") },
+  { "loaded", 0, 0, G_OPTION_ARG_NONE, &modal_loaded,
+    N_ ("About the last equilibrium of the analysis instead of the dead load's"), NULL },
+  { "damping", 0, 0, G_OPTION_ARG_DOUBLE, &modal_damping,
+    N_ ("Print the damping coefficients that give the first and the last mode this "
+        "fraction of critical damping"),
+    N_ ("RATIO") },
+  { "slip", 0, 0, G_OPTION_ARG_NONE, &modal_slip,
+    N_ ("With the tangent of joints that slide; else closed joints are elastic"), NULL },
+  { "csv", 0, 0, G_OPTION_ARG_FILENAME, &modal_csv,
+    N_ ("Write frequencies and shapes here; - is standard output"), N_ ("OUT.csv") },
+  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &modal_output,
+    N_ ("Write a result here whose mechanism is the mode of --mode"),
+    N_ ("RESULT.json") },
+  { "mode", 0, 0, G_OPTION_ARG_INT, &modal_mode, N_ ("Number of the mode, from 1 (1)"),
+    N_ ("K") },
+  QN_INPUT_ENTRIES,
+  QN_TIMINGS_ENTRY,
+  QN_QUIET_ENTRY,
+  G_OPTION_ENTRY_NULL,
+};
+
 static void
-run_modal (const QnSubcommand *self, int argc, char **argv)
+run_modal (char **arguments)
 {
-  ModalOptions options = { .count = 10, .mode = 1 };
-  const GOptionEntry entries[] = {
-    { "count", 'n', 0, G_OPTION_ARG_INT, &options.count, N_ ("How many modes (10)"),
-      N_ ("N") },
-    { "loaded", 0, 0, G_OPTION_ARG_NONE, &options.loaded,
-      N_ ("About the last equilibrium of the analysis instead of the dead load's"),
-      NULL },
-    { "damping", 0, 0, G_OPTION_ARG_DOUBLE, &options.damping,
-      N_ ("Print the damping coefficients that give the first and the last mode this "
-          "fraction of critical damping"),
-      N_ ("RATIO") },
-    { "slip", 0, 0, G_OPTION_ARG_NONE, &options.slip,
-      N_ ("With the tangent of joints that slide; else closed joints are elastic"),
-      NULL },
-    { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
-      N_ ("Write frequencies and shapes here; - is standard output"), N_ ("OUT.csv") },
-    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
-      N_ ("Write a result here whose mechanism is the mode of --mode"),
-      N_ ("RESULT.json") },
-    { "mode", 0, 0, G_OPTION_ARG_INT, &options.mode,
-      N_ ("Number of the mode, from 1 (1)"), N_ ("K") },
-    QN_INPUT_ENTRIES (options.input),
-    QN_INPUT_TIMINGS_ENTRY (&options.no_timings),
-    QN_INPUT_QUIET_ENTRY (&options.quiet),
-    G_OPTION_ENTRY_NULL,
-  };
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return;
-  if (options.count < 1 || options.mode < 1)
+  if (modal_count < 1 || modal_mode < 1)
     qn_cli_usage_error (_ ("--count and --mode count from 1"));
-  if (!(options.damping >= 0 && options.damping < 1))
+  if (!(modal_damping >= 0 && modal_damping < 1))
     qn_cli_usage_error (_ ("--damping is from 0 to less than 1"));
-  solve_modal (&options, qn_input_load (argv[1], &options.input));
+  solve_modal (qn_input_load (arguments[0]));
 }
 
 const QnSubcommand qn_cmd_modal = {
@@ -173,5 +161,6 @@ const QnSubcommand qn_cmd_modal = {
     "result written with --output can be drawn and animated "
     "like a mechanism. Structures without supports have rigid motions of "
     "frequency zero."),
+  .options = modal_entries,
   .run = run_modal,
 };

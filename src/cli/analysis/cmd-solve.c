@@ -1,10 +1,9 @@
-#include "cli/analysis/cmd-solve.h"
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
-#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "core/base/word.h"
+#include "core/limit/limit-sensitivity.h"
 #include "core/path/analysis.h"
 #include "io/exchange/table-csv.h"
 #include "io/text/file-writer.h"
@@ -13,16 +12,34 @@
 #include "io/text/tie-text.h"
 
 #include <glib/gi18n.h>
+#include <string.h>
 
 /* Part of its length that a joint may slide by without a word. */
 #define FAR_SLIP 0.1
 
-typedef struct SolveOptions {
-  char *output, *csv, *detail;
-  QnResultDetail level; /* of `detail` */
-  QnInputOptions input;
-  gboolean quiet, sensitivity, no_timings;
-} SolveOptions;
+static char *solve_output, *solve_csv, *solve_detail;
+static QnResultDetail solve_level; /* of `detail` */
+static gboolean solve_sensitivity;
+
+static const GOptionEntry solve_entries[] = {
+  /* Of limit analysis alone. */
+  { "sensitivity", 0, 0, G_OPTION_ARG_NONE, &solve_sensitivity,
+    N_ ("Print how the associative multiplier changes with laws, weights and loads"),
+    NULL },
+  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &solve_output,
+    N_ ("Write the result file here; - is standard output"), N_ ("RESULT.json") },
+  { "csv", 0, 0, G_OPTION_ARG_FILENAME, &solve_csv,
+    N_ ("Write the load–displacement curve here"), N_ ("CURVE.csv") },
+  { "detail", 0, 0, G_OPTION_ARG_STRING, &solve_detail,
+    N_ ("What the result contains of contact pairs: forces (default), pairs: their "
+        "hinges "
+        "and springs too, or steps: forces of all steps, however many"),
+    N_ ("forces|pairs|steps") },
+  QN_INPUT_ENTRIES,
+  QN_TIMINGS_ENTRY,
+  QN_QUIET_ENTRY,
+  G_OPTION_ENTRY_NULL,
+};
 
 /* Names the blocks that the dead load moves, the first few of them. */
 static void
@@ -59,6 +76,55 @@ print_history (const char *title, const QnProject *project, const QnResult *resu
 }
 
 static void
+print_limit (const char *title, const QnResult *result)
+{
+  const QnLimitFigures *figures = &result->limit;
+  if (figures->flow == QN_FLOW_ASSOCIATIVE)
+    qn_print (_ ("%s: limit multiplier between %.8f (forces) and %.8f (mechanism)\n"),
+              title, figures->lower_bound, figures->upper_bound);
+  else
+    qn_print (_ ("%s: non-associative fixed points between %.5f and %.5f (%d found), the "
+                 "least known to %.1g\n"),
+              title, figures->lower_bound, figures->upper_bound, result->solution_count,
+              figures->uncertainty);
+}
+
+/* The derivatives of the associative multiplier as a table. Where it has none: with non-associative flow that
+ * ends the program, without collapse nothing is said. */
+static void
+print_sensitivity (const QnProject *project, const QnContacts *contacts,
+                   const QnResult *result)
+{
+  QnLimitSensitivity sensitivity;
+  QnDiag diag = { 0 };
+  if (result->limit.flow != QN_FLOW_ASSOCIATIVE)
+    qn_cli_usage_error (_ ("--sensitivity is that of associative flow alone"));
+  if (result->outcome != QN_OUTCOME_COLLAPSE)
+    return;
+  if (qn_limit_sensitivity (&project->model, contacts, result, &sensitivity, &diag)
+      != QN_OK)
+    qn_input_refuse (project, &diag);
+  qn_print (_ ("Change of the associative multiplier %.6f, of this mechanism:\n"),
+            sensitivity.multiplier);
+  qn_print ("%-24s %12s %12s %12s %12s %12s\n", _ ("law"), _ ("friction"), _ ("cohesion"),
+            _ ("tension"), _ ("weight"), _ ("thickness"));
+  for (size_t i = 0; i < project->model.law_count; i++)
+    qn_print ("%-24s %12.6g %12.6g %12.6g %12.6g %12.6g\n", project->model.laws[i].name,
+              sensitivity.laws[i].friction, sensitivity.laws[i].cohesion,
+              sensitivity.laws[i].tension, sensitivity.laws[i].weight,
+              sensitivity.laws[i].thickness);
+  for (size_t i = 0; i < project->model.dead_load_count; i++)
+    qn_print (_ ("dead load %zu: %.6g\n"), i + 1, sensitivity.dead_loads[i]);
+  for (size_t i = 0; i < project->model.live_load_count; i++)
+    if (project->model.live_loads[i].set == 0)
+      qn_print (_ ("live load %zu: %.6g\n"), i + 1, sensitivity.live_loads[i]);
+  qn_print (_ (
+    "Change of the multiplier per unit of friction, per N or Pa of cohesion and tension "
+    "(as the law has them), and per relative change of weight, thickness and loads.\n"));
+  qn_limit_sensitivity_clear (&sensitivity);
+}
+
+static void
 print_summary (const QnProject *project, const QnResult *result)
 {
   const QnStatistics *spent = &result->statistics;
@@ -70,7 +136,7 @@ print_summary (const QnProject *project, const QnResult *result)
   else if (result->outcome == QN_OUTCOME_UNBOUNDED)
     qn_print (_ ("%s: no collapse found\n"), title);
   else if (result->limit.given)
-    qn_cmd_limit_print (title, result);
+    print_limit (title, result);
   else if (result->outcome == QN_OUTCOME_COLLAPSE)
     qn_print (_ ("%s: collapse at load multiplier %.5f\n"), title,
               result->collapse_multiplier);
@@ -112,18 +178,12 @@ print_summary (const QnProject *project, const QnResult *result)
     100 * spent->law_seconds / MAX (spent->seconds, 1e-9));
 }
 
-static gboolean
-is_stdout (const char *path)
-{
-  return g_strcmp0 (path, "-") == 0;
-}
-
 /* Finds out before a long analysis whether a file can be written where it shall be. Devices
  * and pipes are not touched. */
 static void
 probe_output (const char *path)
 {
-  if (path == NULL || is_stdout (path)
+  if (path == NULL || strcmp (path, "-") == 0
       || (g_file_test (path, G_FILE_TEST_EXISTS)
           && !g_file_test (path, G_FILE_TEST_IS_REGULAR | G_FILE_TEST_IS_DIR)))
     return;
@@ -131,24 +191,24 @@ probe_output (const char *path)
 }
 
 static void
-report (const SolveOptions *options, const QnInput *input, const QnResult *result)
+report (const QnInput *input, const QnResult *result)
 {
   const QnProject *project = &input->project;
-  qn_cli_must (options->output == NULL
-               || qn_result_file_write (options->output, project, &input->contacts,
-                                        result, options->level, QN_TROUBLE));
-  qn_cli_must (options->csv == NULL
-               || qn_result_table_write (options->csv, QN_TABLE_CURVE, project,
+  qn_cli_must (solve_output == NULL
+               || qn_result_file_write (solve_output, project, &input->contacts, result,
+                                        solve_level, QN_TROUBLE));
+  qn_cli_must (solve_csv == NULL
+               || qn_result_table_write (solve_csv, QN_TABLE_CURVE, project,
                                          &input->contacts, result, QN_TROUBLE));
-  if (!options->quiet && !is_stdout (options->output) && !is_stdout (options->csv)) {
+  if (qn_subcommand_prints ()) {
     print_summary (project, result);
     g_autofree char *text =
       qn_collapse_dup_text (&project->model, &input->contacts, result);
     if (text != NULL)
       qn_print ("%s\n", text);
   }
-  if (options->sensitivity)
-    qn_cmd_limit_print_sensitivity (project, &input->contacts, result);
+  if (solve_sensitivity)
+    print_sensitivity (project, &input->contacts, result);
   /* An end that is no success. */
   if (result->outcome == QN_OUTCOME_CANCELLED)
     qn_cli_cancelled (project->name);
@@ -179,75 +239,50 @@ require_dead_load (const QnInput *input)
 }
 
 static void
-solve_project (const SolveOptions *options, QnInput *input)
+solve_project (QnInput *input)
 {
-  QnTerminalProgress progress;
   QnDiag diag = { 0 };
   QnResult result = { 0 };
 
-  input->project.model.analysis.all_forces = options->level == QN_DETAIL_STEPS;
-  qn_terminal_progress_begin (&progress, options->quiet);
-  QnStatus status =
-    qn_analysis_run (&input->project.model, &input->contacts, qn_terminal_progress_update,
-                     &progress, &result, &diag);
-  qn_terminal_progress_done (&progress);
+  input->project.model.analysis.all_forces = solve_level == QN_DETAIL_STEPS;
+  qn_terminal_progress_begin ();
+  QnStatus status = qn_analysis_run (&input->project.model, &input->contacts,
+                                     qn_terminal_progress_update, NULL, &result, &diag);
+  gsize memory = qn_terminal_progress_done ();
   if (status == QN_ERROR_CANCELLED)
     qn_cli_cancelled (input->project.name);
   if (status != QN_OK)
     qn_input_refuse (&input->project, &diag);
-  result.statistics.peak_memory_bytes = (int64_t) progress.peak_memory;
-  if (options->no_timings)
+  result.statistics.peak_memory_bytes = (int64_t) memory;
+  if (qn_no_timings)
     qn_statistics_clear_timings (&result.statistics);
-  report (options, input, &result);
+  report (input, &result);
   if (input->project.model.analysis.procedure == QN_PROCEDURE_LIMIT)
     require_dead_load (input);
   qn_result_clear (&result);
 }
 
-void
-qn_cmd_solve_run (const QnSubcommand *self, const char *override, int argc, char **argv)
+static void
+run_solve (char **arguments)
 {
   static const char *const details[QN_DETAIL_COUNT] = { "forces", "pairs", "steps" };
-  SolveOptions options = { 0 };
-  const GOptionEntry entries[] = {
-    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
-      N_ ("Write the result file here; - is standard output"), N_ ("RESULT.json") },
-    { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
-      N_ ("Write the load–displacement curve here"), N_ ("CURVE.csv") },
-    { "detail", 0, 0, G_OPTION_ARG_STRING, &options.detail,
-      N_ ("What the result contains of contact pairs: forces (default), pairs: their "
-          "hinges "
-          "and springs too, or steps: forces of all steps, however many"),
-      N_ ("forces|pairs|steps") },
-    QN_INPUT_ENTRIES (options.input),
-    QN_INPUT_TIMINGS_ENTRY (&options.no_timings),
-    QN_INPUT_QUIET_ENTRY (&options.quiet),
-    /* Of limit analysis alone. */
-    { override != NULL ? "sensitivity" : NULL, 0, 0, G_OPTION_ARG_NONE,
-      &options.sensitivity,
-      N_ ("Print how the associative multiplier changes with laws, weights and loads"),
-      NULL },
-    G_OPTION_ENTRY_NULL,
-  };
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return;
-  if (options.detail != NULL
-      && !qn_find_word (options.detail, details, QN_DETAIL_COUNT, &options.level))
+  if (solve_detail != NULL
+      && !qn_find_word (solve_detail, details, QN_DETAIL_COUNT, &solve_level))
     qn_cli_usage_error (_ ("--detail is forces, pairs or steps"));
-  if (override != NULL)
-    qn_input_override (&options.input, override, TRUE);
-  qn_cli_set_own_override (override);
-  QnInput *input = qn_input_load (argv[1], &options.input);
-  qn_input_prepare (input, &options.input);
-  probe_output (options.output);
-  probe_output (options.csv);
-  solve_project (&options, input);
+  QnInput *input = qn_input_load (arguments[0]);
+  qn_input_prepare (input);
+  probe_output (solve_output);
+  probe_output (solve_csv);
+  solve_project (input);
 }
 
 static void
-run_solve (const QnSubcommand *self, int argc, char **argv)
+run_limit (char **arguments)
 {
-  qn_cmd_solve_run (self, NULL, argc, argv);
+  const char *procedure = "analysis.procedure=\"limit\"";
+  qn_input_override (procedure, TRUE);
+  qn_cli_set_own_override (procedure);
+  run_solve (arguments);
 }
 
 const QnSubcommand qn_cmd_solve = {
@@ -258,5 +293,24 @@ const QnSubcommand qn_cmd_solve = {
     N_ ("The dead load is applied first; the multiplier of the live load then grows "
         "until no equilibrium is left, or as the project's \"analysis\" says. Ctrl+C "
         "ends the analysis and keeps what has converged."),
+  .options = solve_entries + 1,
   .run = run_solve,
+};
+
+const QnSubcommand qn_cmd_limit = {
+  .name = "limit",
+  .arguments = "MODEL",
+  .summary = N_ ("Find the limit multiplier of rigid blocks directly"),
+  .help = N_ (
+    "With associative flow (dilatancy = friction) the multiplier is exact for rigid "
+    "blocks: "
+    "equilibrium exists up to the lower bound and none above the upper one. With --set "
+    "analysis.flow=non-associative the joints dilate as their laws say; several "
+    "multipliers "
+    "can then have a mechanism, and the interval of those found is given. The interval "
+    "is "
+    "no bound; the associative value bounds every other from above. Where the dead load "
+    "alone does not stand on its path, that is told, with exit code 4."),
+  .options = solve_entries,
+  .run = run_limit,
 };

@@ -1,7 +1,6 @@
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
-#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "core/path/stability.h"
 #include "io/result/result-file.h"
@@ -9,11 +8,7 @@
 
 #include <glib/gi18n.h>
 
-typedef struct StabilityOptions {
-  char *output;
-  QnInputOptions input;
-  gboolean quiet, no_timings;
-} StabilityOptions;
+static char *stability_output;
 
 static void
 print_stability (const QnProject *project, const QnResult *result)
@@ -31,26 +26,24 @@ print_stability (const QnProject *project, const QnResult *result)
 }
 
 static void
-solve_stability (const StabilityOptions *options, const QnInput *input)
+solve_stability (const QnInput *input)
 {
-  QnTerminalProgress progress;
   QnResult result;
   QnDiag diag = { 0 };
   const QnProject *project = &input->project;
 
-  qn_terminal_progress_begin (&progress, options->quiet);
-  QnStatus status =
-    qn_stability_run (&project->model, &input->contacts, qn_terminal_progress_update,
-                      &progress, &result, &diag);
-  qn_terminal_progress_done (&progress);
+  qn_terminal_progress_begin ();
+  QnStatus status = qn_stability_run (&project->model, &input->contacts,
+                                      qn_terminal_progress_update, NULL, &result, &diag);
+  qn_terminal_progress_done ();
   if (status != QN_OK)
     qn_input_fail (input, QN_INPUT_PATH, &diag);
-  if (options->no_timings)
+  if (qn_no_timings)
     qn_statistics_clear_timings (&result.statistics);
-  if (!options->quiet && g_strcmp0 (options->output, "-") != 0)
+  if (qn_subcommand_prints ())
     print_stability (project, &result);
-  qn_cli_must (options->output == NULL
-               || qn_result_file_write (options->output, project, &input->contacts,
+  qn_cli_must (stability_output == NULL
+               || qn_result_file_write (stability_output, project, &input->contacts,
                                         &result, QN_DETAIL_FORCES, QN_TROUBLE));
   if (result.outcome == QN_OUTCOME_CANCELLED)
     qn_cli_cancelled (project->name);
@@ -62,22 +55,19 @@ solve_stability (const StabilityOptions *options, const QnInput *input)
   qn_result_clear (&result);
 }
 
+static const GOptionEntry stability_entries[] = {
+  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &stability_output,
+    N_ ("Write a result here whose mechanism is the buckling mode"), N_ ("RESULT.json") },
+  QN_INPUT_ENTRIES,
+  QN_TIMINGS_ENTRY,
+  QN_QUIET_ENTRY,
+  G_OPTION_ENTRY_NULL,
+};
+
 static void
-run_stability (const QnSubcommand *self, int argc, char **argv)
+run_stability (char **arguments)
 {
-  StabilityOptions options = { 0 };
-  const GOptionEntry entries[] = {
-    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
-      N_ ("Write a result here whose mechanism is the buckling mode"),
-      N_ ("RESULT.json") },
-    QN_INPUT_ENTRIES (options.input),
-    QN_INPUT_TIMINGS_ENTRY (&options.no_timings),
-    QN_INPUT_QUIET_ENTRY (&options.quiet),
-    G_OPTION_ENTRY_NULL,
-  };
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return;
-  const QnInput *input = qn_input_load (argv[1], &options.input);
+  const QnInput *input = qn_input_load (arguments[0]);
   /* On the undeformed structure the tangent of elastic joints never changes: every answer would be
    * "stable". */
   if (input->project.model.analysis.geometry != QN_GEOMETRY_NONLINEAR) {
@@ -87,7 +77,7 @@ run_stability (const QnSubcommand *self, int argc, char **argv)
     qn_cli_must (FALSE);
   }
   qn_input_require_sound (input);
-  solve_stability (&options, input);
+  solve_stability (input);
 }
 
 const QnSubcommand qn_cmd_stability = {
@@ -99,5 +89,6 @@ const QnSubcommand qn_cmd_stability = {
     "singular, which the path of a perfect structure does not show: the Euler load of "
     "a straight column. Set \"geometry\" to \"nonlinear\": without the effect of "
     "displacements on equilibrium nothing buckles."),
+  .options = stability_entries,
   .run = run_stability,
 };

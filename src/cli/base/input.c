@@ -10,6 +10,9 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+char **qn_overrides;
+gboolean qn_allow_outside, qn_no_timings;
+
 /* Both lists, one after the other, for the rest of the program; NULL where both are. */
 static char **
 join (char **first, char **second)
@@ -25,11 +28,10 @@ join (char **first, char **second)
 }
 
 void
-qn_input_override (QnInputOptions *options, const char *override, gboolean before)
+qn_input_override (const char *override, gboolean before)
 {
   char *one[] = { (char *) override, NULL };
-  options->overrides =
-    before ? join (one, options->overrides) : join (options->overrides, one);
+  qn_overrides = before ? join (one, qn_overrides) : join (qn_overrides, one);
 }
 
 void
@@ -52,14 +54,14 @@ tell_warnings (const GPtrArray *warnings)
 }
 
 QnInput *
-qn_input_read (const char *path, const QnInputOptions *options)
+qn_input_read (const char *path)
 {
   QnInput *input = qn_cli_keep (g_new0 (QnInput, 1));
   QnModel *model = &input->project.model;
   QnDiag diag = { 0 };
 
-  qn_cli_must (qn_project_load (path, (const char *const *) options->overrides,
-                                &input->project, QN_TROUBLE));
+  qn_cli_must (qn_project_load (path, (const char *const *) qn_overrides, &input->project,
+                                QN_TROUBLE));
   model->analysis.workers = qn_threads_get ();
   if (model->block_count == 0 && model->beam_count == 0)
     qn_diag_set_field (&diag, QN_PROBLEM_NO_BLOCKS, QN_ENTITY_MODEL, QN_NONE, "blocks",
@@ -71,9 +73,9 @@ qn_input_read (const char *path, const QnInputOptions *options)
 }
 
 QnInput *
-qn_input_load (const char *path, const QnInputOptions *options)
+qn_input_load (const char *path)
 {
-  QnInput *input = qn_input_read (path, options);
+  QnInput *input = qn_input_read (path);
   tell_warnings (input->project.warnings);
   return input;
 }
@@ -112,12 +114,11 @@ require_live_load (const QnProject *project)
 }
 
 void
-qn_input_prepare (QnInput *input, const QnInputOptions *options)
+qn_input_prepare (QnInput *input)
 {
   QnProject *project = &input->project;
   if (project->model.analysis.procedure == QN_PROCEDURE_DYNAMIC) {
-    qn_cli_must (
-      qn_project_read_records (project, NULL, options->allow_outside, QN_TROUBLE));
+    qn_cli_must (qn_project_read_records (project, NULL, qn_allow_outside, QN_TROUBLE));
     tell_warnings (project->warnings);
   }
   qn_input_require_sound (input);
@@ -145,14 +146,14 @@ qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *diag)
 }
 
 QnInput *
-qn_input_load_with_result (const char *path, const char *result_path,
-                           const QnInputOptions *options)
+qn_input_load_with_result (const char *path, const char *result_path)
 {
   QnResultFile file;
   gboolean same_bytes = TRUE;
+  if (result_path == NULL)
+    return qn_input_load (path);
   qn_cli_must (qn_result_file_read (result_path, &file, QN_TROUBLE));
-  QnInput *input =
-    qn_input_load_for_result (&file, path, result_path, options, &same_bytes);
+  QnInput *input = qn_input_load_for_result (&file, path, result_path, &same_bytes);
   if (!same_bytes)
     qn_cli_warning (_ ("%s has changed since %s was computed"), path, result_path);
   return input;
@@ -160,11 +161,12 @@ qn_input_load_with_result (const char *path, const char *result_path,
 
 QnInput *
 qn_input_load_for_result (const QnResultFile *file, const char *path,
-                          const char *result_path, const QnInputOptions *options,
-                          gboolean *same_bytes)
+                          const char *result_path, gboolean *same_bytes)
 {
-  char **joined = join (file->overrides, options->overrides);
-  QnInput *input = qn_input_load (path, &(QnInputOptions){ .overrides = joined });
+  char **own = qn_overrides;
+  qn_overrides = join (file->overrides, own);
+  QnInput *input = qn_input_load (path);
+  qn_overrides = own;
   input->file = *file;
   qn_cli_must (qn_result_file_match (&input->file, result_path, &input->project,
                                      &input->contacts, same_bytes, QN_TROUBLE));
@@ -172,19 +174,17 @@ qn_input_load_for_result (const QnResultFile *file, const char *path,
 }
 
 void
-qn_input_solve (QnInput *input, const QnInputOptions *options)
+qn_input_solve (QnInput *input)
 {
-  QnTerminalProgress progress;
   QnDiag diag = { 0 };
   const QnProject *project = &input->project;
   QnResult *result = &input->file.result;
 
-  qn_input_prepare (input, options);
-  qn_terminal_progress_begin (&progress, FALSE);
-  QnStatus status =
-    qn_analysis_run (&project->model, &input->contacts, qn_terminal_progress_update,
-                     &progress, result, &diag);
-  qn_terminal_progress_done (&progress);
+  qn_input_prepare (input);
+  qn_terminal_progress_begin ();
+  QnStatus status = qn_analysis_run (&project->model, &input->contacts,
+                                     qn_terminal_progress_update, NULL, result, &diag);
+  qn_terminal_progress_done ();
   if (qn_interrupt_seen ())
     qn_cli_cancelled (project->name);
   if (status != QN_OK)
@@ -197,18 +197,16 @@ qn_input_solve (QnInput *input, const QnInputOptions *options)
 }
 
 QnInput *
-qn_input_load_or_solve (const char *path, const char *result,
-                        const QnInputOptions *options)
+qn_input_load_or_solve (const char *path, const char *result)
 {
-  if (result != NULL)
-    return qn_input_load_with_result (path, result, options);
-  QnInput *input = qn_input_load (path, options);
-  qn_input_solve (input, options);
+  QnInput *input = qn_input_load_with_result (path, result);
+  if (result == NULL)
+    qn_input_solve (input);
   return input;
 }
 
 QnSheetRun *
-qn_input_load_runs (char **arguments, gsize count, const QnInputOptions *options)
+qn_input_load_runs (char **arguments, gsize count)
 {
   QnSheetRun *runs = qn_cli_keep (g_new0 (QnSheetRun, count));
   for (gsize i = 0; i < count; i++) {
@@ -221,7 +219,7 @@ qn_input_load_runs (char **arguments, gsize count, const QnInputOptions *options
                                ? g_strndup (argument, (gsize) (equals - argument))
                                : g_strdup (argument);
     const QnInput *input =
-      qn_input_load_or_solve (model, equals != NULL ? equals + 1 : NULL, options);
+      qn_input_load_or_solve (model, equals != NULL ? equals + 1 : NULL);
     runs[i] = (QnSheetRun){ .project = &input->project,
                             .contacts = &input->contacts,
                             .result = &input->file.result,

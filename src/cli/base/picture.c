@@ -8,10 +8,13 @@
 #include <math.h>
 #include <string.h>
 
+QnPictureOptions qn_picture;
+
 void
-qn_picture_page (QnPictureOptions *options)
+qn_picture_page (void)
 {
-  QnOutput *output = &options->output;
+  const QnPictureOptions *options = &qn_picture;
+  QnOutput *output = &qn_picture.output;
   QnPage page;
   char *end = options->dpi;
 
@@ -35,51 +38,51 @@ qn_picture_page (QnPictureOptions *options)
 }
 
 void
-qn_picture_output (QnPictureOptions *options)
+qn_picture_output (void)
 {
   QnFormat format;
-  qn_picture_page (options);
-  qn_cli_must (qn_format_of_path (options->path, &format, QN_TROUBLE));
+  qn_picture_page ();
+  qn_cli_must (qn_format_of_path (qn_picture.path, &format, QN_TROUBLE));
 }
 
 void
-qn_picture_if_any (QnPictureOptions *options)
+qn_picture_if_any (void)
 {
-  if (options->path != NULL)
-    qn_picture_output (options);
+  if (qn_picture.path != NULL)
+    qn_picture_output ();
 }
 
 void
-qn_picture_or_table (QnPictureOptions *options)
+qn_picture_or_table (void)
 {
   QnFormat format;
-  qn_picture_page (options);
-  if (!qn_is_table (options->path) && !qn_format_of_path (options->path, &format, NULL))
-    qn_cli_usage_error ("%s: %s", options->path,
+  qn_picture_page ();
+  if (!qn_is_table (qn_picture.path)
+      && !qn_format_of_path (qn_picture.path, &format, NULL))
+    qn_cli_usage_error ("%s: %s", qn_picture.path,
                         _ ("the name ends in .png, .svg, .pdf or .csv"));
 }
 
 void
-qn_picture_plot (const QnPictureOptions *options, QnPlot *plot, const char *title,
-                 const QnProject *project)
+qn_picture_plot (QnPlot *plot, const char *title, const QnProject *project)
 {
   QnMetadata metadata;
   qn_project_get_metadata (project, &metadata);
   plot->title = title;
-  plot->monochrome = options->monochrome;
+  plot->monochrome = qn_picture.monochrome;
   qn_cli_must (
-    qn_plot_export (plot, options->path, &options->output, &metadata, QN_TROUBLE));
+    qn_plot_export (plot, qn_picture.path, &qn_picture.output, &metadata, QN_TROUBLE));
 }
 
 gboolean
-qn_picture_figure (QnFigure *figure, const QnInput *input, const QnInputOptions *options,
-                   const char *path, const QnOutput *output)
+qn_picture_figure (QnFigure *figure, const QnInput *input, const char *path,
+                   const QnOutput *output)
 {
   QnMetadata metadata;
   QnUnderlay *underlay = &figure->options.underlay;
   qn_project_get_metadata (&input->project, &metadata);
   gboolean done =
-    qn_underlay_read (&input->project, options->allow_outside, underlay, QN_TROUBLE)
+    qn_underlay_read (&input->project, qn_allow_outside, underlay, QN_TROUBLE)
     && qn_figure_export (figure, path, output, &metadata, QN_TROUBLE);
   g_clear_pointer (&underlay->image, cairo_surface_destroy);
   return done;

@@ -11,39 +11,39 @@ typedef struct QnPictureOptions {
   QnOutput output; /* what they say */
 } QnPictureOptions;
 
-/* Entries for a GOptionEntry array; `options` is a QnPictureOptions. */
+extern QnPictureOptions qn_picture;
+
+/* Entries for a GOptionEntry array. */
 /* clang-format off */
-#define QN_PICTURE_ENTRIES(options, path_name)                                           \
-  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &(options).path,                            \
+#define QN_PICTURE_ENTRIES(path_name)                                                    \
+  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &qn_picture.path,                           \
     N_ ("Write the picture here; - is standard output"), path_name },                    \
-  { "size", 0, 0, G_OPTION_ARG_STRING, &(options).size,                                  \
+  { "size", 0, 0, G_OPTION_ARG_STRING, &qn_picture.size,                                 \
     N_ ("Size in pixels or millimetres"), N_ ("1600x1200|160mmx120mm") },                \
-  { "dpi", 0, 0, G_OPTION_ARG_STRING, &(options).dpi,                                    \
+  { "dpi", 0, 0, G_OPTION_ARG_STRING, &qn_picture.dpi,                                   \
     N_ ("Pixels per inch for sizes in millimetres"), N_ ("DPI") },                       \
-  { "backend", 0, 0, G_OPTION_ARG_STRING, &(options).backend,                            \
+  { "backend", 0, 0, G_OPTION_ARG_STRING, &qn_picture.backend,                           \
     N_ ("Drawing library: cairo (default) or gl"), N_ ("cairo|gl") },                    \
-  { "transparent", 0, 0, G_OPTION_ARG_NONE, &(options).transparent,                      \
+  { "transparent", 0, 0, G_OPTION_ARG_NONE, &qn_picture.transparent,                     \
     N_ ("No white background"), NULL },                                                  \
-  { "monochrome", 0, 0, G_OPTION_ARG_NONE, &(options).monochrome, N_ ("Greys only"), NULL }
+  { "monochrome", 0, 0, G_OPTION_ARG_NONE, &qn_picture.monochrome, N_ ("Greys only"), NULL }
 /* clang-format on */
 
 /* Fills `output`; wrong options, or none for the path, end the program. */
-void qn_picture_output (QnPictureOptions *options);
+void qn_picture_output (void);
 
 /* The same where a picture is asked for; else nothing. */
-void qn_picture_if_any (QnPictureOptions *options);
+void qn_picture_if_any (void);
 
 /* The same without a look at the ending of the path: for files that are no single picture. */
-void qn_picture_page (QnPictureOptions *options);
+void qn_picture_page (void);
 
 /* The same for a picture or a table. */
-void qn_picture_or_table (QnPictureOptions *options);
+void qn_picture_or_table (void);
 
 /* Writes the picture of a plot about a project, which may be NULL. */
-void qn_picture_plot (const QnPictureOptions *options, QnPlot *plot, const char *title,
-                      const QnProject *project);
+void qn_picture_plot (QnPlot *plot, const char *title, const QnProject *project);
 
 /* Writes a figure of a project, with the picture that lies beneath it; FALSE with QN_TROUBLE. */
-gboolean qn_picture_figure (QnFigure *figure, const QnInput *input,
-                            const QnInputOptions *options, const char *path,
+gboolean qn_picture_figure (QnFigure *figure, const QnInput *input, const char *path,
                             const QnOutput *output);

@@ -7,7 +7,12 @@
 #include <string.h>
 #include <unistd.h>
 
+gboolean qn_cli_quiet;
+
 static volatile sig_atomic_t interrupted;
+
+static gint64 last_time; /* of the last update shown, us */
+static gsize idle_heap, peak_memory;
 
 static void
 on_interrupt (int signal_number)
@@ -40,34 +45,40 @@ heap_in_use (void)
 }
 
 static void
-measure_memory (QnTerminalProgress *progress)
+measure_memory (void)
 {
   enum { STEP = 1 << 20 };
   gsize now = heap_in_use ();
-  gsize grown = now > progress->idle_heap ? now - progress->idle_heap : 0;
-  progress->peak_memory = MAX (progress->peak_memory, (grown + STEP - 1) / STEP * STEP);
+  gsize grown = now > idle_heap ? now - idle_heap : 0;
+  peak_memory = MAX (peak_memory, (grown + STEP - 1) / STEP * STEP);
+}
+
+gboolean
+qn_progress_is_shown (void)
+{
+  return !qn_cli_quiet && isatty (STDERR_FILENO);
 }
 
 void
-qn_terminal_progress_begin (QnTerminalProgress *progress, gboolean quiet)
+qn_terminal_progress_begin (void)
 {
   qn_interrupt_install ();
-  progress->shown = !quiet && isatty (STDERR_FILENO);
-  progress->last_time = 0;
-  progress->idle_heap = heap_in_use ();
-  progress->peak_memory = 0;
+  last_time = 0;
+  idle_heap = heap_in_use ();
+  peak_memory = 0;
 }
 
 bool
 qn_terminal_progress_update (const QnProgress *progress, void *user_data)
 {
   enum { INTERVAL = 100000 }; /* us; faster than the eye needs is only noise */
-  QnTerminalProgress *self = user_data;
-  measure_memory (self);
-  gint64 now = self->shown ? g_get_monotonic_time () : 0;
+  (void) user_data;
+  measure_memory ();
+  gboolean shown = qn_progress_is_shown ();
+  gint64 now = shown ? g_get_monotonic_time () : 0;
 
-  if (self->shown && now - self->last_time >= INTERVAL) {
-    self->last_time = now;
+  if (shown && now - last_time >= INTERVAL) {
+    last_time = now;
     fprintf (stderr, "\r\033[K");
     if (progress->end > 0)
       fprintf (stderr, _ ("%.3f of %.4g s, %d iterations"), progress->time, progress->end,
@@ -80,9 +91,10 @@ qn_terminal_progress_update (const QnProgress *progress, void *user_data)
   return !qn_interrupt_seen ();
 }
 
-void
-qn_terminal_progress_done (QnTerminalProgress *progress)
+gsize
+qn_terminal_progress_done (void)
 {
-  if (progress->shown && progress->last_time > 0)
+  if (last_time > 0)
     fprintf (stderr, "\r\033[K");
+  return peak_memory;
 }

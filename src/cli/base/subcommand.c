@@ -1,7 +1,7 @@
 #include "cli/base/subcommand.h"
 
 #include "cli/base/message.h"
-#include "cli/base/shown-text.h"
+#include "cli/base/progress.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
@@ -60,6 +60,14 @@ is_output (const GOptionEntry *entry)
          && g_strv_contains (names, entry->long_name);
 }
 
+static gboolean to_stdout; /* some output goes there */
+
+gboolean
+qn_subcommand_prints (void)
+{
+  return !qn_cli_quiet && !to_stdout;
+}
+
 /* No output may be a file that is read or another output: it would take that one's place, perhaps that
  * of the user's own project. */
 static void
@@ -75,6 +83,7 @@ check_files (const GOptionEntry *entries, int count, char **arguments)
   for (; entries->long_name != NULL; entries++)
     for (guint i = 0; is_output (entries) && i < files->len; i++) {
       const char *output = *(char **) entries->arg_data;
+      to_stdout |= strcmp (output, "-") == 0;
       if (files->pdata[i] != output && is_same_file (output, files->pdata[i]))
         qn_cli_usage_error (_ ("%s: another file of this command is the same file"),
                             output);
@@ -95,52 +104,66 @@ end_by_help (GOptionContext *context, int argc, char **argv)
     }
 }
 
-gboolean
-qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries, int least,
-                     int most, int *argc, char ***argv)
+/* One line for the subcommand, one for each option, fields parted by tabs; in English, since manual pages and
+ * completions are made from it. */
+static void
+describe (const QnSubcommand *self)
 {
+  qn_print ("subcommand\t%s\t%s\t%s\t%s\n", self->name, self->arguments, self->summary,
+            self->help != NULL ? self->help : "");
+  for (const GOptionEntry *e = self->options; e != NULL && e->long_name != NULL; e++)
+    qn_print ("option\t%s\t%c\t%s\t%s\t%s\t%s\n", e->long_name,
+              e->short_name != 0 ? e->short_name : '-', kind_of (e),
+              is_repeated (e) ? "many" : "once",
+              e->arg_description != NULL ? e->arg_description : "", e->description);
+  for (gsize i = 0; self->actions != NULL && self->actions[i] != NULL; i++)
+    describe (self->actions[i]);
+}
+
+void
+qn_subcommand_run (const QnSubcommand *self, int argc, char **argv)
+{
+  static const GOptionEntry none[] = { G_OPTION_ENTRY_NULL };
+  const GOptionEntry *options = self->options != NULL ? self->options : none;
+
+  if (argc == 2 && strcmp (argv[1], QN_DESCRIBE) == 0) {
+    describe (self);
+    return;
+  }
+  qn_cli_set_subcommand (self->name);
+  if (self->actions != NULL) {
+    self->run (argv + 1);
+    return;
+  }
   g_autoptr (GOptionContext) context = g_option_context_new (self->arguments);
   g_autoptr (GError) error = NULL;
   g_autofree char *name = g_strconcat ("quoin-cli ", self->name, NULL);
-
-  if (*argc == 2 && strcmp ((*argv)[1], QN_DESCRIBE) == 0) {
-    /* One line for the subcommand, one for each option, fields parted by tabs; in
-     * English, since manual pages and completions are made from it. */
-    qn_print ("subcommand\t%s\t%s\t%s\t%s\n", self->name, self->arguments, self->summary,
-              self->help != NULL ? self->help : "");
-    for (; entries->long_name != NULL; entries++)
-      qn_print ("option\t%s\t%c\t%s\t%s\t%s\t%s\n", entries->long_name,
-                entries->short_name != 0 ? entries->short_name : '-', kind_of (entries),
-                is_repeated (entries) ? "many" : "once",
-                entries->arg_description != NULL ? entries->arg_description : "",
-                entries->description);
-    return FALSE;
-  }
-  qn_cli_set_subcommand (self->name);
   g_set_prgname (name);
   g_option_context_set_translation_domain (context, GETTEXT_PACKAGE);
-  g_option_context_add_main_entries (context, entries, GETTEXT_PACKAGE);
+  g_option_context_add_main_entries (context, options, GETTEXT_PACKAGE);
   g_option_context_set_summary (context, _ (self->summary));
+  g_option_context_set_ignore_unknown_options (context, self->keys);
   if (self->help != NULL)
     g_option_context_set_description (context, _ (self->help));
 
-  for (const GOptionEntry *e = entries; e->long_name != NULL; e++)
+  for (const GOptionEntry *e = options; e->long_name != NULL; e++)
     if (strcmp (e->long_name, "allow-outside") == 0)
       qn_cli_offer_outside ();
-  end_by_help (context, *argc, *argv);
-  gboolean parsed = g_option_context_parse (context, argc, argv, &error);
+  end_by_help (context, argc, argv);
+  gboolean parsed = g_option_context_parse (context, &argc, &argv, &error);
   g_set_prgname ("quoin-cli");
   if (!parsed)
     qn_cli_usage_error ("%s", error->message);
-  if (*argc > 1 && g_strcmp0 ((*argv)[1], "--") == 0) {
-    (*argv)++;
-    (*argc)--;
+  if (argc > 1 && g_strcmp0 (argv[1], "--") == 0) {
+    argv++;
+    argc--;
   }
-  if (*argc <= least)
+  if (argc < 2 && !self->optional)
     qn_cli_usage_error (_ ("an argument is missing: expected %s"), self->arguments);
-  if (*argc - 1 > most)
+  if (argc > 2 && !self->many)
     qn_cli_usage_error (_ ("too many arguments: expected %s"), self->arguments);
-  take_values (entries);
-  check_files (entries, *argc, *argv);
-  return TRUE;
+  take_values (options);
+  check_files (options, argc, argv);
+  argv[argc] = NULL;
+  self->run (argv + 1);
 }

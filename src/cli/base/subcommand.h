@@ -15,10 +15,17 @@ struct QnSubcommand {
   const char *arguments; /* what stands behind the name in the usage line: "MODEL" */
   const char *summary;   /* one line, no full stop; translatable (N_) */
   const char *help;      /* what --help says below the options; translatable, or NULL */
+  const GOptionEntry *options; /* to G_OPTION_ENTRY_NULL; NULL: none but --help */
+  /* NULL-terminated: `run` chooses one of these by its first argument, and parses nothing before. */
+  const QnSubcommand *const *actions;
 
-  /* argv[0] is the subcommand's own name; argv is NULL-terminated and may be modified. Where it comes back
-   * all is done; else it ends the program (message.h). */
-  void (*run) (const QnSubcommand *self, int argc, char **argv);
+  gboolean many,
+    optional;    /* it takes any number of arguments, or one at most; else one */
+  gboolean keys; /* options that it has not stay among its arguments, with their values */
+
+  /* `arguments`: what is no option, NULL-terminated. Where it comes back all is done; else it ends the program
+   * (message.h). */
+  void (*run) (char **arguments);
 };
 
 extern const QnSubcommand qn_cmd_capacity;
@@ -45,10 +52,12 @@ extern const QnSubcommand qn_cmd_verify;
 /* Asked for by this word alone, a subcommand describes itself instead: see qn_subcommand_parse(). */
 #define QN_DESCRIBE "--describe"
 
-/* Parses options in the usual way: options and arguments in any order, "--" ends the options,
- * --help prints the help of the subcommand and ends the program. What is no option stays in
- * argv[1 .. argc). An unknown option or a number of arguments outside least .. most ends the
- * program; the values of options are kept until it ends. QN_DESCRIBE prints the subcommand and its options as
- * lines with tabs, of which the build makes manual pages and completions; FALSE, nothing to do, then. */
-gboolean qn_subcommand_parse (const QnSubcommand *self, const GOptionEntry *entries,
-                              int least, int most, int *argc, char ***argv);
+/* Runs a subcommand; argv[0] is its own name. Options are parsed in the usual way: options and arguments in
+ * any order, "--" ends the options, --help prints the help of the subcommand and ends the program, and so does
+ * an unknown option or a wrong number of arguments. The values of options are kept until the program ends.
+ * QN_DESCRIBE prints the subcommand and its options as lines with tabs, of which the build makes manual pages
+ * and completions. */
+void qn_subcommand_run (const QnSubcommand *self, int argc, char **argv);
+
+/* --quiet was not given, and no output of the subcommand is standard output ("-"). */
+gboolean qn_subcommand_prints (void);

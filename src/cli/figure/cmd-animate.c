@@ -11,41 +11,36 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
-typedef struct AnimateOptions {
-  QnPictureOptions picture;
-  QnInputOptions input;
-  char *result, *view, *scale;
-  int frames;
-  double rate, speed;
-  gboolean once, no_curve, quiet;
-} AnimateOptions;
+static char *animate_result, *animate_view, *animate_scale;
+static int animate_frames;
+static double animate_rate = 24, animate_speed;
+static gboolean animate_once, animate_no_curve;
 
 /* What can be judged before any file is read. */
 static void
-check (const AnimateOptions *options, QnViewOptions *view)
+check (QnViewOptions *view)
 {
-  if (options->view != NULL && strcmp (options->view, "mechanism") != 0
-      && strcmp (options->view, "deformed") != 0)
+  if (animate_view != NULL && strcmp (animate_view, "mechanism") != 0
+      && strcmp (animate_view, "deformed") != 0)
     qn_cli_usage_error (_ ("--view is mechanism or deformed"));
   view->scale = QN_SCALE_AUTO;
-  if (options->scale != NULL && !qn_view_options_set (view, "scale", options->scale))
+  if (animate_scale != NULL && !qn_view_options_set (view, "scale", animate_scale))
     qn_cli_usage_error (_ ("--scale is a positive number, or auto"));
-  if (!isfinite (options->speed) || options->speed < 0)
+  if (!isfinite (animate_speed) || animate_speed < 0)
     qn_cli_usage_error (_ ("--speed is a positive number"));
-  if (options->speed > 0 && options->frames > 0)
+  if (animate_speed > 0 && animate_frames > 0)
     qn_cli_usage_error (_ ("either --speed or --frames, not both"));
-  if (options->picture.transparent)
+  if (qn_picture.transparent)
     qn_cli_usage_error (_ ("animations have a white background"));
-  qn_cli_must (qn_animation_check_path (options->picture.path, QN_TROUBLE));
+  qn_cli_must (qn_animation_check_path (qn_picture.path, QN_TROUBLE));
 }
 
 static bool
 on_frame (int done, int total, void *user_data)
 {
-  const gboolean *shown = user_data;
-  if (*shown) {
+  (void) user_data;
+  if (qn_progress_is_shown ()) {
     fprintf (stderr, "\r\033[K");
     if (done < total)
       fprintf (stderr, _ ("frame %d of %d"), done, total);
@@ -55,67 +50,63 @@ on_frame (int done, int total, void *user_data)
 }
 
 static void
-animate (const AnimateOptions *options, double scale, const QnInput *input)
+animate (double scale, const QnInput *input)
 {
   const QnResult *result = &input->file.result;
   QnView view = result->mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED;
-  gboolean shown = !options->quiet && isatty (STDERR_FILENO);
   QnAnimation animation;
   QnMetadata metadata;
-  qn_find_word (options->view, qn_view_names, QN_VIEW_COUNT, &view);
+  qn_find_word (animate_view, qn_view_names, QN_VIEW_COUNT, &view);
   qn_animation_init (&animation, &input->project.model, &input->contacts, result, view);
-  animation.figure.options.monochrome = options->picture.monochrome;
+  animation.figure.options.monochrome = qn_picture.monochrome;
   animation.figure.options.scale = scale;
-  animation.once = options->once;
-  animation.curve = !options->no_curve;
-  if (options->frames != 0)
-    animation.frames = options->frames;
-  animation.rate = options->rate;
+  animation.once = animate_once;
+  animation.curve = !animate_no_curve;
+  if (animate_frames != 0)
+    animation.frames = animate_frames;
+  animation.rate = animate_rate;
   animation.progress = on_frame;
-  animation.user_data = &shown;
   qn_project_get_metadata (&input->project, &metadata);
   qn_interrupt_install ();
-  qn_cli_must (options->speed == 0
-               || qn_animation_set_speed (&animation, options->speed, QN_TROUBLE));
-  qn_cli_must (qn_animation_export (&animation, options->picture.path,
-                                    &options->picture.output, &metadata, QN_TROUBLE));
+  qn_cli_must (animate_speed == 0
+               || qn_animation_set_speed (&animation, animate_speed, QN_TROUBLE));
+  qn_cli_must (qn_animation_export (&animation, qn_picture.path, &qn_picture.output,
+                                    &metadata, QN_TROUBLE));
 }
 
-static void
-run_animate (const QnSubcommand *self, int argc, char **argv)
-{
-  AnimateOptions options = { .rate = 24, .picture.size = (char *) "960x720" };
-  const GOptionEntry entries[] = {
-    { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
-      N_ ("Result that is shown"), N_ ("RESULT.json") },
-    { "view", 0, 0, G_OPTION_ARG_STRING, &options.view,
-      N_ ("The mechanism, or the path of equilibria with its curve"),
-      "mechanism|deformed" },
-    { "scale", 0, 0, G_OPTION_ARG_STRING, &options.scale, N_ ("Factor on displacements"),
-      N_ ("F|auto") },
-    { "frames", 0, 0, G_OPTION_ARG_INT, &options.frames, N_ ("Number of pictures (48)"),
-      N_ ("N") },
-    { "rate", 0, 0, G_OPTION_ARG_DOUBLE, &options.rate, N_ ("Pictures per second (24)"),
-      N_ ("N") },
-    { "speed", 0, 0, G_OPTION_ARG_DOUBLE, &options.speed,
-      N_ ("Of an analysis in time: its seconds in a second; 1 is real time"), N_ ("F") },
-    { "once", 0, 0, G_OPTION_ARG_NONE, &options.once,
-      N_ ("Play the mechanism once, not back and forth"), NULL },
-    { "no-curve", 0, 0, G_OPTION_ARG_NONE, &options.no_curve,
-      N_ ("Without the load–displacement curve"), NULL },
-    { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("No progress"), NULL },
-    QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.gif|webm|FOLDER/")),
-    QN_INPUT_ENTRIES (options.input),
-    G_OPTION_ENTRY_NULL,
-  };
-  QnViewOptions view = { 0 };
+static const GOptionEntry animate_entries[] = {
+  { "result", 'r', 0, G_OPTION_ARG_FILENAME, &animate_result, N_ ("Result that is shown"),
+    N_ ("RESULT.json") },
+  { "view", 0, 0, G_OPTION_ARG_STRING, &animate_view,
+    N_ ("The mechanism, or the path of equilibria with its curve"),
+    "mechanism|deformed" },
+  { "scale", 0, 0, G_OPTION_ARG_STRING, &animate_scale, N_ ("Factor on displacements"),
+    N_ ("F|auto") },
+  { "frames", 0, 0, G_OPTION_ARG_INT, &animate_frames, N_ ("Number of pictures (48)"),
+    N_ ("N") },
+  { "rate", 0, 0, G_OPTION_ARG_DOUBLE, &animate_rate, N_ ("Pictures per second (24)"),
+    N_ ("N") },
+  { "speed", 0, 0, G_OPTION_ARG_DOUBLE, &animate_speed,
+    N_ ("Of an analysis in time: its seconds in a second; 1 is real time"), N_ ("F") },
+  { "once", 0, 0, G_OPTION_ARG_NONE, &animate_once,
+    N_ ("Play the mechanism once, not back and forth"), NULL },
+  { "no-curve", 0, 0, G_OPTION_ARG_NONE, &animate_no_curve,
+    N_ ("Without the load–displacement curve"), NULL },
+  { "quiet", 'q', 0, G_OPTION_ARG_NONE, &qn_cli_quiet, N_ ("No progress"), NULL },
+  QN_PICTURE_ENTRIES (N_ ("OUT.gif|webm|FOLDER/")),
+  QN_INPUT_ENTRIES,
+  G_OPTION_ENTRY_NULL,
+};
 
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return;
-  qn_picture_page (&options.picture);
-  check (&options, &view);
-  animate (&options, view.scale,
-           qn_input_load_or_solve (argv[1], options.result, &options.input));
+static void
+run_animate (char **arguments)
+{
+  QnViewOptions view = { 0 };
+  if (qn_picture.size == NULL)
+    qn_picture.size = (char *) "960x720";
+  qn_picture_page ();
+  check (&view);
+  animate (view.scale, qn_input_load_or_solve (arguments[0], animate_result));
 }
 
 const QnSubcommand qn_cmd_animate = {
@@ -126,5 +117,6 @@ const QnSubcommand qn_cmd_animate = {
     N_ ("The ending of the output chooses the format; a name that ends in / is a "
         "folder for pictures frame-0001.png and so on. A project without a result is "
         "solved first."),
+  .options = animate_entries,
   .run = run_animate,
 };

@@ -8,36 +8,30 @@
 /* Where --columns is not given. */
 #define CHOSEN_BY_FORMAT G_MININT
 
-typedef struct CompareOptions {
-  QnPictureOptions picture;
-  QnInputOptions input;
-  char *title;
-  int columns;
-} CompareOptions;
+static char *compare_title;
+static int compare_columns = CHOSEN_BY_FORMAT;
+
+static const GOptionEntry compare_entries[] = {
+  { "columns", 0, 0, G_OPTION_ARG_INT, &compare_columns,
+    N_ ("Figures in a row; chosen by the format otherwise"), N_ ("N") },
+  { "title", 0, 0, G_OPTION_ARG_STRING, &compare_title, N_ ("Title of the sheet"),
+    N_ ("TEXT") },
+  QN_PICTURE_ENTRIES (N_ ("OUT.png|svg|pdf|csv")),
+  QN_INPUT_ENTRIES,
+  G_OPTION_ENTRY_NULL,
+};
 
 static void
-run_compare (const QnSubcommand *self, int argc, char **argv)
+run_compare (char **arguments)
 {
-  CompareOptions options = { .columns = CHOSEN_BY_FORMAT };
-  const GOptionEntry entries[] = {
-    { "columns", 0, 0, G_OPTION_ARG_INT, &options.columns,
-      N_ ("Figures in a row; chosen by the format otherwise"), N_ ("N") },
-    { "title", 0, 0, G_OPTION_ARG_STRING, &options.title, N_ ("Title of the sheet"),
-      N_ ("TEXT") },
-    QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf|csv")),
-    QN_INPUT_ENTRIES (options.input),
-    G_OPTION_ENTRY_NULL,
-  };
-  if (!qn_subcommand_parse (self, entries, 1, 1000, &argc, &argv))
-    return;
-  if (options.columns < 1 && options.columns != CHOSEN_BY_FORMAT)
+  if (compare_columns < 1 && compare_columns != CHOSEN_BY_FORMAT)
     qn_cli_usage_error (_ ("--columns must be positive"));
-  qn_picture_or_table (&options.picture);
-  gsize count = (gsize) argc - 1;
-  const QnSheetRun *runs = qn_input_load_runs (argv + 1, count, &options.input);
-  qn_cli_must (qn_comparison_export (runs, count, MAX (options.columns, 0), options.title,
-                                     options.picture.monochrome, options.picture.path,
-                                     &options.picture.output, QN_TROUBLE));
+  qn_picture_or_table ();
+  gsize count = g_strv_length (arguments);
+  const QnSheetRun *runs = qn_input_load_runs (arguments, count);
+  qn_cli_must (qn_comparison_export (runs, count, MAX (compare_columns, 0), compare_title,
+                                     qn_picture.monochrome, qn_picture.path,
+                                     &qn_picture.output, QN_TROUBLE));
 }
 
 const QnSubcommand qn_cmd_compare = {
@@ -48,5 +42,7 @@ const QnSubcommand qn_cmd_compare = {
     N_ ("A project without a result is solved first. Below each figure are its load "
         "multiplier and the name of its mechanism; results of the same structure that "
         "move alike have the same letter. With the ending .csv a table is written."),
+  .options = compare_entries,
+  .many = TRUE,
   .run = run_compare,
 };

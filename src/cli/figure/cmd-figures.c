@@ -1,7 +1,6 @@
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
-#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "doc/view/recipe.h"
 #include "io/text/file-read.h"
@@ -9,12 +8,9 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-typedef struct FiguresOptions {
-  char *folder;
-  char **names; /* make only these; NULL: all */
-  gboolean list;
-  QnInputOptions input;
-} FiguresOptions;
+static char *figures_folder;
+static char **figures_names; /* make only these; NULL: all */
+static gboolean figures_list;
 
 /* The project with what was computed for its figures so far. */
 typedef struct Workshop {
@@ -23,7 +19,6 @@ typedef struct Workshop {
   char *result_folder; /* where results that recipes name are looked for */
   QnInput *input;      /* the project, and its own result once solved */
   gboolean is_solved;
-  const QnInputOptions *options;
 } Workshop;
 
 static void
@@ -37,26 +32,25 @@ must (const QnRecipe *recipe, gboolean done)
 static void
 make (const QnRecipe *recipe, Workshop *shop)
 {
-  const gboolean outside = shop->options->allow_outside;
   const QnInput *input = shop->input;
   QnFigure figure;
   g_autofree char *path =
-    qn_file_inside (shop->folder, recipe->file, outside, QN_TROUBLE);
+    qn_file_inside (shop->folder, recipe->file, qn_allow_outside, QN_TROUBLE);
   must (recipe, path != NULL);
   if (recipe->result != NULL) {
     g_autofree char *result =
-      qn_file_inside (shop->result_folder, recipe->result, outside, QN_TROUBLE);
+      qn_file_inside (shop->result_folder, recipe->result, qn_allow_outside, QN_TROUBLE);
     must (recipe, result != NULL);
-    input = qn_input_load_with_result (shop->path, result, shop->options);
+    input = qn_input_load_with_result (shop->path, result);
   } else if (qn_recipe_needs_result (recipe) && !shop->is_solved) {
     /* One analysis serves all figures that need one. */
-    qn_input_solve (shop->input, shop->options);
+    qn_input_solve (shop->input);
     shop->is_solved = TRUE;
   }
   qn_recipe_fill (recipe, &input->project.model, &input->contacts,
                   recipe->result != NULL || shop->is_solved ? &input->file.result : NULL,
                   &figure);
-  must (recipe, qn_picture_figure (&figure, input, shop->options, path, &recipe->output));
+  must (recipe, qn_picture_figure (&figure, input, path, &recipe->output));
   qn_print ("%s\n", path);
   if (qn_recipe_is_stale (recipe, &shop->input->project))
     qn_cli_warning (_ ("figure \"%s\": the model changed since the figure was stored"),
@@ -65,9 +59,9 @@ make (const QnRecipe *recipe, Workshop *shop)
 
 /* Given names that no figure has are reported first. */
 static void
-check_names (const GPtrArray *recipes, const FiguresOptions *options)
+check_names (const GPtrArray *recipes)
 {
-  for (char **name = options->names; name != NULL && *name != NULL; name++) {
+  for (char **name = figures_names; name != NULL && *name != NULL; name++) {
     gboolean found = FALSE;
     for (guint i = 0; i < recipes->len; i++)
       found |= strcmp (((QnRecipe *) g_ptr_array_index (recipes, i))->name, *name) == 0;
@@ -77,18 +71,18 @@ check_names (const GPtrArray *recipes, const FiguresOptions *options)
 }
 
 static void
-make_all (const GPtrArray *recipes, const FiguresOptions *options, Workshop *shop)
+make_all (const GPtrArray *recipes, Workshop *shop)
 {
-  const char *const *names = (const char *const *) options->names;
-  check_names (recipes, options);
-  qn_cli_must (options->list || qn_recipes_check_files (recipes, names, QN_TROUBLE));
+  const char *const *names = (const char *const *) figures_names;
+  check_names (recipes);
+  qn_cli_must (figures_list || qn_recipes_check_files (recipes, names, QN_TROUBLE));
   if (recipes->len == 0)
     qn_cli_warning (_ ("%s: the project has no figures"), shop->path);
   for (guint i = 0; i < recipes->len; i++) {
     const QnRecipe *recipe = g_ptr_array_index (recipes, i);
     if (names != NULL && !g_strv_contains (names, recipe->name))
       continue;
-    if (!options->list)
+    if (!figures_list)
       make (recipe, shop);
     else
       qn_print (
@@ -98,30 +92,27 @@ make_all (const GPtrArray *recipes, const FiguresOptions *options, Workshop *sho
   }
 }
 
+static const GOptionEntry figures_entries[] = {
+  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &figures_folder,
+    N_ ("Write the pictures here instead of beside the project"), N_ ("FOLDER") },
+  { "figure", 0, 0, G_OPTION_ARG_STRING_ARRAY, &figures_names,
+    N_ ("Make this figure only; may be given many times"), N_ ("NAME") },
+  { "list", 0, 0, G_OPTION_ARG_NONE, &figures_list,
+    N_ ("Only list the figures and whether the model changed since"), NULL },
+  QN_INPUT_ENTRIES,
+  G_OPTION_ENTRY_NULL,
+};
+
 static void
-run_figures (const QnSubcommand *self, int argc, char **argv)
+run_figures (char **arguments)
 {
-  FiguresOptions options = { 0 };
-  const GOptionEntry entries[] = {
-    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.folder,
-      N_ ("Write the pictures here instead of beside the project"), N_ ("FOLDER") },
-    { "figure", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.names,
-      N_ ("Make this figure only; may be given many times"), N_ ("NAME") },
-    { "list", 0, 0, G_OPTION_ARG_NONE, &options.list,
-      N_ ("Only list the figures and whether the model changed since"), NULL },
-    QN_INPUT_ENTRIES (options.input),
-    G_OPTION_ENTRY_NULL,
-  };
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return;
-  Workshop shop = { .path = argv[1],
-                    .result_folder = qn_cli_keep (g_path_get_dirname (argv[1])),
-                    .input = qn_input_load (argv[1], &options.input),
-                    .options = &options.input };
-  shop.folder = options.folder != NULL ? options.folder : shop.result_folder;
+  Workshop shop = { .path = arguments[0],
+                    .result_folder = qn_cli_keep (g_path_get_dirname (arguments[0])),
+                    .input = qn_input_load (arguments[0]) };
+  shop.folder = figures_folder != NULL ? figures_folder : shop.result_folder;
   g_autoptr (GPtrArray) recipes = qn_recipes_read (&shop.input->project, QN_TROUBLE);
   qn_cli_must (recipes != NULL);
-  make_all (recipes, &options, &shop);
+  make_all (recipes, &shop);
 }
 
 const QnSubcommand qn_cmd_figures = {
@@ -130,5 +121,6 @@ const QnSubcommand qn_cmd_figures = {
   .summary = N_ ("Make every figure stored in the project again"),
   .help = N_ ("A figure that names no result is drawn from a new analysis; one analysis "
               "serves them all."),
+  .options = figures_entries,
   .run = run_figures,
 };

@@ -9,17 +9,13 @@
 #include <locale.h>
 #include <string.h>
 
-typedef struct ReportOptions {
-  char *output, *paper, *sections, *demand;
-  char **results;
-  QnInputOptions input;
-} ReportOptions;
+static char *report_output, *report_paper, *report_sections, *report_demand;
+static char **report_results;
 
 static void
-load_run (QnReportRun *run, const char *model, const char *result,
-          const QnInputOptions *options)
+load_run (QnReportRun *run, const char *model, const char *result)
 {
-  QnInput *input = qn_input_load_with_result (model, result, options);
+  QnInput *input = qn_input_load_with_result (model, result);
   *run = (QnReportRun){ .project = &input->project,
                         .contacts = &input->contacts,
                         .name = g_path_get_basename (result),
@@ -27,14 +23,14 @@ load_run (QnReportRun *run, const char *model, const char *result,
   qn_report_run_check (run, result);
   /* What shook the structure is shown where its records are still there. */
   if (input->project.model.analysis.procedure == QN_PROCEDURE_DYNAMIC)
-    qn_project_read_records (&input->project, NULL, options->allow_outside, NULL);
+    qn_project_read_records (&input->project, NULL, qn_allow_outside, NULL);
 }
 
 /* A project without results is solved. */
 static void
-solve_run (QnReportRun *run, const char *model, const QnInputOptions *options)
+solve_run (QnReportRun *run, const char *model)
 {
-  QnInput *input = qn_input_load_or_solve (model, NULL, options);
+  QnInput *input = qn_input_load_or_solve (model, NULL);
   *run = (QnReportRun){ .project = &input->project,
                         .contacts = &input->contacts,
                         .name = g_strdup (_ ("Analysis of the project")) };
@@ -52,32 +48,29 @@ use_numbers_of_words (void)
 }
 
 static void
-write_report (const ReportOptions *options, QnReport *report)
+write_report (QnReport *report)
 {
   gsize length;
-  QnTerminalProgress progress;
-  qn_terminal_progress_begin (&progress, FALSE);
+  qn_terminal_progress_begin ();
   use_numbers_of_words ();
   report->progress = qn_terminal_progress_update;
-  report->progress_data = &progress;
   g_autoptr (GBytes) bytes = qn_report_encode (report, QN_TROUBLE);
   setlocale (LC_NUMERIC, "C");
-  qn_terminal_progress_done (&progress);
+  qn_terminal_progress_done ();
   if (g_error_matches (qn_cli_trouble, G_IO_ERROR, G_IO_ERROR_CANCELLED))
     qn_cli_cancelled (report->project->name);
   qn_cli_must (bytes != NULL);
   const void *data = g_bytes_get_data (bytes, &length);
-  qn_cli_must (qn_file_replace (options->output, data, length, QN_TROUBLE));
+  qn_cli_must (qn_file_replace (report_output, data, length, QN_TROUBLE));
 }
 
 /* What the project keeps, and what options say instead. */
 static void
-plan_report (const ReportOptions *options, const QnProject *project,
-             QnReportTemplate *plan)
+plan_report (const QnProject *project, QnReportTemplate *plan)
 {
-  const char *const given[][2] = { { "paper", options->paper },
-                                   { "demand", options->demand },
-                                   { "sections", options->sections } };
+  const char *const given[][2] = { { "paper", report_paper },
+                                   { "demand", report_demand },
+                                   { "sections", report_sections } };
   qn_cli_must (qn_report_template_read (plan, project, QN_TROUBLE));
   for (gsize i = 0; i < G_N_ELEMENTS (given); i++)
     if (given[i][1] != NULL
@@ -86,50 +79,48 @@ plan_report (const ReportOptions *options, const QnProject *project,
 }
 
 static void
-make_report (const ReportOptions *options, const char *model)
+make_report (const char *model)
 {
-  guint count = options->results != NULL ? g_strv_length (options->results) : 0;
+  guint count = report_results != NULL ? g_strv_length (report_results) : 0;
   QnReportRun *runs = qn_cli_keep (g_new0 (QnReportRun, count + 1));
-  const QnInput *input = qn_input_load (model, &options->input);
+  const QnInput *input = qn_input_load (model);
   QnReport *report = qn_cli_keep (g_new0 (QnReport, 1));
   *report = (QnReport){ .project = &input->project,
                         .contacts = &input->contacts,
                         .runs = runs,
                         .units = QN_UNITS_REPORT };
-  plan_report (options, &input->project, &report->plan);
+  plan_report (&input->project, &report->plan);
   for (guint i = 0; i < count; i++)
-    load_run (&runs[i], model, options->results[i], &options->input);
+    load_run (&runs[i], model, report_results[i]);
   if (count == 0)
-    solve_run (&runs[count++], model, &options->input);
+    solve_run (&runs[count++], model);
   report->run_count = count;
-  write_report (options, report);
+  write_report (report);
 }
 
+static const GOptionEntry report_entries[] = {
+  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &report_output, N_ ("Write the report here"),
+    N_ ("OUT.pdf") },
+  { "result", 'r', 0, G_OPTION_ARG_FILENAME_ARRAY, &report_results,
+    N_ ("Result that is reported; may be given again"), N_ ("RESULT.json") },
+  { "paper", 0, 0, G_OPTION_ARG_STRING, &report_paper, N_ ("Size of the pages (a4)"),
+    "a4|letter" },
+  { "sections", 0, 0, G_OPTION_ARG_STRING, &report_sections,
+    N_ ("Only these, commas between them"),
+    "title,model,materials,loads,assumptions,findings,contacts,results,mechanism,"
+    "combinations,joints,certificate,comparison,files" },
+  { "demand", 0, 0, G_OPTION_ARG_STRING, &report_demand,
+    N_ ("Say whether this load multiplier is carried"), N_ ("MULTIPLIER") },
+  QN_INPUT_ENTRIES,
+  G_OPTION_ENTRY_NULL,
+};
+
 static void
-run_report (const QnSubcommand *self, int argc, char **argv)
+run_report (char **arguments)
 {
-  ReportOptions options = { 0 };
-  const GOptionEntry entries[] = {
-    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
-      N_ ("Write the report here"), N_ ("OUT.pdf") },
-    { "result", 'r', 0, G_OPTION_ARG_FILENAME_ARRAY, &options.results,
-      N_ ("Result that is reported; may be given again"), N_ ("RESULT.json") },
-    { "paper", 0, 0, G_OPTION_ARG_STRING, &options.paper, N_ ("Size of the pages (a4)"),
-      "a4|letter" },
-    { "sections", 0, 0, G_OPTION_ARG_STRING, &options.sections,
-      N_ ("Only these, commas between them"),
-      "title,model,materials,loads,assumptions,findings,contacts,results,mechanism,"
-      "combinations,joints,certificate,comparison,files" },
-    { "demand", 0, 0, G_OPTION_ARG_STRING, &options.demand,
-      N_ ("Say whether this load multiplier is carried"), N_ ("MULTIPLIER") },
-    QN_INPUT_ENTRIES (options.input),
-    G_OPTION_ENTRY_NULL,
-  };
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return;
-  if (options.output == NULL)
+  if (report_output == NULL)
     qn_cli_usage_error (_ ("-o is missing"));
-  make_report (&options, argv[1]);
+  make_report (arguments[0]);
 }
 
 const QnSubcommand qn_cmd_report = {
@@ -142,5 +133,6 @@ const QnSubcommand qn_cmd_report = {
     "each, a comparison, files and versions. A project without a result is "
     "solved first. Tables of joints are whole where their section is named. The project "
     "may keep sections, paper, author and an introduction in \"report\"."),
+  .options = report_entries,
   .run = run_report,
 };

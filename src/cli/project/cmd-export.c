@@ -11,12 +11,9 @@
 
 #include <glib/gi18n.h>
 
-typedef struct ExportOptions {
-  char *output, *result, *unit, *given_table;
-  QnResultTable table; /* QN_TABLE_COUNT: of cracks */
-  QnInputOptions input;
-  double scale;
-} ExportOptions;
+static char *export_output, *export_result, *export_unit, *export_given_table;
+static QnResultTable export_table; /* QN_TABLE_COUNT: of cracks */
+static double export_scale = 1;
 
 typedef enum { FORMAT_DXF, FORMAT_PVD, FORMAT_CSV, FORMAT_QUOIN, FORMAT_COUNT } Format;
 
@@ -33,20 +30,19 @@ format_of (const char *path)
 }
 
 static gboolean
-write_table (const ExportOptions *options, const QnInput *input, GError **error)
+write_table (const QnInput *input, GError **error)
 {
   const QnProject *project = &input->project;
   const QnResult *result = &input->file.result;
-  return options->table == QN_TABLE_COUNT
-           ? qn_cracks_csv_write (options->output, project, &input->contacts, result,
-                                  error)
-           : qn_result_table_write (options->output, options->table, project,
+  return export_table == QN_TABLE_COUNT
+           ? qn_cracks_csv_write (export_output, project, &input->contacts, result, error)
+           : qn_result_table_write (export_output, export_table, project,
                                     &input->contacts, result, error);
 }
 
 /* Walls and masonry become the polygons that they expand to, of the same names. */
 static gboolean
-write_polygons (const ExportOptions *options, QnInput *input, GError **error)
+write_polygons (QnInput *input, GError **error)
 {
   QnModel *model = &input->project.model;
   g_autofree QnId *all = g_new (QnId, model->block_count + 1);
@@ -54,25 +50,25 @@ write_polygons (const ExportOptions *options, QnInput *input, GError **error)
     all[i] = (QnId) i;
   QnBlockSet set = { all, (guint) model->block_count };
   return (!qn_edit_take_apart (model, set) || qn_edit_rebuild (model, NULL, error))
-         && qn_project_save (&input->project, options->output, error);
+         && qn_project_save (&input->project, export_output, error);
 }
 
 static gboolean
-write_as (Format format, const ExportOptions *options, QnInput *input, GError **error)
+write_as (Format format, QnInput *input, GError **error)
 {
   const QnModel *model = &input->project.model;
-  const QnResult *result = options->result != NULL ? &input->file.result : NULL;
-  double unit = options->unit != NULL ? qn_import_unit (options->unit) : 1;
+  const QnResult *result = export_result != NULL ? &input->file.result : NULL;
+  double unit = export_unit != NULL ? qn_import_unit (export_unit) : 1;
   switch (format) {
   case FORMAT_DXF:
-    return qn_dxf_export (model, &input->contacts, result, options->scale, unit,
-                          options->output, error);
+    return qn_dxf_export (model, &input->contacts, result, export_scale, unit,
+                          export_output, error);
   case FORMAT_PVD:
-    return qn_vtu_export (model, &input->contacts, result, options->output, error);
+    return qn_vtu_export (model, &input->contacts, result, export_output, error);
   case FORMAT_CSV:
-    return write_table (options, input, error);
+    return write_table (input, error);
   case FORMAT_QUOIN:
-    return write_polygons (options, input, error);
+    return write_polygons (input, error);
   case FORMAT_COUNT:
     break;
   }
@@ -80,7 +76,7 @@ write_as (Format format, const ExportOptions *options, QnInput *input, GError **
 }
 
 static Format
-check_options (ExportOptions *options)
+check_options (void)
 {
   static const char *const tables[] = {
     [QN_TABLE_CURVE] = "curve",       [QN_TABLE_DISPLACEMENTS] = "displacements",
@@ -89,50 +85,45 @@ check_options (ExportOptions *options)
     [QN_TABLE_COUNT] = "cracks",
   };
   Format format = FORMAT_COUNT;
-  if (options->given_table != NULL
-      && !qn_find_word (options->given_table, tables, G_N_ELEMENTS (tables),
-                        &options->table))
-    qn_cli_refuse_name (options->given_table, tables, G_N_ELEMENTS (tables));
-  if (options->output == NULL)
+  if (export_given_table != NULL
+      && !qn_find_word (export_given_table, tables, G_N_ELEMENTS (tables), &export_table))
+    qn_cli_refuse_name (export_given_table, tables, G_N_ELEMENTS (tables));
+  if (export_output == NULL)
     qn_cli_usage_error (_ ("-o is missing"));
   else
-    format = format_of (options->output);
+    format = format_of (export_output);
   if (format == FORMAT_COUNT)
     qn_cli_usage_error (_ ("the output must end in .dxf, .pvd, .csv or .quoin"));
-  if (options->unit != NULL && qn_import_unit (options->unit) == 0)
+  if (export_unit != NULL && qn_import_unit (export_unit) == 0)
     qn_cli_usage_error (_ ("--unit must be mm, cm, dm, m, in or ft"));
-  if (format == FORMAT_CSV && options->result == NULL)
+  if (format == FORMAT_CSV && export_result == NULL)
     qn_cli_usage_error (_ ("a table needs --result"));
   return format;
 }
 
+static const GOptionEntry export_entries[] = {
+  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &export_output,
+    N_ ("File to write; its ending chooses the format"), N_ ("OUT.dxf|pvd|csv|quoin") },
+  { "result", 'r', 0, G_OPTION_ARG_FILENAME, &export_result,
+    N_ ("Result of the project, for the deformed shape, steps and tables"),
+    N_ ("RESULT.json") },
+  { "unit", 'u', 0, G_OPTION_ARG_STRING, &export_unit, N_ ("Unit of the DXF file (m)"),
+    "mm|cm|dm|m|in|ft" },
+  { "scale", 0, 0, G_OPTION_ARG_DOUBLE, &export_scale,
+    N_ ("Displacements of the layer DEFORMED times this"), N_ ("FACTOR") },
+  { "table", 0, 0, G_OPTION_ARG_STRING, &export_given_table,
+    N_ ("Table of the CSV file (curve)"),
+    "curve|displacements|contacts|beams|bars|ties|cracks" },
+  QN_INPUT_ENTRIES,
+  G_OPTION_ENTRY_NULL,
+};
+
 static void
-run_export (const QnSubcommand *self, int argc, char **argv)
+run_export (char **arguments)
 {
-  ExportOptions options = { .scale = 1 };
-  const GOptionEntry entries[] = {
-    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
-      N_ ("File to write; its ending chooses the format"), N_ ("OUT.dxf|pvd|csv|quoin") },
-    { "result", 'r', 0, G_OPTION_ARG_FILENAME, &options.result,
-      N_ ("Result of the project, for the deformed shape, steps and tables"),
-      N_ ("RESULT.json") },
-    { "unit", 'u', 0, G_OPTION_ARG_STRING, &options.unit, N_ ("Unit of the DXF file (m)"),
-      "mm|cm|dm|m|in|ft" },
-    { "scale", 0, 0, G_OPTION_ARG_DOUBLE, &options.scale,
-      N_ ("Displacements of the layer DEFORMED times this"), N_ ("FACTOR") },
-    { "table", 0, 0, G_OPTION_ARG_STRING, &options.given_table,
-      N_ ("Table of the CSV file (curve)"),
-      "curve|displacements|contacts|beams|bars|ties|cracks" },
-    QN_INPUT_ENTRIES (options.input),
-    G_OPTION_ENTRY_NULL,
-  };
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return;
-  Format format = check_options (&options);
-  QnInput *input = options.result != NULL
-                     ? qn_input_load_with_result (argv[1], options.result, &options.input)
-                     : qn_input_load (argv[1], &options.input);
-  qn_cli_must (write_as (format, &options, input, QN_TROUBLE));
+  Format format = check_options ();
+  QnInput *input = qn_input_load_with_result (arguments[0], export_result);
+  qn_cli_must (write_as (format, input, QN_TROUBLE));
 }
 
 const QnSubcommand qn_cmd_export = {
@@ -145,5 +136,6 @@ const QnSubcommand qn_cmd_export = {
         "a result, DEFORMED. PVD lists one VTU file per step, written beside it, with "
         "beams one more, and one with the contact forces. A project is written with its "
         "walls and masonry as polygons."),
+  .options = export_entries,
   .run = run_export,
 };

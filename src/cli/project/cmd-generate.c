@@ -6,86 +6,45 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-typedef struct GenerateOptions {
-  char *output;
-  char *title;
-  double friction;
-  gboolean plain;
-} GenerateOptions;
+static char *generate_output, *generate_title;
+static double generate_friction = 0.65;
+static gboolean generate_plain;
 
+static const GOptionEntry generate_entries[] = {
+  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &generate_output,
+    N_ ("Project file to write"), N_ ("MODEL.quoin") },
+  { "title", 0, 0, G_OPTION_ARG_STRING, &generate_title, N_ ("Title of the project"),
+    N_ ("TEXT") },
+  { "friction", 0, 0, G_OPTION_ARG_DOUBLE, &generate_friction,
+    N_ ("Friction coefficient of the dry joints (0.65)"), N_ ("MU") },
+  { "plain", 0, 0, G_OPTION_ARG_NONE, &generate_plain,
+    N_ ("Write plain blocks instead of parameters"), NULL },
+  G_OPTION_ENTRY_NULL,
+};
+
+/* "--length 6", "--length=6" and "length=6" say the same. */
 static void
-generate (const GenerateOptions *options, char **arguments)
+run_generate (char **arguments)
 {
-  QnProject *project = qn_cli_keep (g_new0 (QnProject, 1));
-  qn_cli_must (qn_project_generate (arguments[0], (const char *const *) arguments + 1,
-                                    options->friction, project, QN_TROUBLE));
-  if (options->plain)
-    qn_project_detach_masonry (project);
-  if (options->title != NULL) {
-    free (project->model.title);
-    project->model.title = strdup (options->title);
+  g_autoptr (GPtrArray) keys = g_ptr_array_new_null_terminated (1, g_free, TRUE);
+  for (char **key = arguments + 1; *key != NULL; key++) {
+    const char *name = *key + (g_str_has_prefix (*key, "--") ? 2 : 0);
+    gboolean whole = name == *key || strchr (name, '=') != NULL || key[1] == NULL;
+    g_ptr_array_add (keys,
+                     whole ? g_strdup (name) : g_strconcat (name, "=", *++key, NULL));
   }
-  qn_cli_must (qn_project_save (project, options->output, QN_TROUBLE));
-}
-
-/* Whether an argument that begins with -- is an option of the subcommand itself. */
-static gboolean
-is_option (const char *argument, const GOptionEntry *entries)
-{
-  g_autofree char *name = g_strndup (argument + 2, strcspn (argument + 2, "="));
-  for (; entries->long_name != NULL; entries++)
-    if (strcmp (name, entries->long_name) == 0)
-      return TRUE;
-  return name[0] == '\0' || strcmp (name, "help") == 0 || strcmp (name, "help-all") == 0
-         || strcmp (argument, QN_DESCRIBE) == 0;
-}
-
-/* "--length 6", "--length=6" and "length=6" say the same. Options of the subcommand itself stay
- * what they are. */
-static GPtrArray *
-join_keys (int argc, char **argv, const GOptionEntry *entries)
-{
-  GPtrArray *joined = g_ptr_array_new_with_free_func (g_free);
-  for (int i = 0; i < argc; i++) {
-    const char *argument = argv[i];
-    gboolean mine = !g_str_has_prefix (argument, "--") || is_option (argument, entries);
-    if (mine)
-      g_ptr_array_add (joined, g_strdup (argument));
-    else if (strchr (argument, '=') != NULL || i + 1 == argc)
-      g_ptr_array_add (joined, g_strdup (argument + 2));
-    else
-      g_ptr_array_add (joined, g_strdup_printf ("%s=%s", argument + 2, argv[++i]));
-  }
-  g_ptr_array_add (joined, NULL);
-  return joined;
-}
-
-static void
-run_generate (const QnSubcommand *self, int argc, char **argv)
-{
-  GenerateOptions options = { .friction = 0.65 };
-  const GOptionEntry entries[] = {
-    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.output,
-      N_ ("Project file to write"), N_ ("MODEL.quoin") },
-    { "title", 0, 0, G_OPTION_ARG_STRING, &options.title, N_ ("Title of the project"),
-      N_ ("TEXT") },
-    { "friction", 0, 0, G_OPTION_ARG_DOUBLE, &options.friction,
-      N_ ("Friction coefficient of the dry joints (0.65)"), N_ ("MU") },
-    { "plain", 0, 0, G_OPTION_ARG_NONE, &options.plain,
-      N_ ("Write plain blocks instead of parameters"), NULL },
-    G_OPTION_ENTRY_NULL,
-  };
-  g_autoptr (GPtrArray) joined = join_keys (argc, argv, entries);
-  /* The parser reorders the vector; the strings stay owned by `joined`. */
-  g_autofree char **arguments = g_memdup2 (joined->pdata, joined->len * sizeof (char *));
-  char **rest = arguments;
-  int count = (int) joined->len - 1;
-  if (!qn_subcommand_parse (self, entries, 1, 1000, &count, &rest))
-    return;
-  rest[count] = NULL;
-  if (options.output == NULL)
+  if (generate_output == NULL)
     qn_cli_usage_error (_ ("-o is missing"));
-  generate (&options, rest + 1);
+  QnProject *project = qn_cli_keep (g_new0 (QnProject, 1));
+  qn_cli_must (qn_project_generate (arguments[0], (const char *const *) keys->pdata,
+                                    generate_friction, project, QN_TROUBLE));
+  if (generate_plain)
+    qn_project_detach_masonry (project);
+  if (generate_title != NULL) {
+    free (project->model.title);
+    project->model.title = strdup (generate_title);
+  }
+  qn_cli_must (qn_project_save (project, generate_output, QN_TROUBLE));
 }
 
 const QnSubcommand qn_cmd_generate = {
@@ -102,5 +61,8 @@ const QnSubcommand qn_cmd_generate = {
     "storeys=3.2x3, thickness=0.5x0.4, floors=12000x8000, bearing, floor-friction, "
     "floor-inertia, held, ties, thrust, parapet, courses, width, unit-weight; N and m, "
     "from the bottom."),
+  .options = generate_entries,
+  .many = TRUE,
+  .keys = TRUE,
   .run = run_generate,
 };

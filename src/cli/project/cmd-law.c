@@ -10,12 +10,27 @@
 #include <math.h>
 #include <string.h>
 
-typedef struct LawOptions {
-  QnPictureOptions picture;
-  char *csv, *model, *path;
-  char **settings;
-  double length;
-} LawOptions;
+static char *law_csv, *law_model, *law_path;
+static char **law_settings;
+static double law_length = 0.1;
+
+static const GOptionEntry law_entries[] = {
+  { "csv", 0, 0, G_OPTION_ARG_FILENAME, &law_csv,
+    N_ ("Write the history as a table here; - is standard output"), N_ ("OUT.csv") },
+  { "plot", 0, 0, G_OPTION_ARG_FILENAME, &qn_picture.path, N_ ("Draw the history here"),
+    N_ ("OUT.png|svg|pdf") },
+  { "model", 0, 0, G_OPTION_ARG_FILENAME, &law_model,
+    N_ ("Take the law of this name from a project"), N_ ("MODEL") },
+  { "set", 0, 0, G_OPTION_ARG_STRING_ARRAY, &law_settings,
+    N_ ("Change a number of the law, or its basis"), N_ ("KEY=VALUE") },
+  { "path", 0, 0, G_OPTION_ARG_STRING, &law_path,
+    N_ ("Elongations (strains in the material basis) to go through, from 0"),
+    N_ ("E1,E2,…") },
+  { "length", 0, 0, G_OPTION_ARG_DOUBLE, &law_length,
+    N_ ("Length of the block's side, m, for the material basis (0.1)"), N_ ("M") },
+  QN_PICTURE_ENTRIES (N_ ("OUT.png|svg|pdf")),
+  G_OPTION_ENTRY_NULL,
+};
 
 typedef struct History {
   QnLawPreset what;
@@ -96,22 +111,22 @@ take_law_of_project (const char *model, const char *name, QnLawPreset *what)
 }
 
 static void
-prepare (const LawOptions *options, const char *name, History *history)
+prepare (const char *name, History *history)
 {
   QnLawPreset *what = &history->what;
   QnDiag diag = { 0 };
   QnLawKind kind = QN_LAW_ELASTIC;
-  if (options->model != NULL)
-    take_law_of_project (options->model, name, what);
+  if (law_model != NULL)
+    take_law_of_project (law_model, name, what);
   else if (qn_find_word (name, qn_law_kind_names, QN_LAW_KIND_COUNT, &kind))
     *what = *qn_law_preset (kind);
   else
     qn_cli_usage_error (_ ("no law is called “%s”"), name);
-  for (char **setting = options->settings; setting && *setting; setting++)
+  for (char **setting = law_settings; setting && *setting; setting++)
     apply_setting (&what->law, *setting);
-  if (options->path != NULL)
-    parse_path (options->path, what);
-  if (!(options->length > 0 && isfinite (options->length)))
+  if (law_path != NULL)
+    parse_path (law_path, what);
+  if (!(law_length > 0 && isfinite (law_length)))
     qn_cli_usage_error (_ ("--length must be positive"));
 
   QnLaw named = what->law;
@@ -119,7 +134,7 @@ prepare (const LawOptions *options, const char *name, History *history)
   if (qn_law_check (&named, 0, &diag) != QN_OK)
     qn_cli_fail (QN_EXIT_INVALID, "%s: %s", diag.field,
                  _ (qn_problem_text (diag.problem)));
-  history->length = what->law.basis == QN_BASIS_MATERIAL ? options->length : 1;
+  history->length = what->law.basis == QN_BASIS_MATERIAL ? law_length : 1;
 }
 
 static void
@@ -145,46 +160,22 @@ write_history (const History *history, const char *path)
 }
 
 static void
-show (LawOptions *options, const char *name)
+run_law (char **arguments)
 {
+  const char *name = arguments[0];
   History history = { .samples =
                         qn_cli_keep (g_array_new (FALSE, FALSE, sizeof (QnLawSample))) };
-  prepare (options, name, &history);
-  qn_picture_if_any (&options->picture);
+  prepare (name, &history);
+  qn_picture_if_any ();
   if (!qn_law_trace (&history.what, history.length, history.samples))
     qn_cli_fail (QN_EXIT_INVALID, "%s",
                  _ (qn_problem_text (QN_PROBLEM_FRACTURE_ENERGY_TOO_SMALL)));
-  if (options->picture.path != NULL) {
+  if (qn_picture.path != NULL) {
     g_autoptr (QnPlot) plot = qn_law_plot (&history.what, history.samples);
-    qn_picture_plot (&options->picture, plot, name, NULL);
+    qn_picture_plot (plot, name, NULL);
   }
-  if (options->csv != NULL || options->picture.path == NULL)
-    write_history (&history, options->csv != NULL ? options->csv : "-");
-}
-
-static void
-run_law (const QnSubcommand *self, int argc, char **argv)
-{
-  LawOptions options = { .length = 0.1 };
-  const GOptionEntry entries[] = {
-    { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
-      N_ ("Write the history as a table here; - is standard output"), N_ ("OUT.csv") },
-    { "plot", 0, 0, G_OPTION_ARG_FILENAME, &options.picture.path,
-      N_ ("Draw the history here"), N_ ("OUT.png|svg|pdf") },
-    { "model", 0, 0, G_OPTION_ARG_FILENAME, &options.model,
-      N_ ("Take the law of this name from a project"), N_ ("MODEL") },
-    { "set", 0, 0, G_OPTION_ARG_STRING_ARRAY, &options.settings,
-      N_ ("Change a number of the law, or its basis"), N_ ("KEY=VALUE") },
-    { "path", 0, 0, G_OPTION_ARG_STRING, &options.path,
-      N_ ("Elongations (strains in the material basis) to go through, from 0"),
-      N_ ("E1,E2,…") },
-    { "length", 0, 0, G_OPTION_ARG_DOUBLE, &options.length,
-      N_ ("Length of the block's side, m, for the material basis (0.1)"), N_ ("M") },
-    QN_PICTURE_ENTRIES (options.picture, N_ ("OUT.png|svg|pdf")),
-    G_OPTION_ENTRY_NULL,
-  };
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    show (&options, argv[1]);
+  if (law_csv != NULL || qn_picture.path == NULL)
+    write_history (&history, law_csv != NULL ? law_csv : "-");
 }
 
 const QnSubcommand qn_cmd_law = {
@@ -195,5 +186,6 @@ const QnSubcommand qn_cmd_law = {
   .help =
     N_ ("A kind has typical numbers; NAME is a law of the project that --model names. "
         "Without --plot the table goes to standard output."),
+  .options = law_entries,
   .run = run_law,
 };

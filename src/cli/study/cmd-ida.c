@@ -1,7 +1,7 @@
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/picture.h"
-#include "cli/base/shown-text.h"
+#include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
 #include "cli/study/cmd-study.h"
 #include "io/exchange/record.h"
@@ -22,15 +22,10 @@
 /* s that a structure is followed beyond its record, where the project does not say how long. */
 #define AFTER 5.0
 
-typedef struct IdaOptions {
-  QnPictureOptions picture;
-  char *folder, *csv, *scale, *unit;
-  char **records;
-  QnInputOptions input;
-  double time_step;
-  int jobs;
-  gboolean quiet;
-} IdaOptions;
+static char *ida_folder, *ida_csv, *ida_scale, *ida_unit;
+static char **ida_records;
+static double ida_time_step;
+static int ida_jobs;
 
 /* One record at all factors. */
 typedef struct Curve {
@@ -43,7 +38,6 @@ typedef struct Curve {
 } Curve;
 
 typedef struct Ida {
-  const IdaOptions *options;
   QnProject project; /* the model as it was read, with the user's overrides */
   GArray *scales;    /* of double */
   Curve *curves;
@@ -78,16 +72,16 @@ parse_scales (const char *text, GArray *scales)
 }
 
 static void
-check_ida_options (const IdaOptions *options, GArray *scales)
+check_ida_options (GArray *scales)
 {
-  if (options->records == NULL)
+  if (ida_records == NULL)
     qn_cli_usage_error (_ ("--record is missing"));
-  if (options->scale == NULL || !parse_scales (options->scale, scales))
+  if (ida_scale == NULL || !parse_scales (ida_scale, scales))
     qn_cli_usage_error (
       _ ("--scale is least:greatest:step, all positive, as in 0.1:2:0.1"));
-  if (options->folder == NULL)
+  if (ida_folder == NULL)
     qn_cli_usage_error (_ ("-o is missing"));
-  if (options->jobs < 0 || options->jobs > 1024)
+  if (ida_jobs < 0 || ida_jobs > 1024)
     qn_cli_usage_error (_ ("--jobs is a number from 1 to 1024"));
 }
 
@@ -103,7 +97,7 @@ make_model (const Ida *ida, const char *record, double end, QnProject *model)
     source->ground_count > 0 ? source->ground[0].direction : qn_vec2 (1, 0);
   char x[QN_NUMBER_TEXT_SIZE], y[QN_NUMBER_TEXT_SIZE], duration[QN_NUMBER_TEXT_SIZE];
   g_autoptr (GPtrArray) all = g_ptr_array_new_with_free_func (g_free);
-  for (char **o = ida->options->input.overrides; o != NULL && *o != NULL; o++)
+  for (char **o = qn_overrides; o != NULL && *o != NULL; o++)
     g_ptr_array_add (all, g_strdup (*o));
   qn_number_text (direction.x, x);
   qn_number_text (direction.y, y);
@@ -146,20 +140,20 @@ dup_study_text (const Ida *ida, const char *title, const char *model)
 static void
 make_study (const Ida *ida, gsize index, Curve *curve, QnStudy *study)
 {
-  const char *path = ida->options->records[index];
+  const char *path = ida_records[index];
   g_autofree char *stem = g_strdup_printf ("record-%" G_GSIZE_FORMAT, index + 1);
   g_autofree char *csv = g_strconcat (stem, ".csv", NULL);
   g_autofree char *model_name = g_strconcat (stem, ".quoin", NULL);
   g_autofree char *study_name = g_strconcat (stem, ".quoin-study", NULL);
-  g_autofree char *record_path = g_build_filename (ida->options->folder, csv, NULL);
-  g_autofree char *model_path = g_build_filename (ida->options->folder, model_name, NULL);
-  g_autofree char *study_path = g_build_filename (ida->options->folder, study_name, NULL);
+  g_autofree char *record_path = g_build_filename (ida_folder, csv, NULL);
+  g_autofree char *model_path = g_build_filename (ida_folder, model_name, NULL);
+  g_autofree char *study_path = g_build_filename (ida_folder, study_name, NULL);
   QnRecord record;
   QnProject model;
   /* What the command line states is for the records that do not. */
-  qn_cli_must (qn_record_read (path, NULL, 0, FALSE, &record, NULL)
-               || qn_record_read (path, ida->options->unit, ida->options->time_step,
-                                  FALSE, &record, QN_TROUBLE));
+  qn_cli_must (
+    qn_record_read (path, NULL, 0, FALSE, &record, NULL)
+    || qn_record_read (path, ida_unit, ida_time_step, FALSE, &record, QN_TROUBLE));
   QnRecordFacts facts = qn_record_facts (&record);
   g_autofree char *doubt = qn_record_dup_doubt (&record);
   if (doubt != NULL)
@@ -233,7 +227,7 @@ print_runs (const Ida *ida)
 static void
 write_runs (const Ida *ida)
 {
-  QnFileWriter *out = qn_file_writer_open (ida->options->csv);
+  QnFileWriter *out = qn_file_writer_open (ida_csv);
   qn_file_writer_puts (out, "record,scale,peak acceleration [m/s2],peak displacement "
                             "[m],overturned,time [s]\n");
   for (gsize c = 0; c < ida->count; c++) {
@@ -295,7 +289,7 @@ draw_runs (const Ida *ida)
       QN_USUAL_DASH;
     overturning = NULL; /* told once */
   }
-  qn_picture_plot (&ida->options->picture, plot, ida->project.model.title, &ida->project);
+  qn_picture_plot (plot, ida->project.model.title, &ida->project);
 }
 
 /* --- All of it ------------------------------------------------------------------------------ */
@@ -306,72 +300,66 @@ compute (const Ida *ida, gsize index, Curve *curve)
 {
   g_auto (QnStudy) study = { 0 };
   QnStudyProgress progress;
-  const QnStudyRunSettings settings = { .jobs = (guint) ida->options->jobs,
-                                        .shard = { 0, 1 } };
+  const QnStudyRunSettings settings = { .jobs = (guint) ida_jobs, .shard = { 0, 1 } };
   g_autofree char *name = g_strdup_printf ("record-%" G_GSIZE_FORMAT, index + 1);
-  g_autofree char *folder = g_build_filename (ida->options->folder, name, NULL);
+  g_autofree char *folder = g_build_filename (ida_folder, name, NULL);
   make_study (ida, index, curve, &study);
-  if (!qn_study_compute (&study, folder, settings, ida->options->quiet, index, ida->count,
-                         &progress))
-    qn_study_cancelled (ida->options->folder);
+  if (!qn_study_compute (&study, folder, settings, index, ida->count, &progress))
+    qn_study_cancelled (ida_folder);
   take_run_curve (curve, &study, folder);
 }
 
 static void
 run_all (Ida *ida)
 {
-  if (g_mkdir_with_parents (ida->options->folder, 0777) != 0)
-    qn_cli_fail (QN_EXIT_FILE, "%s: %s", ida->options->folder, _ ("cannot be written"));
-  ida->count = g_strv_length (ida->options->records);
+  if (g_mkdir_with_parents (ida_folder, 0777) != 0)
+    qn_cli_fail (QN_EXIT_FILE, "%s: %s", ida_folder, _ ("cannot be written"));
+  ida->count = g_strv_length (ida_records);
   ida->curves = qn_cli_keep (g_new0 (Curve, ida->count));
   for (gsize i = 0; i < ida->count; i++)
     compute (ida, i, &ida->curves[i]);
-  if (ida->options->csv != NULL)
+  if (ida_csv != NULL)
     write_runs (ida);
-  if (ida->options->picture.path != NULL)
+  if (qn_picture.path != NULL)
     draw_runs (ida);
-  if (!ida->options->quiet && g_strcmp0 (ida->options->csv, "-") != 0)
+  if (qn_subcommand_prints ())
     print_runs (ida);
 }
 
+static const GOptionEntry ida_entries[] = {
+  { "record", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &ida_records,
+    N_ ("A record of ground motion; may be given again"), N_ ("FILE") },
+  { "scale", 0, 0, G_OPTION_ARG_STRING, &ida_scale,
+    N_ ("Factors on the records: least, greatest, step"), N_ ("0.1:2:0.1") },
+  { "unit", 0, 0, G_OPTION_ARG_STRING, &ida_unit,
+    N_ ("Unit of accelerations where the records do not state it"), N_ ("g|m/s2|cm/s2") },
+  { "time-step", 0, 0, G_OPTION_ARG_DOUBLE, &ida_time_step,
+    N_ ("Time between samples where the records do not state it, s"), N_ ("STEP") },
+  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &ida_folder,
+    N_ ("Folder of the results; made where there is none"), N_ ("FOLDER") },
+  { "csv", 0, 0, G_OPTION_ARG_FILENAME, &ida_csv,
+    N_ ("Write the curves here; - is standard output"), N_ ("OUT.csv") },
+  { "picture", 0, 0, G_OPTION_ARG_FILENAME, &qn_picture.path, N_ ("Draw the curves here"),
+    N_ ("OUT.png|svg|pdf") },
+  { "size", 0, 0, G_OPTION_ARG_STRING, &qn_picture.size,
+    N_ ("Size in pixels or millimetres"), N_ ("1600x1200|160mmx120mm") },
+  { "monochrome", 0, 0, G_OPTION_ARG_NONE, &qn_picture.monochrome, N_ ("Greys only"),
+    NULL },
+  { "jobs", 'j', 0, G_OPTION_ARG_INT, &ida_jobs,
+    N_ ("Processes at once; all cores by default"), N_ ("N") },
+  QN_INPUT_ENTRIES,
+  QN_QUIET_ENTRY,
+  G_OPTION_ENTRY_NULL,
+};
+
 static void
-run_ida (const QnSubcommand *self, int argc, char **argv)
+run_ida (char **arguments)
 {
-  IdaOptions options = { 0 };
-  const GOptionEntry entries[] = {
-    { "record", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &options.records,
-      N_ ("A record of ground motion; may be given again"), N_ ("FILE") },
-    { "scale", 0, 0, G_OPTION_ARG_STRING, &options.scale,
-      N_ ("Factors on the records: least, greatest, step"), N_ ("0.1:2:0.1") },
-    { "unit", 0, 0, G_OPTION_ARG_STRING, &options.unit,
-      N_ ("Unit of accelerations where the records do not state it"),
-      N_ ("g|m/s2|cm/s2") },
-    { "time-step", 0, 0, G_OPTION_ARG_DOUBLE, &options.time_step,
-      N_ ("Time between samples where the records do not state it, s"), N_ ("STEP") },
-    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.folder,
-      N_ ("Folder of the results; made where there is none"), N_ ("FOLDER") },
-    { "csv", 0, 0, G_OPTION_ARG_FILENAME, &options.csv,
-      N_ ("Write the curves here; - is standard output"), N_ ("OUT.csv") },
-    { "picture", 0, 0, G_OPTION_ARG_FILENAME, &options.picture.path,
-      N_ ("Draw the curves here"), N_ ("OUT.png|svg|pdf") },
-    { "size", 0, 0, G_OPTION_ARG_STRING, &options.picture.size,
-      N_ ("Size in pixels or millimetres"), N_ ("1600x1200|160mmx120mm") },
-    { "monochrome", 0, 0, G_OPTION_ARG_NONE, &options.picture.monochrome,
-      N_ ("Greys only"), NULL },
-    { "jobs", 'j', 0, G_OPTION_ARG_INT, &options.jobs,
-      N_ ("Processes at once; all cores by default"), N_ ("N") },
-    QN_INPUT_ENTRIES (options.input),
-    QN_INPUT_QUIET_ENTRY (&options.quiet),
-    G_OPTION_ENTRY_NULL,
-  };
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return;
   Ida *ida = qn_cli_keep (g_new0 (Ida, 1));
-  ida->options = &options;
   ida->scales = g_array_new (FALSE, FALSE, sizeof (double));
-  check_ida_options (&options, ida->scales);
-  qn_picture_if_any (&options.picture);
-  qn_cli_must (qn_project_load (argv[1], (const char *const *) options.input.overrides,
+  check_ida_options (ida->scales);
+  qn_picture_if_any ();
+  qn_cli_must (qn_project_load (arguments[0], (const char *const *) qn_overrides,
                                 &ida->project, QN_TROUBLE));
   run_all (ida);
 }
@@ -386,5 +374,6 @@ const QnSubcommand qn_cmd_ida = {
     "kept: after an interruption the same command computes what is missing. The "
     "record takes the place of the project's ground motions, along the direction of "
     "the first of them, or along x."),
+  .options = ida_entries,
   .run = run_ida,
 };

@@ -1,26 +1,25 @@
-#include "cli/base/shown-text.h"
-#include "cli/base/subcommand.h"
-#include "core/base/integer.h"
+#include "cli/study/cmd-study.h"
 
 #include "cli/base/message.h"
+#include "cli/base/picture.h"
 #include "cli/base/progress.h"
-#include "cli/study/cmd-study.h"
+#include "core/base/integer.h"
+#include "core/base/word.h"
+#include "study/cases/folder.h"
 #include "study/cases/gather.h"
-#include "study/cases/run.h"
 #include "study/cases/worker.h"
 #include "study/cluster/slurm.h"
+#include "study/report/figures.h"
+#include "study/report/summary.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
-typedef struct RunOptions {
-  char *folder, *shard;
-  int jobs;
-  gboolean keep, retry, prepare, quiet;
-} RunOptions;
+static char *study_folder, *study_shard;
+static int study_jobs;
+static gboolean study_keep, study_retry, study_prepare;
 
 /* How far a study has come, on a terminal, or in lines for a program that sets QUOIN_PROGRESS. */
 typedef struct Display {
@@ -67,9 +66,9 @@ dup_program (void)
 
 gboolean
 qn_study_compute (const QnStudy *study, const char *folder, QnStudyRunSettings settings,
-                  gboolean quiet, gsize part, gsize parts, QnStudyProgress *progress)
+                  gsize part, gsize parts, QnStudyProgress *progress)
 {
-  Display display = { .shown = !quiet && isatty (STDERR_FILENO),
+  Display display = { .shown = qn_progress_is_shown (),
                       .lines = g_getenv ("QUOIN_PROGRESS") != NULL,
                       .part = part,
                       .parts = parts };
@@ -111,110 +110,115 @@ parse_shard (const char *text, QnShard *shard)
 }
 
 static void
-compute (const QnStudy *study, const RunOptions *options, QnStudyRunSettings settings)
+compute (const QnStudy *study, QnStudyRunSettings settings)
 {
   QnStudyProgress progress;
-  gboolean done =
-    qn_study_compute (study, options->folder, settings, options->quiet, 0, 1, &progress);
-  if (!options->quiet) {
-    qn_print (_ ("%s: %zu of %zu cases"), options->folder, progress.present,
+  gboolean done = qn_study_compute (study, study_folder, settings, 0, 1, &progress);
+  if (!qn_cli_quiet) {
+    qn_print (_ ("%s: %zu of %zu cases"), study_folder, progress.present,
               progress.wanted);
     if (progress.failed > 0)
       qn_print (_ (", %zu of those computed now failed"), progress.failed);
     qn_print (_ ("; %.1f s\n"), progress.seconds);
   }
   if (!done)
-    qn_study_cancelled (options->folder);
+    qn_study_cancelled (study_folder);
 }
 
 static void
-run_study (RunOptions *options, char *path)
+run_cases (char **arguments)
 {
+  char *path = arguments[0];
   QnStudy *study = qn_cli_keep (g_new0 (QnStudy, 1));
-  QnStudyRunSettings settings = { .jobs = (guint) MAX (options->jobs, 0),
-                                  .keep = options->keep,
-                                  .retry = options->retry };
+  QnStudyRunSettings settings = { .jobs = (guint) MAX (study_jobs, 0),
+                                  .keep = study_keep,
+                                  .retry = study_retry };
   /* The folder of a study stands for the study as well. */
-  gboolean again = options->folder == NULL && g_file_test (path, G_FILE_TEST_IS_DIR);
+  gboolean again = study_folder == NULL && g_file_test (path, G_FILE_TEST_IS_DIR);
   if (again)
     path = qn_cli_keep (qn_folder_dup_named (path));
-  if (options->folder == NULL && !again)
+  if (study_folder == NULL && !again)
     qn_cli_usage_error (_ ("-o is missing"));
-  if (options->jobs < 0 || options->jobs > 1024)
+  if (study_jobs < 0 || study_jobs > 1024)
     qn_cli_usage_error (_ ("--jobs is a number from 1 to 1024"));
-  if (!parse_shard (options->shard, &settings.shard))
+  if (!parse_shard (study_shard, &settings.shard))
     qn_cli_usage_error (_ ("--shard is k/n, the k-th of n slices, as in 3/10"));
   qn_cli_must (again ? qn_folder_read_study (path, study, QN_TROUBLE)
                      : qn_study_read (path, NULL, study, QN_TROUBLE));
   if (again)
-    options->folder = path;
+    study_folder = path;
   for (guint i = 0; i < study->warnings->len; i++)
     qn_cli_warning ("%s", (char *) g_ptr_array_index (study->warnings, i));
   for (guint i = 0; i < study->project.warnings->len; i++)
     qn_cli_warning ("%s", (char *) g_ptr_array_index (study->project.warnings, i));
-  if (!options->prepare) {
-    compute (study, options, settings);
+  if (!study_prepare) {
+    compute (study, settings);
     return;
   }
-  qn_cli_must (qn_folder_prepare (options->folder, study, QN_TROUBLE));
-  if (!options->quiet)
-    qn_print (_ ("%s: %zu cases to compute\n"), options->folder,
+  qn_cli_must (qn_folder_prepare (study_folder, study, QN_TROUBLE));
+  if (!qn_cli_quiet)
+    qn_print (_ ("%s: %zu cases to compute\n"), study_folder,
               qn_study_case_count (study));
 }
 
-static void
-run_run (const QnSubcommand *self, int argc, char **argv)
-{
-  RunOptions options = { 0 };
-  const GOptionEntry entries[] = {
-    { "output", 'o', 0, G_OPTION_ARG_FILENAME, &options.folder,
-      N_ ("Folder of the results; made where there is none"), N_ ("FOLDER") },
-    { "jobs", 'j', 0, G_OPTION_ARG_INT, &options.jobs,
-      N_ ("Processes at once; all cores by default"), N_ ("N") },
-    { "shard", 0, 0, G_OPTION_ARG_STRING, &options.shard,
-      N_ ("Compute the k-th of n slices only, into a separate database"), N_ ("K/N") },
-    { "keep", 0, 0, G_OPTION_ARG_NONE, &options.keep,
-      N_ ("Keep the full result of every case that is computed"), NULL },
-    { "retry", 0, 0, G_OPTION_ARG_NONE, &options.retry,
-      N_ ("Compute cases that failed once more"), NULL },
-    { "prepare", 0, 0, G_OPTION_ARG_NONE, &options.prepare,
-      N_ ("Make the folder and compute nothing yet"), NULL },
-    { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet,
-      N_ ("Print errors and warnings only"), NULL },
-    G_OPTION_ENTRY_NULL,
-  };
-  if (qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    run_study (&options, argv[1]);
-}
+static const GOptionEntry run_entries[] = {
+  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &study_folder,
+    N_ ("Folder of the results; made where there is none"), N_ ("FOLDER") },
+  { "jobs", 'j', 0, G_OPTION_ARG_INT, &study_jobs,
+    N_ ("Processes at once; all cores by default"), N_ ("N") },
+  { "shard", 0, 0, G_OPTION_ARG_STRING, &study_shard,
+    N_ ("Compute the k-th of n slices only, into a separate database"), N_ ("K/N") },
+  { "keep", 0, 0, G_OPTION_ARG_NONE, &study_keep,
+    N_ ("Keep the full result of every case that is computed"), NULL },
+  { "retry", 0, 0, G_OPTION_ARG_NONE, &study_retry,
+    N_ ("Compute cases that failed once more"), NULL },
+  { "prepare", 0, 0, G_OPTION_ARG_NONE, &study_prepare,
+    N_ ("Make the folder and compute nothing yet"), NULL },
+  QN_QUIET_ENTRY,
+  G_OPTION_ENTRY_NULL,
+};
+
+static const QnSubcommand run_action = {
+  .name = "study run",
+  .arguments = "STUDY|FOLDER",
+  .summary = N_ ("Compute the cases of a study that have no result yet"),
+  .help = N_ ("Every case is a row of FOLDER/study.db, written as it is computed: after "
+              "Ctrl+C or a crash the same command continues. A case that "
+              "fails is a row that says why."),
+  .options = run_entries,
+  .run = run_cases,
+};
+
+/* --- On a cluster --- */
+
+static gboolean submit_slurm, submit_dry_run;
+static int submit_size;
+static char *submit_partition;
+
+static const GOptionEntry submit_entries[] = {
+  { "slurm", 0, 0, G_OPTION_ARG_NONE, &submit_slurm, N_ ("Submit to Slurm"), NULL },
+  { "array-size", 0, 0, G_OPTION_ARG_INT, &submit_size,
+    N_ ("Tasks of the array; as before, or 100"), N_ ("N") },
+  { "partition", 0, 0, G_OPTION_ARG_STRING, &submit_partition,
+    N_ ("Partition of the cluster"), N_ ("NAME") },
+  { "dry-run", 0, 0, G_OPTION_ARG_NONE, &submit_dry_run,
+    N_ ("Print the script and submit nothing"), NULL },
+  G_OPTION_ENTRY_NULL,
+};
 
 static void
-run_submit (const QnSubcommand *self, int argc, char **argv)
+run_submit (char **arguments)
 {
-  gboolean slurm = FALSE, dry_run = FALSE;
-  int size = 0;
-  char *partition = NULL;
-  const GOptionEntry entries[] = {
-    { "slurm", 0, 0, G_OPTION_ARG_NONE, &slurm, N_ ("Submit to Slurm"), NULL },
-    { "array-size", 0, 0, G_OPTION_ARG_INT, &size,
-      N_ ("Tasks of the array; as before, or 100"), N_ ("N") },
-    { "partition", 0, 0, G_OPTION_ARG_STRING, &partition, N_ ("Partition of the cluster"),
-      N_ ("NAME") },
-    { "dry-run", 0, 0, G_OPTION_ARG_NONE, &dry_run,
-      N_ ("Print the script and submit nothing"), NULL },
-    G_OPTION_ENTRY_NULL,
-  };
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return;
-  if (!slurm)
+  if (!submit_slurm)
     qn_cli_usage_error (_ ("--slurm is missing"));
-  if (size < 0 || size > QN_STUDY_MAX_CASES)
+  if (submit_size < 0 || submit_size > QN_STUDY_MAX_CASES)
     qn_cli_usage_error (_ ("--array-size must be positive"));
   g_autofree char *program = g_file_read_link ("/proc/self/exe", NULL);
   const QnSlurmSettings settings = { .program = program != NULL ? program : "quoin-cli",
-                                     .array_size = (guint) size,
-                                     .partition = partition,
-                                     .dry_run = dry_run };
-  const char *folder = qn_cli_keep (qn_folder_dup_named (argv[1]));
+                                     .array_size = (guint) submit_size,
+                                     .partition = submit_partition,
+                                     .dry_run = submit_dry_run };
+  const char *folder = qn_cli_keep (qn_folder_dup_named (arguments[0]));
   g_auto (QnStudy) study = { 0 };
   QnSubmission submission;
   qn_cli_must (qn_folder_read_study (folder, &study, QN_TROUBLE)
@@ -236,52 +240,39 @@ static const QnSubcommand submit_action = {
   .summary = N_ ("Compute the cases that are missing on a cluster"),
   .help = N_ ("All nodes must see the folder. Run again, the command submits only tasks "
               "that failed or were lost."),
+  .options = submit_entries,
   .run = run_submit,
 };
 
 /* Started by `run` alone: not in the help. */
+static const GOptionEntry worker_entries[] = {
+  { "keep", 0, 0, G_OPTION_ARG_NONE, &study_keep,
+    N_ ("Keep the full result of every case that is computed"), NULL },
+  G_OPTION_ENTRY_NULL,
+};
+
 static void
-run_worker (const QnSubcommand *self, int argc, char **argv)
+run_worker (char **arguments)
 {
-  gboolean keep = FALSE;
-  const GOptionEntry entries[] = {
-    { "keep", 0, 0, G_OPTION_ARG_NONE, &keep,
-      N_ ("Keep the full result of every case that is computed"), NULL },
-    G_OPTION_ENTRY_NULL,
-  };
   g_auto (QnStudy) study = { 0 };
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return;
-  qn_cli_must (qn_folder_read_study (argv[1], &study, QN_TROUBLE));
-  qn_worker_serve (&study, argv[1], keep, stdin, stdout);
+  qn_cli_must (qn_folder_read_study (arguments[0], &study, QN_TROUBLE));
+  qn_worker_serve (&study, arguments[0], study_keep, stdin, stdout);
 }
 
 static const QnSubcommand worker = {
   .name = "study worker",
   .arguments = "FOLDER",
   .summary = N_ ("Compute the cases that standard input names"),
+  .options = worker_entries,
   .run = run_worker,
 };
 
-static const QnSubcommand run_action = {
-  .name = "study run",
-  .arguments = "STUDY|FOLDER",
-  .summary = N_ ("Compute the cases of a study that have no result yet"),
-  .help = N_ ("Every case is a row of FOLDER/study.db, written as it is computed: after "
-              "Ctrl+C or a crash the same command continues. A case that "
-              "fails is a row that says why."),
-  .run = run_run,
-};
-
 static void
-run_gather (const QnSubcommand *self, int argc, char **argv)
+run_gather (char **arguments)
 {
-  const GOptionEntry entries[] = { G_OPTION_ENTRY_NULL };
   g_auto (QnStudy) study = { 0 };
   QnGathered gathered;
-  if (!qn_subcommand_parse (self, entries, 1, 1, &argc, &argv))
-    return;
-  const char *folder = qn_cli_keep (qn_folder_dup_named (argv[1]));
+  const char *folder = qn_cli_keep (qn_folder_dup_named (arguments[0]));
   qn_cli_must (qn_folder_read_study (folder, &study, QN_TROUBLE)
                && qn_study_gather (&study, folder, &gathered, QN_TROUBLE));
   qn_print (_ ("%s: %zu rows added; %zu of %zu cases, %zu failed\n"), folder,
@@ -296,53 +287,173 @@ static const QnSubcommand gather_action = {
   .run = run_gather,
 };
 
-static const QnSubcommand *const actions[] = { &run_action,
-                                               &submit_action,
-                                               &gather_action,
-                                               &qn_study_action_table,
-                                               &qn_study_action_summary,
-                                               &qn_study_action_plot };
+/* --- What came of it --- */
+
+/* The rows of the study of a folder, for the rest of the program. */
+static QnTable *
+load_table (const char *name)
+{
+  const char *folder = qn_cli_keep (qn_folder_dup_named (name));
+  QnStudy *study = qn_cli_keep (g_new0 (QnStudy, 1));
+  QnTable *table = qn_cli_keep (g_new0 (QnTable, 1));
+  qn_cli_must (qn_folder_read_study (folder, study, QN_TROUBLE)
+               && qn_table_read (table, study, folder, QN_TROUBLE));
+  return table;
+}
+
+static char *table_path = (char *) "-";
+
+static const GOptionEntry table_entries[] = {
+  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &table_path,
+    N_ ("Write the table here; standard output by default"), N_ ("TABLE.csv") },
+  G_OPTION_ENTRY_NULL,
+};
 
 static void
-print_help (void)
+run_table (char **arguments)
 {
-  qn_print (_ ("Usage: quoin-cli study ACTION [OPTION…] ARGUMENT…\n\n"
-               "Many cases of one project, and what is uncertain in it.\n\nActions:\n"));
-  for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
-    qn_print ("  %-16s%s\n", actions[i]->name, _ (actions[i]->summary));
-  qn_print (_ ("\n\"quoin-cli study ACTION --help\" explains one of them.\n"));
+  qn_cli_must (qn_table_write (load_table (arguments[0]), table_path, QN_TROUBLE));
+}
+
+static const QnSubcommand table_action = {
+  .name = "study table",
+  .arguments = "FOLDER",
+  .summary = N_ ("Write the cases of a study as a table (CSV)"),
+  .options = table_entries,
+  .run = run_table,
+};
+
+static void
+run_summary (char **arguments)
+{
+  g_autofree char *text = qn_summary_dup_text (load_table (arguments[0]));
+  qn_print_text (text);
+}
+
+static const QnSubcommand summary_action = {
+  .name = "study summary",
+  .arguments = "FOLDER",
+  .summary =
+    N_ ("Print mean, deviation, quantiles, fragility, sensitivities, mechanisms"),
+  .run = run_summary,
+};
+
+static char *plot_kind, *plot_of;
+static char **plot_by;
+
+static const GOptionEntry plot_entries[] = {
+  { "kind", 'k', 0, G_OPTION_ARG_STRING, &plot_kind, N_ ("What is drawn"),
+    "scatter|histogram|cumulative|tornado|surface|envelope|mechanisms" },
+  { "of", 0, 0, G_OPTION_ARG_STRING, &plot_of,
+    N_ ("The output; the first one by default"), N_ ("NAME") },
+  { "by", 0, 0, G_OPTION_ARG_STRING_ARRAY, &plot_by,
+    N_ ("A parameter; the first by default; a surface has two"), N_ ("NAME") },
+  QN_PICTURE_ENTRIES (N_ ("OUT.png|svg|pdf")),
+  G_OPTION_ENTRY_NULL,
+};
+
+/* The first output that is a number, where none is named. */
+static int
+default_output (const QnTable *table)
+{
+  for (gsize i = table->parameters; i < table->width; i++)
+    if (qn_study_output_is_number (qn_study_output (table->study, i - table->parameters)))
+      return (int) i;
+  return -1;
+}
+
+/* Columns by their names; the first ones that fit where none are named. */
+static void
+find_columns (const QnTable *table, QnStudyFigure *figure)
+{
+  guint given = plot_by != NULL ? g_strv_length (plot_by) : 0;
+  gboolean one =
+    figure->kind == QN_STUDY_FIGURE_SCATTER || figure->kind == QN_STUDY_FIGURE_ENVELOPE;
+  guint wanted = figure->kind == QN_STUDY_FIGURE_SURFACE ? 2 : one;
+  figure->column =
+    plot_of != NULL ? qn_table_find (table, plot_of) : default_output (table);
+  if (figure->kind == QN_STUDY_FIGURE_MECHANISMS)
+    return;
+  if (figure->column < (int) table->parameters
+      || !qn_study_output_is_number (
+        qn_study_output (table->study, (gsize) figure->column - table->parameters)))
+    qn_cli_usage_error (_ ("--of names an output of the study that is a number"));
+  if (given > wanted || table->parameters < wanted)
+    qn_cli_usage_error (_ ("--by names the parameter of a scatter or an envelope, or the "
+                           "two of a surface"));
+  for (guint i = 0; i < wanted; i++) {
+    figure->parameters[i] = i < given ? qn_table_find (table, plot_by[i]) : (int) i;
+    if (figure->parameters[i] < 0 || figure->parameters[i] >= (int) table->parameters)
+      qn_cli_usage_error (_ ("--by names a parameter of the study"));
+  }
+  if (wanted == 2 && figure->parameters[0] == figure->parameters[1])
+    qn_cli_usage_error (_ ("a surface needs two different parameters"));
 }
 
 static void
-run_subcommand (const QnSubcommand *self, int argc, char **argv)
+run_plot (char **arguments)
 {
-  const char *name = argc > 1 ? argv[1] : NULL;
+  QnStudyFigure figure = { 0 };
+  if (plot_kind == NULL)
+    qn_cli_usage_error (_ ("--kind is missing"));
+  if (!qn_find_word (plot_kind, qn_study_figure_names, QN_STUDY_FIGURE_COUNT,
+                     &figure.kind))
+    qn_cli_refuse_name (plot_kind, qn_study_figure_names, QN_STUDY_FIGURE_COUNT);
+  qn_picture_output ();
+  figure.monochrome = qn_picture.monochrome;
+  const QnTable *table = load_table (arguments[0]);
+  find_columns (table, &figure);
+  qn_cli_must (qn_study_figure_export (&figure, table, qn_picture.path,
+                                       &qn_picture.output, QN_TROUBLE));
+}
+
+static const QnSubcommand plot_action = {
+  .name = "study plot",
+  .arguments = "FOLDER",
+  .summary = N_ ("Draw the cases of a study: PNG, SVG or PDF"),
+  .help =
+    N_ ("A tornado shows Sobol indices of a plan \"sobol\", ranges of a plan "
+        "\"one-at-a-time\", else rank correlations. An envelope has the least value "
+        "over a parameter, as of a moving load by its place. Mechanisms shows a "
+        "typical case of every shape or kind."),
+  .options = plot_entries,
+  .run = run_plot,
+};
+
+static const QnSubcommand *const actions[] = {
+  &run_action,   &submit_action,  &gather_action,
+  &table_action, &summary_action, &plot_action,
+  NULL
+};
+
+static void
+run_study (char **arguments)
+{
+  const char *name = arguments[0];
   const QnSubcommand *action = g_strcmp0 (name, "worker") == 0 ? &worker : NULL;
-  qn_cli_set_subcommand (self->name);
   if (name == NULL)
     qn_cli_usage_error (_ ("an action is missing"));
   if (strcmp (name, "--help") == 0 || strcmp (name, "-h") == 0) {
-    print_help ();
+    qn_print (
+      _ ("Usage: quoin-cli study ACTION [OPTION…] ARGUMENT…\n\n"
+         "Many cases of one project, and what is uncertain in it.\n\nActions:\n"));
+    for (gsize i = 0; actions[i] != NULL; i++)
+      qn_print ("  %-16s%s\n", actions[i]->name, _ (actions[i]->summary));
+    qn_print (_ ("\n\"quoin-cli study ACTION --help\" explains one of them.\n"));
     return;
   }
-  if (strcmp (name, QN_DESCRIBE) == 0) {
-    const GOptionEntry none[] = { G_OPTION_ENTRY_NULL };
-    qn_subcommand_parse (self, none, 0, 0, &argc, &argv);
-    for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
-      actions[i]->run (actions[i], argc, argv);
-    return;
-  }
-  for (gsize i = 0; i < G_N_ELEMENTS (actions); i++)
+  for (gsize i = 0; actions[i] != NULL; i++)
     if (strcmp (name, actions[i]->name + strlen ("study ")) == 0)
       action = actions[i];
   if (action == NULL)
     qn_cli_usage_error (_ ("unknown action %s"), name);
-  action->run (action, argc - 1, argv + 1);
+  qn_subcommand_run (action, (int) g_strv_length (arguments), arguments);
 }
 
 const QnSubcommand qn_cmd_study = {
   .name = "study",
   .arguments = "ACTION",
   .summary = N_ ("Study uncertain parameters: compute many cases, and their statistics"),
-  .run = run_subcommand,
+  .actions = actions,
+  .run = run_study,
 };

@@ -1,7 +1,6 @@
 #include "cli/base/input.h"
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
-#include "cli/base/shown-text.h"
 #include "cli/base/subcommand.h"
 #include "cli/verify/verify-cases.h"
 #include "core/modal/modal.h"
@@ -15,10 +14,7 @@
 #include <stdio.h>
 #include <string.h>
 
-typedef struct VerifyOptions {
-  char *keep; /* folder for result files, or NULL */
-  gboolean quiet;
-} VerifyOptions;
+static char *verify_keep; /* folder for result files, or NULL */
 
 /* Tally over all cases. */
 typedef struct Tally {
@@ -100,12 +96,11 @@ print_row (const QnVerifyCase *test, const QnInput *input, const QnResult *resul
 
 /* Writes the result as FOLDER/GROUP/<name of the model file>.json. */
 static void
-keep_result (const VerifyOptions *options, const QnVerifyGroup *group,
-             const QnInput *input, const QnResult *result)
+keep_result (const QnVerifyGroup *group, const QnInput *input, const QnResult *result)
 {
-  if (options->keep == NULL)
+  if (verify_keep == NULL)
     return;
-  g_autofree char *folder = g_build_filename (options->keep, group->name, NULL);
+  g_autofree char *folder = g_build_filename (verify_keep, group->name, NULL);
   g_autofree char *base = g_path_get_basename (input->project.name);
   char *ending = g_strrstr (base, ".quoin");
   if (ending != NULL)
@@ -204,14 +199,14 @@ read_path (const QnVerifyCase *test, const QnModel *model, const QnResult *resul
 }
 
 static QnStatus
-run_modes (const QnVerifyCase *test, const QnInput *input, QnProgressFunc progress,
-           void *user_data, QnResult *result, double *value, QnDiag *diag)
+run_modes (const QnVerifyCase *test, const QnInput *input, QnResult *result,
+           double *value, QnDiag *diag)
 {
   QnModes modes;
   size_t wanted = (size_t) test->number;
   QnStatus status =
     qn_modal_run (&input->project.model, &input->contacts, QN_MODAL_DEAD_LOAD, wanted,
-                  progress, user_data, &modes, result, diag);
+                  qn_terminal_progress_update, NULL, &modes, result, diag);
   if (status != QN_OK)
     return status;
   if (modes.count >= wanted)
@@ -223,8 +218,8 @@ run_modes (const QnVerifyCase *test, const QnInput *input, QnProgressFunc progre
 /* Runs the analysis that the case asks for. *value is not-a-number where it did not come to what is
  * compared. *result is overwritten, empty on failure. */
 static QnStatus
-run_analysis (const QnVerifyCase *test, const QnInput *input, QnProgressFunc progress,
-              void *user_data, QnResult *result, double *value, QnDiag *diag)
+run_analysis (const QnVerifyCase *test, const QnInput *input, QnResult *result,
+              double *value, QnDiag *diag)
 {
   const QnModel *model = &input->project.model;
   const QnContacts *contacts = &input->contacts;
@@ -233,9 +228,10 @@ run_analysis (const QnVerifyCase *test, const QnInput *input, QnProgressFunc pro
   *value = NAN;
   switch (test->quantity) {
   case QN_VERIFY_FREQUENCY:
-    return run_modes (test, input, progress, user_data, result, value, diag);
+    return run_modes (test, input, result, value, diag);
   case QN_VERIFY_CRITICAL:
-    status = qn_stability_run (model, contacts, progress, user_data, result, diag);
+    status =
+      qn_stability_run (model, contacts, qn_terminal_progress_update, NULL, result, diag);
     if (status == QN_OK && result->outcome == QN_OUTCOME_SNAP)
       *value = result->first_limit_multiplier;
     return status;
@@ -246,7 +242,8 @@ run_analysis (const QnVerifyCase *test, const QnInput *input, QnProgressFunc pro
   case QN_VERIFY_BRANCH:
     break;
   }
-  status = qn_analysis_run (model, contacts, progress, user_data, result, diag);
+  status =
+    qn_analysis_run (model, contacts, qn_terminal_progress_update, NULL, result, diag);
   if (status == QN_OK)
     *value = read_path (test, model, result);
   return status;
@@ -255,21 +252,18 @@ run_analysis (const QnVerifyCase *test, const QnInput *input, QnProgressFunc pro
 /* --- All of it --- */
 
 static void
-run_case (const VerifyOptions *options, const QnVerifyGroup *group,
-          const QnVerifyCase *test, Tally *tally)
+run_case (const QnVerifyGroup *group, const QnVerifyCase *test, Tally *tally)
 {
   QnInput input;
-  QnTerminalProgress progress;
   QnResult result = { 0 };
   QnDiag diag = { 0 };
   double found = NAN;
 
   load_case (group, test, &input);
-  qn_terminal_progress_begin (&progress, options->quiet);
-  QnStatus status = run_analysis (test, &input, qn_terminal_progress_update, &progress,
-                                  &result, &found, &diag);
-  qn_terminal_progress_done (&progress);
-  result.statistics.peak_memory_bytes = (int64_t) progress.peak_memory;
+  qn_terminal_progress_begin ();
+  QnStatus status = run_analysis (test, &input, &result, &found, &diag);
+  gsize memory = qn_terminal_progress_done ();
+  result.statistics.peak_memory_bytes = (int64_t) memory;
   if (status != QN_OK && status != QN_ERROR_CANCELLED)
     qn_input_refuse (&input.project, &diag);
   if (qn_interrupt_seen ())
@@ -281,7 +275,7 @@ run_case (const VerifyOptions *options, const QnVerifyGroup *group,
   *(!isfinite (test->tolerance) ? &tally->reported
     : met                       ? &tally->met
                                 : &tally->missed) += 1;
-  keep_result (options, group, &input, &result);
+  keep_result (group, &input, &result);
   qn_result_clear (&result);
   qn_contacts_clear (&input.contacts);
   qn_project_clear (&input.project);
@@ -303,12 +297,13 @@ check_names (char **names)
 }
 
 static void
-verify (const VerifyOptions *options, char **names)
+run_verify (char **names)
 {
   gsize count;
   const QnVerifyGroup *groups = qn_verify_groups (&count);
   Tally tally = { 0 };
 
+  check_names (names);
   for (gsize i = 0; i < count; i++) {
     if (*names != NULL && !g_strv_contains ((const char *const *) names, groups[i].name))
       continue;
@@ -328,7 +323,7 @@ verify (const VerifyOptions *options, char **names)
     print_cell (_ ("factorisations"), 14, FALSE);
     qn_print ("\n");
     for (gsize k = 0; k < group->case_count; k++)
-      run_case (options, group, &group->cases[k], &tally);
+      run_case (group, &group->cases[k], &tally);
     qn_print ("\n");
   }
   qn_print (_ ("* HybriDFEM as published, for comparison.\n"
@@ -342,21 +337,12 @@ verify (const VerifyOptions *options, char **names)
     qn_cli_stop (QN_EXIT_INTERNAL);
 }
 
-static void
-run_verify (const QnSubcommand *self, int argc, char **argv)
-{
-  VerifyOptions options = { 0 };
-  const GOptionEntry entries[] = {
-    { "keep", 'k', 0, G_OPTION_ARG_FILENAME, &options.keep,
-      N_ ("Keep the result files in this folder"), N_ ("FOLDER") },
-    { "quiet", 'q', 0, G_OPTION_ARG_NONE, &options.quiet, N_ ("Show no progress"), NULL },
-    G_OPTION_ENTRY_NULL,
-  };
-  if (!qn_subcommand_parse (self, entries, 0, 16, &argc, &argv))
-    return;
-  check_names (argv + 1);
-  verify (&options, argv + 1);
-}
+static const GOptionEntry verify_entries[] = {
+  { "keep", 'k', 0, G_OPTION_ARG_FILENAME, &verify_keep,
+    N_ ("Keep the result files in this folder"), N_ ("FOLDER") },
+  { "quiet", 'q', 0, G_OPTION_ARG_NONE, &qn_cli_quiet, N_ ("Show no progress"), NULL },
+  G_OPTION_ENTRY_NULL,
+};
 
 const QnSubcommand qn_cmd_verify = {
   .name = "verify",
@@ -365,5 +351,8 @@ const QnSubcommand qn_cmd_verify = {
   .summary = N_ ("Compute the published cases now and compare, as a table"),
   .help = N_ ("All groups where none is named. The exit code is 1 when a value misses "
               "its tolerance."),
+  .options = verify_entries,
+  .many = TRUE,
+  .optional = TRUE,
   .run = run_verify,
 };
