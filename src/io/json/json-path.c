@@ -1,6 +1,6 @@
 #include "io/json/json-path.h"
 
-#include "io/json/json-tokens.h"
+#include "io/json/json-parse.h"
 #include "io/text/json-text.h"
 
 #include <stdlib.h>
@@ -135,41 +135,38 @@ qn_json_position (const char *text, gsize offset)
 #define REMEMBERED_STEPS 8
 
 typedef struct Found {
-  gsize array, index, at;
+  const cJSON *array, *element;
+  gsize index;
 } Found;
 
-static gsize
-find_element (const QnJson *json, gsize array, gsize index, Found *found)
+static const cJSON *
+find_element (const cJSON *array, gsize index, Found *found)
 {
-  if (json->tokens[array].type != QN_JSON_ARRAY)
-    return 0;
-  if (found->at == 0 || found->array != array || found->index > index)
-    *found = (Found){ array, 0, array + 1 };
-  while (found->index < index && found->at < json->tokens[array].next) {
-    found->at = json->tokens[found->at].next;
-    found->index++;
-  }
-  return found->at < json->tokens[array].next ? found->at : 0;
+  if (!cJSON_IsArray (array))
+    return NULL;
+  if (found->element == NULL || found->array != array || found->index > index)
+    *found = (Found){ array, array->child, 0 };
+  for (; found->element != NULL && found->index < index; found->index++)
+    found->element = found->element->next;
+  return found->element;
 }
 
 /* The value that a path leads to, or the last one on its way. */
-static gsize
-follow (const QnJson *json, const char *path, Found *found)
+static const cJSON *
+follow (const cJSON *value, const char *path, Found *found)
 {
-  gsize at = 0;
-  GArray *steps = qn_json_path_parse (path);
+  g_autoptr (GArray) steps = qn_json_path_parse (path);
   for (guint i = 0; steps != NULL && i < steps->len; i++) {
     const QnJsonStep *step = &g_array_index (steps, QnJsonStep, i);
-    gsize next = step->key != NULL ? qn_json_member (json, at, step->key)
-                                   : find_element (json, at, step->index,
-                                                   &found[MIN (i, REMEMBERED_STEPS - 1)]);
-    if (next == 0)
+    const cJSON *next =
+      step->key != NULL
+        ? cJSON_GetObjectItemCaseSensitive (value, step->key)
+        : find_element (value, step->index, &found[MIN (i, REMEMBERED_STEPS - 1)]);
+    if (next == NULL)
       break;
-    at = next;
+    value = next;
   }
-  if (steps != NULL)
-    g_array_unref (steps);
-  return at;
+  return value;
 }
 
 typedef struct Wanted {
@@ -187,15 +184,14 @@ compare_offsets (const void *a, const void *b)
 QnJsonPlace *
 qn_json_locate_all (const char *text, gsize length, const GPtrArray *paths)
 {
-  QnJson json;
   Found found[REMEMBERED_STEPS] = { 0 };
-  gboolean scanned = qn_json_scan (&json, text, length, "");
+  cJSON *root = qn_json_parse (text, length, "", NULL);
   g_autofree Wanted *wanted = g_new (Wanted, paths->len + 1);
   for (guint i = 0; i < paths->len; i++) {
-    gsize at = scanned ? follow (&json, paths->pdata[i], found) : 0;
-    wanted[i] = (Wanted){ scanned ? json.tokens[at].start : 0, i };
+    const cJSON *value = root != NULL ? follow (root, paths->pdata[i], found) : NULL;
+    wanted[i] = (Wanted){ value != NULL ? (gsize) value->valueint : 0, i };
   }
-  qn_json_clear (&json);
+  cJSON_Delete (root);
   qsort (wanted, paths->len, sizeof *wanted, compare_offsets);
 
   QnJsonPlace *places = g_new (QnJsonPlace, paths->len + 1), place = { 1, 1 };

@@ -3,7 +3,6 @@
 #include "core/base/integer.h"
 #include "core/base/word.h"
 #include "io/json/json-path.h"
-#include "io/json/json-tokens.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
 
@@ -62,8 +61,8 @@ append_place (const QnJsonValue *place, GString *path)
   qn_json_path_append (path, place->key, place->index);
 }
 
-static char *
-dup_path (const QnJsonValue *place)
+char *
+qn_json_value_dup_path (const QnJsonValue *place)
 {
   GString *path = g_string_new (NULL);
   append_place (place, path);
@@ -119,15 +118,41 @@ qn_reader_dup_line (const QnReader *reader, const char *path, const QnJsonPlace 
   return g_string_free (line, FALSE);
 }
 
+/* A message about a value at a byte of the text. */
+static char *
+dup_line_at (const QnJsonValue *place, gsize at, const char *message)
+{
+  const QnReader *reader = place->reader;
+  g_autofree char *path = qn_json_value_dup_path (place);
+  QnJsonPlace known = { 0 };
+  if (reader->text != NULL)
+    known = qn_json_position (reader->text, MIN (at, reader->length));
+  return qn_reader_dup_line (reader, path, &known, message);
+}
+
+/* Where a value begins, or the one around it if it is missing or of no text. */
+static gsize
+byte_of (const QnJsonValue *place)
+{
+  while (place->parent != NULL && (place->json == NULL || place->json->valueint <= 0))
+    place = place->parent;
+  return place->json != NULL ? (gsize) MAX (place->json->valueint, 0) : 0;
+}
+
 gboolean
-qn_json_value_fail (const QnJsonValue *place, const char *message)
+qn_json_value_fail_at (const QnJsonValue *place, gsize at, const char *message)
 {
   if (place->reader->error != NULL)
     return FALSE;
-  g_autofree char *path = dup_path (place);
-  g_autofree char *line = qn_reader_dup_line (place->reader, path, NULL, message);
+  g_autofree char *line = dup_line_at (place, at, message);
   place->reader->error = g_error_new_literal (QN_IO_ERROR, QN_IO_ERROR_INVALID, line);
   return FALSE;
+}
+
+gboolean
+qn_json_value_fail (const QnJsonValue *place, const char *message)
+{
+  return qn_json_value_fail_at (place, byte_of (place), message);
 }
 
 gboolean
@@ -164,8 +189,7 @@ qn_json_value_warn (const QnJsonValue *place, const char *message)
     reader->dropped_warnings++;
     return;
   }
-  g_autofree char *path = dup_path (place);
-  g_ptr_array_add (reader->warnings, qn_reader_dup_line (reader, path, NULL, message));
+  g_ptr_array_add (reader->warnings, dup_line_at (place, byte_of (place), message));
 }
 
 /* Puts a copy of one member aside. */
@@ -181,7 +205,7 @@ keep_unknown (const QnJsonValue *object, const cJSON *member)
   }
   cJSON *owner = g_hash_table_lookup (reader->owners, object->json);
   if (owner == NULL) {
-    g_autofree char *path = dup_path (object);
+    g_autofree char *path = qn_json_value_dup_path (object);
     owner = cJSON_AddObjectToObject (reader->unknown, path);
     g_hash_table_insert (reader->owners, (gpointer) object->json, owner);
   }
@@ -192,7 +216,8 @@ gboolean
 qn_json_value_idle (const QnJsonValue *place, const char *message)
 {
   QnReader *reader = place->reader;
-  g_autofree char *path = reader->overrides != NULL ? dup_path (place) : NULL;
+  g_autofree char *path =
+    reader->overrides != NULL ? qn_json_value_dup_path (place) : NULL;
   const char *override = path != NULL ? find_override (reader, path, TRUE) : NULL;
   if (override == NULL) {
     qn_json_value_warn (place, message);
@@ -289,7 +314,8 @@ qn_json_value_number (const QnJsonValue *place, QnRange range, double *number)
     return FALSE;
 
   double value = place->json->valuedouble;
-  QnProblem problem = qn_number_problem (value, range, QN_LARGEST_NUMBER);
+  QnProblem problem = qn_number_problem (
+    value, range, place->reader->any_size ? INFINITY : QN_LARGEST_NUMBER);
   if (problem != QN_PROBLEM_NONE)
     return qn_json_value_fail (place, _ (qn_problem_text (problem)));
   *number = value;
@@ -414,7 +440,8 @@ fail_choice (const QnJsonValue *member, const char *given, const char *const *na
   /* Translators: followed by a list of words. */
   g_string_append (message, _ (" is not one of "));
   for (int i = 0; i < count; i++)
-    g_string_append_printf (message, "%s%s", i > 0 ? ", " : "", names[i]);
+    g_string_append_printf (message, "%s%s", i > 0 ? ", " : "",
+                            names[i] != NULL ? names[i] : "null");
   return qn_json_value_fail (member, message->str);
 }
 
@@ -429,70 +456,6 @@ qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
     return TRUE;
   QnJsonValue member = qn_json_value_member (object, key);
   return fail_choice (&member, given, names, count);
-}
-
-/* Objects with more members than this find duplicate keys by a table. */
-#define MANY_MEMBERS 32
-
-/* Trees are of the memory of GLib, which has all it is asked for or ends the program. */
-static void __attribute__ ((constructor)) take_memory_of_glib (void)
-{
-  cJSON_InitHooks (&(cJSON_Hooks){ g_malloc, g_free });
-}
-
-/* The value at a token; NULL with the error set. */
-static cJSON *
-build (QnJson *json, gsize at)
-{
-  const QnJsonToken *token = &json->tokens[at];
-  const gboolean object = token->type == QN_JSON_OBJECT;
-  if (token->type == QN_JSON_STRING) {
-    g_autofree char *text = qn_json_dup_string (json, at);
-    return cJSON_CreateString (text);
-  }
-  if (token->type == QN_JSON_NUMBER)
-    return cJSON_CreateNumber (qn_json_number (json, at));
-  if (token->type == QN_JSON_NULL)
-    return cJSON_CreateNull ();
-  if (!object && token->type != QN_JSON_ARRAY)
-    return cJSON_CreateBool (token->type == QN_JSON_TRUE);
-
-  cJSON *value = object ? cJSON_CreateObject () : cJSON_CreateArray ();
-  g_autoptr (GHashTable) keys = object && qn_json_count (json, at) > MANY_MEMBERS
-                                  ? g_hash_table_new (g_str_hash, g_str_equal)
-                                  : NULL;
-  for (gsize i = at + 1; i < token->next; i = json->tokens[i].next) {
-    cJSON *item = build (json, i + object);
-    g_autofree char *key = object ? qn_json_dup_string (json, i) : NULL;
-    if (item != NULL && object
-        && (keys != NULL ? g_hash_table_contains (keys, key)
-                         : cJSON_GetObjectItemCaseSensitive (value, key) != NULL)) {
-      qn_json_fail (json, i, _ ("key is given twice"));
-      g_clear_pointer (&item, cJSON_Delete);
-    }
-    if (item == NULL) {
-      cJSON_Delete (value);
-      return NULL;
-    }
-    if (object)
-      cJSON_AddItemToObject (value, key, item);
-    else
-      cJSON_AddItemToArray (value, item);
-    if (keys != NULL)
-      g_hash_table_add (keys, item->string);
-  }
-  return value;
-}
-
-cJSON *
-qn_json_parse (const char *text, gsize length, const char *name, GError **error)
-{
-  QnJson json;
-  cJSON *value = qn_json_scan (&json, text, length, name) ? build (&json, 0) : NULL;
-  if (value == NULL)
-    g_propagate_error (error, g_steal_pointer (&json.error));
-  qn_json_clear (&json);
-  return value;
 }
 
 /* No key is as long; longer words are near none. */

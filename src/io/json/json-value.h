@@ -2,15 +2,15 @@
  *
  * A QnJsonValue is a value together with the path to it. Such values live on the stack of the
  * functions that read; each points to the one that it was reached from. The text of the path, and
- * the line and column, are found only when something is wrong.
+ * the line and column, are made only when something is wrong.
  */
 #pragma once
 
 #include "core/base/numbers.h"
 #include "core/base/status.h"
+#include "io/json/json-parse.h"
 #include "io/json/json-path.h"
 
-#include <cjson/cJSON.h>
 #include <glib.h>
 
 /* One reading of a document. */
@@ -18,6 +18,7 @@ typedef struct QnReader {
   const char *name; /* what messages call the file */
   const char *text; /* nullable: no lines and columns then */
   gsize length;
+  gboolean any_size;            /* numbers may be larger than those of a project */
   const char *const *overrides; /* nullable */
   GPtrArray *warnings;          /* of char *; NULL: not collected */
   guint dropped_warnings;       /* beyond QN_READER_MAX_WARNINGS */
@@ -61,9 +62,12 @@ gboolean qn_json_value_next (const QnJsonValue *array, QnJsonValue *element);
 char *qn_reader_dup_line (const QnReader *reader, const char *path,
                           const QnJsonPlace *known, const char *message);
 
-/* Records the error of a place;
- * returns FALSE. */
+/* The path to a value; free with g_free(). */
+char *qn_json_value_dup_path (const QnJsonValue *place);
+
+/* Records the error of a place, the second of a byte of the text; returns FALSE. */
 gboolean qn_json_value_fail (const QnJsonValue *place, const char *message);
+gboolean qn_json_value_fail_at (const QnJsonValue *place, gsize at, const char *message);
 gboolean qn_json_value_failf (const QnJsonValue *place, const char *format, ...)
   G_GNUC_PRINTF (2, 3);
 gboolean qn_json_value_no_memory (const QnJsonValue *place);
@@ -110,11 +114,6 @@ gboolean qn_member_rows (const QnJsonValue *object, const char *key, QnNeed need
 /* One of `names`; choice: an enumeration whose values are their places. */
 gboolean qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
                            const char *const *names, int count, void *choice);
-
-/* `text` is NUL-terminated behind `length` bytes. NULL on failure with an error of the file `name`:
- * "wall.quoin:3:9: laws[0]: …" (QN_IO_ERROR). Free the tree with cJSON_Delete(). Numbers beyond the
- * range of a double are infinite. */
-cJSON *qn_json_parse (const char *text, gsize length, const char *name, GError **error);
 
 /* The one of `words` nearest to `word` by the number of typing errors: a letter added, missing, wrong, or
  * two exchanged (optimal string alignment, F. J. Damerau, Communications of the ACM 7 (1964) 171-176;

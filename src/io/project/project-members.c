@@ -86,6 +86,73 @@ read_seed (const QnJsonValue *object, const QnMember *m, QnNeed need, uint32_t *
   return TRUE;
 }
 
+/* A whole number from `least` on. */
+static gboolean
+read_whole (const QnJsonValue *place, double least, double most, gint64 *whole)
+{
+  double number = 0;
+  if (!qn_json_value_number (place, QN_RANGE_FINITE, &number))
+    return FALSE;
+  *whole = qn_to_integer (number, (gint64) least, (gint64) most);
+  return (double) *whole == number
+         || qn_json_value_fail (place,
+                                _ ("expected a whole number that is not negative"));
+}
+
+gboolean
+qn_read_index (const QnJsonValue *place, int32_t least, int32_t *index)
+{
+  gint64 whole;
+  if (!read_whole (place, least, INT32_MAX, &whole))
+    return FALSE;
+  *index = (int32_t) whole;
+  return TRUE;
+}
+
+static gboolean
+read_pair (const QnJsonValue *place, QnId pair[2])
+{
+  QnVec2 numbers;
+  QnJsonValue item = { 0 };
+  if (!qn_json_value_vec2 (place, &numbers))
+    return FALSE;
+  while (qn_json_value_next (place, &item))
+    if (!qn_read_index (&item, 0, &pair[item.index]))
+      return FALSE;
+  return TRUE;
+}
+
+/* A member of a result, which is there. */
+static gboolean
+read_of_result (const QnJsonValue *place, const QnMember *m, char *target)
+{
+  gpointer at = target + m->offset;
+  QnId *index = at;
+  switch ((int) m->kind) {
+  case QN_MEMBER_MAYBE:
+    if (!cJSON_IsNull (place->json))
+      return qn_json_value_number (place, QN_RANGE_FINITE, at);
+    if (m->given > 0)
+      *(bool *) (target + m->given) = false;
+    else
+      *(double *) at = NAN;
+    return TRUE;
+  case QN_MEMBER_WHOLE:
+    return qn_read_index (place, m->detail, index);
+  case QN_MEMBER_BYTES:
+    return read_whole (place, 0, 0x1p53, at);
+  case QN_MEMBER_PAIR:
+    return read_pair (place, index);
+  case QN_MEMBER_STAGE:
+    if (!qn_read_index (place, 0, index))
+      return FALSE;
+    ++*index;
+    return *index <= QN_MAX_STAGES
+           || qn_json_value_fail (place, _ ("there is no such stage"));
+  }
+  g_return_val_if_reached (FALSE);
+}
+
 static gboolean
 read_item (const QnJsonValue *item, const QnMember *m, const QnModel *model, gpointer to)
 {
@@ -161,19 +228,27 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
              char *target)
 {
   const QnNeed need = m->use == QN_USE_REQUIRED ? QN_REQUIRED : QN_OPTIONAL;
+  const QnJsonValue member = qn_json_value_member (object, m->key);
+  const gboolean several = m->kind == QN_MEMBER_WEIGHT || m->kind == QN_MEMBER_LAW;
   gpointer at = target + m->offset;
   if (m->given > 0)
-    *(bool *) (target + m->given) = cJSON_HasObjectItem (object->json, m->key);
+    *(bool *) (target + m->given) = member.json != NULL;
+  if (member.json == NULL && need == QN_OPTIONAL && !several)
+    return TRUE;
   switch ((int) m->kind) { /* code reads the others */
   case QN_MEMBER_NUMBER:
-    return qn_member_number (object, m->key, need, (QnRange) m->detail, at);
+    return qn_json_value_number (&member, (QnRange) m->detail, at);
   case QN_MEMBER_COUNT:
     return qn_member_count (object, m->key, need, m->detail, at);
   case QN_MEMBER_BOOL:
     return qn_member_bool (object, m->key, need, at);
   case QN_MEMBER_TWO:
-    return qn_member_vec2 (object, m->key, need, at);
+    return qn_json_value_vec2 (&member, at);
   case QN_MEMBER_CHOICE:
+    if (m->names[0] == NULL && cJSON_IsNull (member.json)) {
+      *(int *) at = 0;
+      return TRUE;
+    }
     return qn_member_choice (object, m->key, need, m->names, m->detail, at);
   case QN_MEMBER_SWITCH: {
     int choice = *(bool *) at;
@@ -191,11 +266,8 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
   case QN_MEMBER_ROWS:
     return qn_member_rows (object, m->key, need, (int) m->width, m->detail, at,
                            (int32_t *) (void *) (target + m->count));
-  case QN_MEMBER_OBJECT: {
-    QnJsonValue inner = qn_json_value_member (object, m->key);
-    return (inner.json == NULL && need == QN_OPTIONAL)
-           || qn_members_read (&inner, m->members, model, at);
-  }
+  case QN_MEMBER_OBJECT:
+    return qn_members_read (&member, m->members, model, at);
   case QN_MEMBER_FLAGS:
   case QN_MEMBER_NUMBERS:
   case QN_MEMBER_NAMES:
@@ -205,6 +277,12 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
     return read_weight (object, need, model, at);
   case QN_MEMBER_LAW:
     return read_law_name (object, model, at);
+  case QN_MEMBER_MAYBE:
+  case QN_MEMBER_WHOLE:
+  case QN_MEMBER_BYTES:
+  case QN_MEMBER_PAIR:
+  case QN_MEMBER_STAGE:
+    return read_of_result (&member, m, target);
   }
   return TRUE;
 }
@@ -321,7 +399,6 @@ is_usual (const QnMember *m, const char *from, const char *other)
   bool same = true;
   switch (m->kind) {
   case QN_MEMBER_KNOWN:
-  case QN_MEMBER_PLACE:
     return TRUE;
   case QN_MEMBER_MAYBE:
   case QN_MEMBER_BYTES:
@@ -378,7 +455,6 @@ write_member (GString *json, const QnMember *m, const QnModel *model, const char
   const double *number = value;
   switch (m->kind) {
   case QN_MEMBER_KNOWN:
-  case QN_MEMBER_PLACE:
     break;
   case QN_MEMBER_NUMBER:
   case QN_MEMBER_MAYBE:
@@ -477,7 +553,7 @@ qn_members_write (GString *json, const QnMember *members, const QnModel *model,
 {
   const char *from = source;
   for (const QnMember *m = members; m->key != NULL; m++) {
-    if (m->kind == QN_MEMBER_KNOWN || m->kind == QN_MEMBER_PLACE || m->use == QN_USE_READ)
+    if (m->kind == QN_MEMBER_KNOWN || m->use == QN_USE_READ)
       continue;
     if (m->kind == QN_MEMBER_MAYBE && m->given > 0 && !*(const bool *) (from + m->given))
       qn_json_put_number (json, m->key, NAN);

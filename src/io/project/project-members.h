@@ -32,13 +32,12 @@ typedef enum {
   QN_MEMBER_WEIGHT, /* unit_weight and the density behind it, as in QnBlock: one of them */
   QN_MEMBER_LAW,    /* QnId, by `law` or its synonym `material`; QN_NONE: none */
 
-  /* In results alone, which are read by io/result/result-members.h. */
+  /* In results alone. */
   QN_MEMBER_MAYBE, /* double; null: NAN, or not `given` */
   QN_MEMBER_WHOLE, /* int32_t, not below `detail` */
   QN_MEMBER_BYTES, /* int64_t, not negative */
   QN_MEMBER_PAIR,  /* two QnId that follow each other */
-  QN_MEMBER_STAGE, /* int32_t from 1, which files count from 0; 0: none */
-  QN_MEMBER_PLACE  /* gsize: the token of the value, which code reads and writes */
+  QN_MEMBER_STAGE  /* int32_t from 1, which files count from 0; 0: none */
 } QnMemberKind;
 
 typedef enum {
@@ -148,6 +147,9 @@ void qn_members_write (GString *json, const QnMember *members, const QnModel *mo
 /* The same as an object, the member `key`. */
 void qn_members_put (GString *json, const char *key, const QnMember *members,
                      const QnModel *model, gconstpointer source, gconstpointer usual);
+
+/* A whole number from `least` on. */
+gboolean qn_read_index (const QnJsonValue *place, int32_t least, int32_t *index);
 
 /* Index of the entity whose name a value is; the same of a member: a missing optional one leaves *id
  * unchanged. */

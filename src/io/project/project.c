@@ -372,11 +372,22 @@ qn_project_dup_finding_texts (const QnProject *project, const QnFindings *findin
   return lines;
 }
 
+/* Its values are in no text that messages could point to. */
+static void
+forget_places (cJSON *value)
+{
+  value->valueint = 0;
+  for (cJSON *item = value->child; item != NULL; item = item->next)
+    forget_places (item);
+}
+
 void
 qn_project_put_extra (QnProject *project, const char *member, cJSON *value)
 {
   if (project->extras == NULL)
     project->extras = cJSON_CreateObject ();
+  if (value != NULL)
+    forget_places (value);
   if (value == NULL)
     cJSON_DeleteItemFromObjectCaseSensitive (project->extras, member);
   else if (!cJSON_ReplaceItemInObjectCaseSensitive (project->extras, member, value))

@@ -1,7 +1,7 @@
 #include "io/result/result-derived.h"
 
-#include "io/json/json-tokens.h"
-#include "io/text/io-error.h"
+#include "io/json/json-value.h"
+#include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -9,12 +9,6 @@
 
 /* Rounding of numbers that are worked out once more, relative to 1 + their size. */
 #define SAME 1e-9
-
-typedef struct Walk {
-  QnJson stated, found;
-  GPtrArray *unproved;
-  GError **error;
-} Walk;
 
 /* --- What nothing proves ------------------------------------------------------------------ */
 
@@ -87,104 +81,96 @@ list_unproved (const QnModel *model, const QnResultFile *file, GPtrArray *unprov
 
 /* --- Comparing ---------------------------------------------------------------------------- */
 
-/* The text of a token that is no more than a word or a number; 0: none. */
+/* A word or a number; "…" where it is more, or nothing. */
 static char *
-dup_token (const QnJson *json, gsize at)
+dup_scalar (const cJSON *value)
 {
-  const char *text = json->text + json->tokens[at].start;
-  if (json->tokens[at].type == QN_JSON_STRING)
-    return g_strndup (text, qn_json_string_length (text));
-  gsize length = strspn (text, "+-.0123456789abcdefghijklmnopqrstuvwxyzE");
-  return at > 0 && length > 0 ? g_strndup (text, length) : g_strdup ("…");
+  if (value == NULL || cJSON_IsArray (value) || cJSON_IsObject (value))
+    return g_strdup ("…");
+  GString *text = g_string_new (NULL);
+  qn_json_append_value (text, value, 0);
+  return g_string_free (text, FALSE);
 }
 
-/* Keeps the first place where the texts differ, inside `outer` of the stated one. */
+/* An error at the first place where the texts differ. */
 static gboolean
-differ (Walk *walk, gsize outer, gsize stated, gsize found)
+differ (const QnJsonValue *stated, const cJSON *found)
 {
-  g_autofree char *path = qn_json_dup_path (&walk->stated, MAX (outer, stated));
-  g_autofree char *states = dup_token (&walk->stated, stated);
-  g_autofree char *instead = dup_token (&walk->found, found);
-  return qn_io_fail (
-    walk->error, QN_IO_ERROR_INVALID,
-    _ ("%s: %s: this contradicts the rest of the result: %s instead of %s"),
-    walk->stated.name, path, states, instead);
+  g_autofree char *states = dup_scalar (stated->json), *instead = dup_scalar (found);
+  return qn_json_value_failf (
+    stated, _ ("this contradicts the rest of the result: %s instead of %s"), states,
+    instead);
 }
 
-/* "contacts[3].hinge" without the numbers. */
+/* "contacts[].hinge" */
 static void
-add_unknown (Walk *walk, gsize at)
+add_unknown (const QnJsonValue *member, GPtrArray *unproved)
 {
-  g_autofree char *path = qn_json_dup_path (&walk->stated, at);
-  g_autoptr (GString) member = g_string_new (NULL);
-  gboolean skips = FALSE;
-  for (const char *c = path; *c != '\0'; c++) {
-    skips = skips && *c != ']';
-    if (!skips)
-      g_string_append_c (member, *c);
-    skips = skips || *c == '[';
-  }
-  add_unproved (walk->unproved, member->str);
+  g_autofree char *path = qn_json_value_dup_path (member);
+  g_autoptr (GRegex) numbers = g_regex_new ("\\[\\d+\\]", 0, 0, NULL);
+  g_autofree char *name = g_regex_replace_literal (numbers, path, -1, 0, "[]", 0, NULL);
+  add_unproved (unproved, name);
 }
 
-static gboolean compare_values (Walk *walk, gsize stated, gsize found);
+static gboolean compare_values (const QnJsonValue *stated, const cJSON *found,
+                                GPtrArray *unproved);
 
 static gboolean
-compare_objects (Walk *walk, gsize stated, gsize found)
+compare_objects (const QnJsonValue *stated, const cJSON *found, GPtrArray *unproved)
 {
   /* Members that depend on place, time, language and program of writing. */
   static const char *const outside[] = { "generator", "model", "overrides", "reason",
                                          NULL };
-  const QnJsonToken *s = walk->stated.tokens, *f = walk->found.tokens;
-  gsize next = found + 1; /* mostly members have the same order */
-  for (gsize i = stated + 1; i < s[stated].next; i = s[i].next) {
-    g_autofree char *key = qn_json_dup_string (&walk->stated, i);
-    gsize value = next < f[found].next && qn_json_string_is (&walk->found, next, key)
-                    ? next + 1
-                    : qn_json_member (&walk->found, found, key);
-    if (value == 0) {
-      add_unknown (walk, i);
+  const cJSON *next = found->child; /* mostly members have the same order */
+  for (const cJSON *child = stated->json->child; child != NULL; child = child->next) {
+    const QnJsonValue member = qn_json_value_child (stated, child);
+    const cJSON *value = next != NULL && strcmp (next->string, child->string) == 0
+                           ? next
+                           : cJSON_GetObjectItemCaseSensitive (found, child->string);
+    if (value == NULL) {
+      add_unknown (&member, unproved);
       continue;
     }
-    next = f[value].next;
-    if (stated == 0 && g_strv_contains (outside, key))
+    next = value->next;
+    if (stated->parent == NULL && g_strv_contains (outside, child->string))
       continue;
-    if (!compare_values (walk, i + 1, value))
+    if (!compare_values (&member, value, unproved))
       return FALSE;
   }
   return TRUE;
 }
 
 static gboolean
-compare_arrays (Walk *walk, gsize stated, gsize found)
+compare_arrays (const QnJsonValue *stated, const cJSON *found, GPtrArray *unproved)
 {
-  const QnJsonToken *s = walk->stated.tokens, *f = walk->found.tokens;
-  gsize i = stated + 1, k = found + 1;
-  for (; i < s[stated].next && k < f[found].next; i = s[i].next, k = f[k].next)
-    if (!compare_values (walk, i, k))
+  const cJSON *other = found->child;
+  QnJsonValue item = { 0 };
+  while (qn_json_value_next (stated, &item)) {
+    if (other == NULL)
+      return differ (&item, NULL);
+    if (!compare_values (&item, other, unproved))
       return FALSE;
-  return (i == s[stated].next && k == f[found].next)
-         || differ (walk, stated, i < s[stated].next ? i : 0, k < f[found].next ? k : 0);
+    other = other->next;
+  }
+  return other == NULL || differ (stated, other);
 }
 
 static gboolean
-compare_values (Walk *walk, gsize stated, gsize found)
+compare_values (const QnJsonValue *stated, const cJSON *found, GPtrArray *unproved)
 {
-  const QnJsonType type = walk->stated.tokens[stated].type;
-  gboolean same = type == walk->found.tokens[found].type;
-  if (same && type == QN_JSON_OBJECT)
-    return compare_objects (walk, stated, found);
-  if (same && type == QN_JSON_ARRAY)
-    return compare_arrays (walk, stated, found);
-  if (same && type == QN_JSON_NUMBER) {
-    double number = qn_json_number (&walk->found, found);
-    same = fabs (qn_json_number (&walk->stated, stated) - number)
-           <= SAME * (1 + fabs (number));
-  } else if (same && type == QN_JSON_STRING) {
-    g_autofree char *text = qn_json_dup_string (&walk->stated, stated);
-    same = qn_json_string_is (&walk->found, found, text);
-  }
-  return same || differ (walk, stated, stated, found);
+  const cJSON *json = stated->json;
+  if (json->type != found->type)
+    return differ (stated, found);
+  if (cJSON_IsObject (json))
+    return compare_objects (stated, found, unproved);
+  if (cJSON_IsArray (json))
+    return compare_arrays (stated, found, unproved);
+  gboolean same = !cJSON_IsNumber (json)
+                  || fabs (json->valuedouble - found->valuedouble)
+                       <= SAME * (1 + fabs (found->valuedouble));
+  if (cJSON_IsString (json))
+    same = strcmp (json->valuestring, found->valuestring) == 0;
+  return same || differ (stated, found);
 }
 
 gboolean
@@ -195,16 +181,17 @@ qn_result_text_agrees (const char *text, gsize length, const char *name,
   gsize written_length;
   g_autofree char *written = qn_result_dup_text (project, contacts, &file->result,
                                                  QN_DETAIL_FORCES, &written_length);
-  Walk walk = { .unproved = unproved, .error = error };
+  QnReader reader = { .name = name, .text = text, .length = length };
   list_unproved (&project->model, file, unproved);
-  gboolean scanned = qn_json_scan (&walk.stated, text, length, name)
-                     && qn_json_scan (&walk.found, written, written_length, name);
-  gboolean agrees = scanned && compare_values (&walk, 0, 0);
-  if (!scanned) {
-    GError **trouble = walk.stated.error != NULL ? &walk.stated.error : &walk.found.error;
-    g_propagate_error (error, g_steal_pointer (trouble));
-  }
-  qn_json_clear (&walk.stated);
-  qn_json_clear (&walk.found);
+  cJSON *stated = qn_json_parse (text, length, name, &reader.error);
+  cJSON *found =
+    qn_json_parse (written, written_length, name, stated != NULL ? &reader.error : NULL);
+  const QnJsonValue root = qn_json_value_root (&reader, stated);
+  gboolean agrees =
+    stated != NULL && found != NULL && compare_values (&root, found, unproved);
+  if (!agrees)
+    g_propagate_error (error, reader.error);
+  cJSON_Delete (stated);
+  cJSON_Delete (found);
   return agrees;
 }

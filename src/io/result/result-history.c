@@ -20,37 +20,14 @@ static const QnMember scalars[] = {
   { 0 },
 };
 
-/* Where the lists of a history are. */
-typedef struct Lists {
-  QnHistory history;
-  gsize time, ground, energy, tracks, peak, found, left;
-} Lists;
-
-static const QnMember lists[] = {
-  QN_PLACE ("time", REQUIRED, Lists, time),
-  QN_PLACE ("ground", REQUIRED, Lists, ground),
-  QN_PLACE ("energy", REQUIRED, Lists, energy),
-  QN_PLACE ("tracks", REQUIRED, Lists, tracks),
-  QN_PLACE ("peak", REQUIRED, Lists, peak),
-  QN_PLACE ("found", OPTIONAL, Lists, found),
-  QN_PLACE ("left", OPTIONAL, Lists, left),
-  { 0 },
-};
-
 /* A contact that was found on the way, by time or by step. */
-typedef struct Found {
-  QnFound found;
-  gsize forces;
-} Found;
-
 #define FOUND_MEMBERS(when)                                                              \
   {                                                                                      \
-    QN_PAIR ("side", REQUIRED, Found, found.contact.block),                              \
-      QN_PAIR ("corner", REQUIRED, Found, found.contact.other),                          \
-      QN_NUMBER ("foot", REQUIRED, FINITE, Found, found.contact.foot),                   \
-      QN_NUMBER ("inset", WRITTEN, FINITE, Found, found.contact.inset),                  \
-      QN_NUMBER (when, REQUIRED, FINITE, Found, found.time),                             \
-      QN_PLACE ("forces", REQUIRED, Found, forces),                                      \
+    QN_PAIR ("side", REQUIRED, QnFound, contact.block),                                  \
+      QN_PAIR ("corner", REQUIRED, QnFound, contact.other),                              \
+      QN_NUMBER ("foot", REQUIRED, FINITE, QnFound, contact.foot),                       \
+      QN_NUMBER ("inset", WRITTEN, FINITE, QnFound, contact.inset),                      \
+      QN_NUMBER (when, REQUIRED, FINITE, QnFound, time),                                 \
     {                                                                                    \
       0                                                                                  \
     }                                                                                    \
@@ -170,57 +147,60 @@ compare_forces (const void *a, const void *b)
 
 /* The forces of the contact that was found last. */
 static gboolean
-read_found_forces (QnJson *json, gsize at, QnResult *result)
+read_found_forces (const QnJsonValue *found, QnResult *result)
 {
-  if (!qn_result_read_array (json, at))
+  QnJsonValue list, item = { 0 };
+  if (!qn_member_array (found, "forces", QN_REQUIRED, &list))
     return FALSE;
-  for (gsize i = at + 1; i < json->tokens[at].next; i = json->tokens[i].next) {
+  while (qn_json_value_next (&list, &item)) {
     QnFoundForce force = { .found = (QnId) result->found_count - 1 };
     double numbers[4];
     int32_t state;
-    if (!qn_result_read_numbers (json, i, numbers, 1, 4, NULL)
-        || !qn_result_read_id (json, i + 1, &force.step)
-        || !qn_result_read_id (json, i + 4, &state))
+    if (!qn_result_read_numbers (&item, numbers, 1, 4, NULL))
+      return FALSE;
+    const QnJsonValue of_step = qn_json_value_element (&item, 0, item.json->child),
+                      of_state = qn_json_value_element (&item, 3, item.json->child->prev);
+    if (!qn_read_index (&of_step, 0, &force.step)
+        || !qn_read_index (&of_state, 0, &state))
       return FALSE;
     if (state >= QN_PAIR_STATE_COUNT)
-      return qn_json_fail (json, i, _ ("this is not a state of a contact pair"));
+      return qn_json_value_fail (&item, _ ("this is not a state of a contact pair"));
     force.normal = numbers[1];
     force.shear = numbers[2];
     force.state = (QnPairState) state;
     if (!qn_result_add_found_force (result, force))
-      return qn_json_no_memory (json);
+      return qn_json_value_no_memory (&item);
   }
   return TRUE;
 }
 
 static gboolean
-read_found (QnJson *json, gsize found, gsize left, const QnMember *members,
-            QnResult *result)
+read_found (const QnJsonValue *owner, const QnMember *members, QnResult *result)
 {
-  const QnMember *const tables[] = { members, NULL };
-  if ((found > 0 && !qn_result_read_array (json, found))
-      || (left > 0 && !qn_result_read_array (json, left)))
+  QnJsonValue found, left, item = { 0 }, joint = { 0 };
+  if (!qn_member_array (owner, "found", QN_OPTIONAL, &found)
+      || !qn_member_array (owner, "left", QN_OPTIONAL, &left))
     return FALSE;
-  for (gsize i = found + 1; found > 0 && i < json->tokens[found].next;
-       i = json->tokens[i].next) {
-    Found read = { 0 };
-    if (!qn_result_members_read (json, i, tables, &read))
+  while (qn_json_value_next (&found, &item)) {
+    QnFound read = { 0 };
+    if (!qn_result_object (&item, members, &read))
       return FALSE;
-    if (!qn_result_add_found (result, read.found))
-      return qn_json_no_memory (json);
-    if (!read_found_forces (json, read.forces, result))
+    if (!qn_result_add_found (result, read))
+      return qn_json_value_no_memory (&item);
+    if (!read_found_forces (&item, result))
       return FALSE;
   }
-  for (gsize i = left + 1; left > 0 && i < json->tokens[left].next;
-       i = json->tokens[i].next) {
+  while (qn_json_value_next (&left, &joint)) {
     double numbers[2];
     QnLeftFace face;
-    if (!qn_result_read_numbers (json, i, numbers, 1, 2, NULL)
-        || !qn_result_read_id (json, i + 1, &face.face))
+    if (!qn_result_read_numbers (&joint, numbers, 1, 2, NULL))
+      return FALSE;
+    const QnJsonValue first = qn_json_value_element (&joint, 0, joint.json->child);
+    if (!qn_read_index (&first, 0, &face.face))
       return FALSE;
     face.time = numbers[1];
     if (!qn_result_add_left (result, face))
-      return qn_json_no_memory (json);
+      return qn_json_value_no_memory (&joint);
   }
   if (result->found_force_count > 0)
     qsort (result->found_forces, result->found_force_count, sizeof (QnFoundForce),
@@ -230,68 +210,70 @@ read_found (QnJson *json, gsize found, gsize left, const QnMember *members,
 
 /* A list, the member `key` of an object, into a column of the rows. */
 static gboolean
-read_column (QnJson *json, gsize object, const char *key, QnHistory *history,
+read_column (const QnJsonValue *object, const char *key, QnHistory *history,
              size_t column)
 {
-  gsize list = qn_json_member (json, object, key);
-  return list > 0 ? qn_result_read_numbers (json, list, history->rows + column,
-                                            history->width, history->row_count,
-                                            _ ("lists of the history differ in length"))
-                  : qn_json_fail_missing (json, object, key);
+  const QnJsonValue list = qn_json_value_member (object, key);
+  return qn_result_read_numbers (&list, history->rows + column, history->width,
+                                 history->row_count,
+                                 _ ("lists of the history differ in length"));
 }
 
 /* Which block and component a track is of is the project's knowledge. */
 static gboolean
-read_columns (QnJson *json, gsize at, const Lists *places, QnHistory *history)
+read_columns (const QnJsonValue *place, QnHistory *history)
 {
-  gboolean done =
-    read_column (json, at, "time", history, QN_HISTORY_TIME)
-    && read_column (json, places->ground, "x", history, QN_HISTORY_GROUND_X)
-    && read_column (json, places->ground, "y", history, QN_HISTORY_GROUND_Y);
+  const QnJsonValue ground = qn_json_value_member (place, "ground"),
+                    energy = qn_json_value_member (place, "energy"),
+                    tracks = qn_json_value_member (place, "tracks");
+  QnJsonValue track = { 0 };
+  gboolean done = read_column (place, "time", history, QN_HISTORY_TIME)
+                  && read_column (&ground, "x", history, QN_HISTORY_GROUND_X)
+                  && read_column (&ground, "y", history, QN_HISTORY_GROUND_Y);
   for (size_t kind = 0; done && kind < QN_ENERGY_KIND_COUNT; kind++)
-    done = read_column (json, places->energy, qn_energy_names[kind], history,
-                        QN_HISTORY_ENERGY + kind);
-  gsize track = places->tracks + 1;
-  for (size_t i = QN_HISTORY_TRACK; done && i < history->width; i++) {
-    done = read_column (json, track, "values", history, i);
-    track = json->tokens[track].next;
-  }
+    done =
+      read_column (&energy, qn_energy_names[kind], history, QN_HISTORY_ENERGY + kind);
+  while (done && qn_json_value_next (&tracks, &track))
+    done = read_column (&track, "values", history, QN_HISTORY_TRACK + track.index);
   return done;
 }
 
 gboolean
-qn_result_history_read (QnJson *json, gsize at, gsize found, gsize left, QnResult *result)
+qn_result_history_read (const QnJsonValue *root, QnResult *result)
 {
-  static const QnMember *const tables[] = { scalars, lists, NULL };
   QnHistory *history = &result->history;
-  Lists read = { .history.peak_time = NAN };
-  if (at == 0) {
-    for (size_t i = 0; found + left > 0 && i < result->step_count; i++)
+  const QnJsonValue place = qn_json_value_member (root, "history"),
+                    found = qn_json_value_member (root, "found"),
+                    left = qn_json_value_member (root, "left"),
+                    peak = qn_json_value_member (&place, "peak");
+  const gboolean outside = found.json != NULL || left.json != NULL;
+  QnJsonValue times, tracks;
+  if (place.json == NULL) {
+    for (size_t i = 0; outside && i < result->step_count; i++)
       result->steps[i].time = (double) i; /* its number stands for its time */
-    return read_found (json, found, left, found_by_step, result);
+    return read_found (root, found_by_step, result);
   }
-  if (found + left > 0)
-    return qn_json_fail (
-      json, MAX (found, left),
+  if (outside)
+    return qn_json_value_fail (
+      left.json != NULL ? &left : &found,
       _ ("contacts that an analysis in time found belong to its history"));
-  if (!qn_result_members_read (json, at, tables, &read)
-      || !qn_result_read_array (json, read.time)
-      || !qn_result_read_array (json, read.tracks))
+  history->peak_time = NAN;
+  if (!qn_result_object (&place, scalars, history)
+      || !qn_member_array (&place, "time", QN_REQUIRED, &times)
+      || !qn_member_array (&place, "tracks", QN_REQUIRED, &tracks))
     return FALSE;
-  *history = read.history;
   if (isnan (history->collapse_time))
     history->collapse_time = 0;
-  history->row_count = qn_json_count (json, read.time);
-  history->width = QN_HISTORY_TRACK + qn_json_count (json, read.tracks);
+  history->row_count = (size_t) cJSON_GetArraySize (times.json);
+  history->width = QN_HISTORY_TRACK + (size_t) cJSON_GetArraySize (tracks.json);
   history->capacity = history->row_count * history->width;
-  history->rows = qn_result_room (json, at, history->capacity, sizeof *history->rows,
+  history->rows = qn_result_room (&place, history->capacity, sizeof *history->rows,
                                   _ ("lists of the history differ in length"));
   history->peaks = qn_alloc (result->block_count, sizeof *history->peaks);
   if (history->rows == NULL || history->peaks == NULL)
-    return qn_json_no_memory (json);
-  return read_columns (json, at, &read, history)
-         && qn_result_read_numbers (json, read.peak, history->peaks, 1,
-                                    result->block_count,
+    return qn_json_value_no_memory (&place);
+  return read_columns (&place, history)
+         && qn_result_read_numbers (&peak, history->peaks, 1, result->block_count,
                                     _ ("lists of the history differ in length"))
-         && read_found (json, read.found, read.left, found_by_time, result);
+         && read_found (&place, found_by_time, result);
 }

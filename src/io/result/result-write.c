@@ -94,9 +94,9 @@ write_events (QnFileWriter *writer, const QnResult *result)
   qn_file_writer_puts (writer, "  \"events\": [");
   for (size_t i = 0; i < result->event_count; i++) {
     const QnPathEvent *event = &result->events[i];
-    const QnEventMembers members = { .event = *event }, usual = { 0 };
+    const QnPathEvent usual = { 0 };
     qn_result_members_write (writer, i > 0 ? ",\n    { " : "\n    { ", qn_event_members,
-                             &members, &usual, "");
+                             event, &usual, "");
     write_ids (writer, ", \"blocks\": ", event->blocks, event->block_count);
     qn_file_writer_puts (writer, " }");
   }
@@ -268,13 +268,13 @@ write_steps (QnFileWriter *writer, const QnResult *result)
   size_t bodies = qn_result_body_count (result);
   qn_file_writer_puts (writer, "  \"steps\": [");
   for (size_t i = 0; i < result->step_count && !qn_file_writer_failed (writer); i++) {
-    const QnStepMembers step = { .step = result->steps[i] }, usual = { 0 };
+    const QnStep *step = &result->steps[i], usual = { 0 };
     qn_result_members_write (writer, i > 0 ? ",\n    { " : "\n    { ", qn_step_members,
-                             &step, NULL, ", \"displacements\": ");
+                             step, NULL, ", \"displacements\": ");
     write_rows (writer, qn_result_step_displacements (result, i), result->block_count);
-    qn_result_members_write (writer, ", ", qn_step_rest, &step, &usual, "");
+    qn_result_members_write (writer, ", ", qn_step_rest, step, &usual, "");
     if (result->history.width > 0) {
-      qn_result_members_write (writer, ", ", qn_step_time, &step, NULL, "");
+      qn_result_members_write (writer, ", ", qn_step_time, step, NULL, "");
       if (result->velocities != NULL) {
         qn_file_writer_puts (writer, ", \"velocities\": ");
         write_rows (writer, result->velocities + i * bodies * QN_DOF_COUNT, bodies);

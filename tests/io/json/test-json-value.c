@@ -19,7 +19,7 @@ static void
 set_up (Fixture *fixture, gconstpointer data)
 {
   (void) data;
-  fixture->document = cJSON_Parse (text);
+  fixture->document = qn_json_parse (text, strlen (text), "f", NULL);
   fixture->reader = (QnReader){ .name = "f",
                                 .text = text,
                                 .length = strlen (text),

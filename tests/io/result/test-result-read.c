@@ -78,7 +78,7 @@ static const Case cases[] = {
     "r.json:6:14: outcome: \"glory\" is not one of collapse, target-reached, snap, "
     "unbounded, dead-load-unstable, cancelled, not-converged, rest" },
   { "\"collapse_multiplier\": 0.2", "\"collapse_multiplier\": \"0.2\"",
-    "r.json:7:26: collapse_multiplier: expected a number" },
+    "r.json:7:26: collapse_multiplier: expected a number, found a string" },
   { "\"blocks\": [\"base\", \"top\"]", "\"blocks\": [\"base\", \"top\", \"roof\"]",
     "r.json:19:41: steps[0].displacements: there are not as many displacements as "
     "blocks" },
@@ -117,7 +117,7 @@ static const Case cases[] = {
   { "\"mechanism\": [[0, 0, 0], ", "\"mechanism\": [",
     "r.json:24:16: mechanism: there are not as many velocities as blocks" },
   { "\"seconds\": 0.012", "\"seconds\": true",
-    "r.json:32:27: timings.seconds: expected a number" },
+    "r.json:32:27: timings.seconds: expected a number, found true or false" },
 };
 
 static void
@@ -230,7 +230,7 @@ test_further_errors (void)
   static const Case wrong[] = {
     { "\"non-associative\"", "\"plastic\"",
       "flow: \"plastic\" is not one of associative, non-associative" },
-    { "\"non-associative\"", "3", "flow: expected a string" },
+    { "\"non-associative\"", "3", "flow: expected a string, found a number" },
     { "0.4, \"found_by\"", "true, \"found_by\"",
       "solutions[1].multiplier: expected a number" },
     { "\"stage\": 1, \"blocks\"", "\"stage\": 1000, \"blocks\"",
