@@ -1,9 +1,9 @@
 /* Broad phase: which of many axis-parallel boxes meet a given box.
  *
- * A static tree of boxes, packed along a Hilbert curve. Chosen over a uniform grid because it
- * needs no cell size: a foundation a thousand times longer than the bricks on it, or a crowd of
- * splinters in one corner, costs nothing extra. Building takes O(n log n), a query O(log n + k)
- * for well-separated boxes. Source: Kamel & Faloutsos, "On packing R-trees" (1993).
+ * A static tree of boxes: the items of a node are divided into eight, by the order of their middles along
+ * the longer side of its box. Chosen over a uniform grid because it needs no cell size: a foundation a
+ * thousand times longer than the bricks on it, or a crowd of splinters in one corner, costs nothing extra.
+ * Building takes O(n log^2 n), a query O(log n + k) for well-separated boxes.
  */
 #pragma once
 
@@ -11,7 +11,7 @@
 #include "core/base/box.h"
 #include "core/base/memory.h"
 
-/* An item, or the smallest box around some that follow one another along the curve. */
+/* An item, or the smallest box around all below it. */
 typedef struct QnBoxNode {
   QnBox box;
   QnId item; /* or QN_NONE */
