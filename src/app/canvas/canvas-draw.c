@@ -622,7 +622,7 @@ qn_canvas_draw_below (QnCanvas *self, gboolean with_photo, cairo_t *cr)
   if (g_settings_get_boolean (qn_settings_get (), "grid"))
     draw_grid (self, cr);
   if (with_photo && scene != NULL)
-    qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_BELOW, cr, NULL);
+    qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_BELOW, cr);
 }
 
 void
@@ -631,7 +631,7 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
   const QnScene *scene = qn_canvas_get_scene (self);
   gboolean undeformed = !qn_view_needs_result (self->state->options.view);
   if (with_labels && scene != NULL)
-    qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_ABOVE, cr, NULL);
+    qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_ABOVE, cr);
   draw_selection (self, cr);
   if (undeformed) {
     qn_gap_marks_draw (&self->gaps, &self->camera, cr);

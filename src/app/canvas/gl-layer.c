@@ -48,7 +48,7 @@ on_render (GtkGLArea *area, GdkGLContext *context, QnGlLayer *self)
   camera.scale *= factor;
   camera.unit *= factor;
   qn_gl_renderer_draw (self->renderer, self->scene, &camera,
-                       (int) qn_to_integer (camera.height, 0, G_MAXINT16), NULL);
+                       (int) qn_to_integer (camera.height, 0, G_MAXINT16));
   self->revision = self->scene->revision;
   self->frames++;
   return TRUE;

@@ -28,7 +28,7 @@ redraw (QnSceneCache *cache, const QnScene *scene, const QnCamera *camera, int f
     (int) qn_to_integer (cache->camera.height, 0, G_MAXINT16) * factor);
   cairo_surface_set_device_scale (cache->surface, factor, factor);
   cairo_t *cr = cairo_create (cache->surface);
-  qn_draw_cairo (scene, &cache->camera, QN_LAYERS_ALL, cr, NULL);
+  qn_draw_cairo (scene, &cache->camera, QN_LAYERS_ALL, cr);
   cairo_destroy (cr);
 }
 
@@ -38,7 +38,7 @@ qn_scene_cache_draw (QnSceneCache *cache, const QnScene *scene, const QnCamera *
 {
   if (scene->commands->len < QN_SCENE_CACHE_LEAST) {
     qn_scene_cache_clear (cache);
-    qn_draw_cairo (scene, camera, QN_LAYERS_ALL, cr, NULL);
+    qn_draw_cairo (scene, camera, QN_LAYERS_ALL, cr);
     return;
   }
   bool same_place = cache->camera.center.x == camera->center.x

@@ -101,7 +101,7 @@ draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
   if (compare->base_scale > 0.0)
     camera.scale = compare->base_scale * compare->zoom;
   camera.center = qn_vec2_add (camera.center, compare->pan);
-  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, cr, NULL);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, cr);
   qn_scene_free (scene);
 }
 

@@ -20,7 +20,7 @@ qn_preview_draw (const QnModel *model, gboolean loads, cairo_t *cr, int width, i
   QnScene *scene = qn_scene_build (model, &contacts, NULL, &options, NULL);
   if (scene != NULL) {
     qn_camera_fit (&fitted, scene->box, MARGIN_PX);
-    qn_draw_cairo (scene, &fitted, QN_LAYERS_ALL, cr, NULL);
+    qn_draw_cairo (scene, &fitted, QN_LAYERS_ALL, cr);
     qn_scene_free (scene);
   }
   if (camera != NULL)

@@ -281,12 +281,10 @@ draw_text (cairo_t *cr, const QnCommand *command, QnVec2 at, Labels *labels)
 }
 
 void
-qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers, cairo_t *cr,
-               QnDrawCounts *counts)
+qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers, cairo_t *cr)
 {
   QnBox visible = qn_camera_visible_box (camera);
   double line_factor = qn_scene_line_factor (scene, camera);
-  QnDrawCounts tally = { 0, 0 };
   Labels labels = { .camera = camera,
                     .cr = cr,
                     .taken = g_array_new (FALSE, FALSE, sizeof (cairo_rectangle_t)),
@@ -300,12 +298,9 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers, ca
     const QnCommand *command = qn_scene_command (scene, i);
     if (layers & 1u << QN_LAYER_LABELS)
       note_lines (&labels, scene, command, visible);
-    if (!(layers & 1u << command->layer))
+    if (!(layers & 1u << command->layer)
+        || !qn_command_is_visible (command, camera, visible))
       continue;
-    if (!qn_command_is_visible (command, camera, visible)) {
-      tally.skipped++;
-      continue;
-    }
     QnVec2 s = { 0, 0 };
     if (command->count > 0)
       s = qn_camera_to_screen (camera, *qn_scene_points (scene, command));
@@ -331,11 +326,8 @@ qn_draw_cairo (const QnScene *scene, const QnCamera *camera, unsigned layers, ca
       draw_image (scene, command, camera, cr);
       break;
     }
-    tally.drawn++;
   }
   cairo_restore (cr);
   g_array_unref (labels.taken);
   g_array_unref (labels.lines);
-  if (counts != NULL)
-    *counts = tally;
 }

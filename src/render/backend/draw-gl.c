@@ -19,7 +19,6 @@ struct QnGlRenderer {
   GLuint framebuffer, renderbuffer; /* for pictures that are read back, of this size: */
   int width, height;                /* px; 0: there is none yet */
   uint64_t revision;                /* of the scene in the buffers; 0: none */
-  unsigned uploads;
   GArray *counts;  /* of GLsizei: indices of each run of visible commands */
   GArray *offsets; /* of const void *: where the run starts, bytes */
 };
@@ -175,12 +174,6 @@ qn_gl_renderer_free (QnGlRenderer *r)
   g_free (r);
 }
 
-unsigned
-qn_gl_renderer_uploads (const QnGlRenderer *renderer)
-{
-  return renderer->uploads;
-}
-
 static void
 upload (QnGlRenderer *r, const QnScene *scene)
 {
@@ -197,29 +190,20 @@ upload (QnGlRenderer *r, const QnScene *scene)
   g_array_set_size (r->batch.vertices, 0);
   g_array_set_size (r->batch.indices, 0);
   r->revision = scene->revision;
-  r->uploads++;
 }
 
 /* Gathers the index ranges of visible commands; neighbours become one run. */
-static QnDrawCounts
+static void
 collect_runs (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera)
 {
   QnBox visible = qn_camera_visible_box (camera);
-  QnDrawCounts tally = { 0, 0 };
   uint32_t end = 0;
   g_array_set_size (r->counts, 0);
   g_array_set_size (r->offsets, 0);
   for (guint i = 0; i < scene->commands->len; i++) {
     const QnCommand *command = qn_scene_command (scene, i);
     QnGlRange range = r->batch.ranges[i];
-    if (command->kind == QN_COMMAND_TEXT || command->kind == QN_COMMAND_IMAGE)
-      continue;
-    if (!qn_command_is_visible (command, camera, visible)) {
-      tally.skipped++;
-      continue;
-    }
-    tally.drawn++;
-    if (range.count == 0)
+    if (range.count == 0 || !qn_command_is_visible (command, camera, visible))
       continue;
     if (r->counts->len > 0 && range.first == end) {
       g_array_index (r->counts, GLsizei, r->counts->len - 1) += (GLsizei) range.count;
@@ -231,7 +215,6 @@ collect_runs (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera)
     }
     end = range.first + range.count;
   }
-  return tally;
 }
 
 static void
@@ -256,7 +239,7 @@ whole (double px)
 
 void
 qn_gl_renderer_draw (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
-                     int framebuffer_height, QnDrawCounts *counts)
+                     int framebuffer_height)
 {
   const QnGl *gl = r->gl;
   gl->UseProgram (r->program);
@@ -275,7 +258,7 @@ qn_gl_renderer_draw (QnGlRenderer *r, const QnScene *scene, const QnCamera *came
   gl->BlendFunc (GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   set_camera (r, scene, camera);
 
-  QnDrawCounts tally = collect_runs (r, scene, camera);
+  collect_runs (r, scene, camera);
   if (r->counts->len > 0)
     gl->MultiDrawElements (
       GL_TRIANGLES, (const GLsizei *) (void *) r->counts->data, GL_UNSIGNED_INT,
@@ -283,8 +266,6 @@ qn_gl_renderer_draw (QnGlRenderer *r, const QnScene *scene, const QnCamera *came
   gl->Disable (GL_SCISSOR_TEST);
   gl->BindVertexArray (0);
   gl->UseProgram (0);
-  if (counts != NULL)
-    *counts = tally;
 }
 
 /* ---- images: a framebuffer that is read back tile by tile ---- */
@@ -345,7 +326,7 @@ tile_camera (const QnCamera *whole, int left, int top, int width, int height)
 
 static void
 draw_tiles (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
-            cairo_surface_t *image, guint8 *rows, QnDrawCounts *counts)
+            cairo_surface_t *image, guint8 *rows)
 {
   const QnGl *gl = r->gl;
   int width = cairo_image_surface_get_width (image);
@@ -358,7 +339,7 @@ draw_tiles (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
       gl->Disable (GL_SCISSOR_TEST);
       gl->ClearColor (0, 0, 0, 0);
       gl->Clear (GL_COLOR_BUFFER_BIT);
-      qn_gl_renderer_draw (r, scene, &tile, r->height, counts);
+      qn_gl_renderer_draw (r, scene, &tile, r->height);
       read_back (r, image, left, top, w, h, rows);
     }
   }
@@ -366,7 +347,7 @@ draw_tiles (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
 
 cairo_surface_t *
 qn_gl_renderer_draw_image (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera,
-                           QnDrawCounts *counts, GError **error)
+                           GError **error)
 {
   int width = (int) qn_to_integer (ceil (camera->width), 1, G_MAXINT16);
   int height = (int) qn_to_integer (ceil (camera->height), 1, G_MAXINT16);
@@ -382,7 +363,7 @@ qn_gl_renderer_draw_image (QnGlRenderer *r, const QnScene *scene, const QnCamera
     whole.center.x += 0.5 * (width - camera->width) / camera->scale;
     whole.center.y -= 0.5 * (height - camera->height) / camera->scale;
     cairo_surface_flush (image);
-    draw_tiles (r, scene, &whole, image, rows, counts);
+    draw_tiles (r, scene, &whole, image, rows);
     cairo_surface_mark_dirty (image);
   } else {
     g_clear_pointer (&image, cairo_surface_destroy);

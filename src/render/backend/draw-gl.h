@@ -14,16 +14,11 @@ void qn_gl_renderer_free (QnGlRenderer *renderer);
 
 /* Draws into the bound framebuffer of this height in px (GL counts rows from below), over what
  * is there, with premultiplied alpha. The scene's triangles are uploaded when its revision is
- * another than last time. `counts` may be NULL. */
+ * another than last time. */
 void qn_gl_renderer_draw (QnGlRenderer *renderer, const QnScene *scene,
-                          const QnCamera *camera, int framebuffer_height,
-                          QnDrawCounts *counts);
-
-/* How often a scene was uploaded since the renderer was made. */
-unsigned qn_gl_renderer_uploads (const QnGlRenderer *renderer);
+                          const QnCamera *camera, int framebuffer_height);
 
 /* Draws the camera's viewport into a new image of its size with a transparent ground. NULL with
  * an error. */
 cairo_surface_t *qn_gl_renderer_draw_image (QnGlRenderer *renderer, const QnScene *scene,
-                                            const QnCamera *camera, QnDrawCounts *counts,
-                                            GError **error);
+                                            const QnCamera *camera, GError **error);

@@ -45,7 +45,7 @@ qn_scene_draw (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
                const QnPage *page, GError **error)
 {
   if (page->offscreen == NULL) {
-    qn_draw_cairo (scene, camera, QN_LAYERS_ALL, cr, NULL);
+    qn_draw_cairo (scene, camera, QN_LAYERS_ALL, cr);
     return true;
   }
 
@@ -58,10 +58,10 @@ qn_scene_draw (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
   QnVec2 middle = { snapped.x + 0.5 * snapped.width, snapped.y + 0.5 * snapped.height };
   snapped.center = qn_camera_to_model (camera, middle);
   cairo_surface_t *image =
-    qn_gl_renderer_draw_image (page->offscreen->renderer, scene, &snapped, NULL, error);
+    qn_gl_renderer_draw_image (page->offscreen->renderer, scene, &snapped, error);
   if (image == NULL)
     return false;
-  qn_draw_cairo (scene, camera, QN_LAYERS_CAIRO_BELOW, cr, NULL);
+  qn_draw_cairo (scene, camera, QN_LAYERS_CAIRO_BELOW, cr);
   cairo_save (cr);
   cairo_set_source_surface (cr, image, snapped.x, snapped.y);
   cairo_pattern_set_filter (cairo_get_source (cr), CAIRO_FILTER_NEAREST);
@@ -69,6 +69,6 @@ qn_scene_draw (const QnScene *scene, const QnCamera *camera, cairo_t *cr,
   cairo_fill (cr);
   cairo_restore (cr);
   cairo_surface_destroy (image);
-  qn_draw_cairo (scene, camera, QN_LAYERS_CAIRO_ABOVE, cr, NULL);
+  qn_draw_cairo (scene, camera, QN_LAYERS_CAIRO_ABOVE, cr);
   return true;
 }

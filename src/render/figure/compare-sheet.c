@@ -217,7 +217,7 @@ draw_cells (const SheetLayout *s)
     view.center.y += (view.y + view.height - foot.y) / view.scale;
     view.height += FOOT_GAP * view.unit;
     view.center.y -= 0.5 * FOOT_GAP * view.unit / view.scale;
-    qn_draw_cairo (scene, &view, QN_LAYERS_ALL, s->cr, NULL);
+    qn_draw_cairo (scene, &view, QN_LAYERS_ALL, s->cr);
     lay_words (s, i, view.width, view.x + 0.5 * view.width, view.y + view.height, true);
   }
 }

@@ -17,7 +17,7 @@ extents_of (QnScene *scene)
   };
   cairo_rectangle_t box;
   qn_scene_finish (scene);
-  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, cr, NULL);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, cr);
   cairo_recording_surface_ink_extents (page, &box.x, &box.y, &box.width, &box.height);
   cairo_destroy (cr);
   cairo_surface_destroy (page);
@@ -39,7 +39,7 @@ test_dashes (void)
   qn_scene_stroke (scene, QN_LAYER_BLOCKS, line, 2, false, 4, black)->dashed = true;
   qn_scene_finish (scene);
   cairo_set_antialias (cr, CAIRO_ANTIALIAS_NONE);
-  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, cr, NULL);
+  qn_draw_cairo (scene, &camera, QN_LAYERS_ALL, cr);
   cairo_surface_flush (page);
   const guchar *row =
     cairo_image_surface_get_data (page) + 10 * cairo_image_surface_get_stride (page);

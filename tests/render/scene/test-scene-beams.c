@@ -240,7 +240,7 @@ test_golden (void)
     cairo_set_source_rgb (cr, 1, 1, 1);
     cairo_paint (cr);
     cairo_set_antialias (cr, CAIRO_ANTIALIAS_NONE);
-    qn_draw_cairo (scene, &camera, QN_LAYERS_ALL & ~QN_LAYERS_CAIRO_ABOVE, cr, NULL);
+    qn_draw_cairo (scene, &camera, QN_LAYERS_ALL & ~QN_LAYERS_CAIRO_ABOVE, cr);
     cairo_destroy (cr);
     image_assert_golden (pictures[i].name, image, IMAGE_EXACT);
     cairo_surface_destroy (image);
