@@ -11,7 +11,7 @@
 #include "app/canvas/tool.h"
 #include "doc/edit/edit-frame.h"
 #include "doc/view/view-state.h"
-#include "render/drawing/pick.h"
+#include "render/drawing/scene.h"
 #include "stereotomy/gaps.h"
 
 /* Connects a canvas made by a template; once, before anything else. `resting` is the tool that it

@@ -5,7 +5,6 @@
 #include "io/project/project.h"
 #include "io/text/file-read.h"
 #include "io/text/json-text.h"
-#include "render/drawing/photo.h"
 #include "render/drawing/rectify.h"
 #include "render/drawing/render-error.h"
 

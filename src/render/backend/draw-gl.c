@@ -23,6 +23,31 @@ struct QnGlRenderer {
   GArray *offsets; /* of const void *: where the run starts, bytes */
 };
 
+bool
+qn_gl_load (QnGl *gl, QnGlGetAddress get_address)
+{
+#define QN_GL_LOAD(type, name)                                                           \
+  gl->name = (type) get_address ("gl" #name);                                            \
+  if (gl->name == NULL)                                                                  \
+    return false;
+  QN_GL_FUNCTIONS (QN_GL_LOAD)
+#undef QN_GL_LOAD
+  return true;
+}
+
+bool
+qn_gl_is_software (const QnGl *gl)
+{
+  static const char *const names[] = { "llvmpipe", "softpipe", "swrast", "SWR",
+                                       "Software" };
+  const char *renderer = (const char *) gl->GetString (GL_RENDERER);
+  for (size_t i = 0; renderer != NULL && i < G_N_ELEMENTS (names); i++) {
+    if (strstr (renderer, names[i]) != NULL)
+      return true;
+  }
+  return false;
+}
+
 static const char vertex_source[] =
   "#version 330 core\n"
   "layout(location = 0) in vec2 place;\n"

@@ -1,8 +1,10 @@
 #include "render/backend/gl-batch.h"
 
 #include "core/base/integer.h"
+#include "core/base/polygon.h"
 #include "render/drawing/marker-shape.h"
-#include "render/drawing/triangulate.h"
+
+#include <string.h>
 
 /* Distance from an edge that is not there, m or pt. */
 #define FAR_AWAY 1e9f
@@ -105,17 +107,6 @@ side_normal (const QnVec2 *points, uint32_t count, uint32_t i, double turn)
   return length > 0 ? qn_vec2_scale (-turn / length, qn_vec2_perp (d)) : qn_vec2 (0, 0);
 }
 
-/* Twice the area, positive counter-clockwise; the sign alone matters. */
-static double
-turning (const QnVec2 *points, uint32_t count)
-{
-  double area = 0;
-  for (uint32_t i = 1; i + 1 < count; i++)
-    area += qn_vec2_cross (qn_vec2_sub (points[i], points[0]),
-                           qn_vec2_sub (points[i + 1], points[0]));
-  return area;
-}
-
 static bool
 is_small_and_convex (const QnVec2 *points, uint32_t count, double turn)
 {
@@ -150,6 +141,52 @@ add_convex_vertex (const Convex *shape, uint32_t i, QnVec2 grow)
   add_vertex (shape->brush, v);
 }
 
+static double
+turn_at (const QnVec2 *p, uint32_t a, uint32_t b, uint32_t c)
+{
+  return qn_vec2_cross (qn_vec2_sub (p[b], p[a]), qn_vec2_sub (p[c], p[a]));
+}
+
+/* Whether the corner i of the remaining polygon can be cut off. */
+static bool
+is_ear (const QnVec2 *p, const uint32_t *order, uint32_t n, uint32_t i)
+{
+  uint32_t a = order[(i + n - 1) % n], b = order[i], c = order[(i + 1) % n];
+  if (turn_at (p, a, b, c) <= 0)
+    return false;
+  for (uint32_t k = 0; k < n; k++) {
+    uint32_t q = order[k];
+    if (q != a && q != b && q != c && turn_at (p, a, b, q) >= 0
+        && turn_at (p, b, c, q) >= 0 && turn_at (p, c, a, q) >= 0)
+      return false;
+  }
+  return true;
+}
+
+/* Triangles that cover a polygon, whose point i is the vertex base + 2 i. Ears are cut one by one, O(count^2):
+ * masonry blocks have few vertices. */
+static void
+cut_ears (const QnGlBrush *brush, const QnVec2 *points, uint32_t count, double turn,
+          uint32_t base)
+{
+  g_array_set_size (brush->scratch, count);
+  uint32_t *order = &g_array_index (brush->scratch, uint32_t, 0);
+  for (uint32_t i = 0; i < count; i++)
+    order[i] = turn > 0 ? i : count - 1 - i;
+  for (uint32_t n = count; n >= 3; n--) {
+    uint32_t ear = 0;
+    while (ear < n && !is_ear (points, order, n, ear))
+      ear++;
+    /* Nothing to cut: what remains has no area, or crosses itself by rounding. */
+    if (ear == n)
+      ear = 0;
+    else
+      add_triangle (brush, base + 2 * order[(ear + n - 1) % n], base + 2 * order[ear],
+                    base + 2 * order[(ear + 1) % n]);
+    memmove (order + ear, order + ear + 1, (n - ear - 1) * sizeof *order);
+  }
+}
+
 /* Any polygon: its triangles, shrunk by half a pixel, and a band a pixel wide around them. */
 static void
 add_banded (const QnGlBrush *brush, const QnVec2 *points, uint32_t count, double turn)
@@ -172,18 +209,13 @@ add_banded (const QnGlBrush *brush, const QnVec2 *points, uint32_t count, double
     add_triangle (brush, a, a + 1, b);
     add_triangle (brush, b, a + 1, b + 1);
   }
-  g_array_set_size (brush->scratch, 4 * count);
-  uint32_t *indices = &g_array_index (brush->scratch, uint32_t, 0);
-  size_t n = qn_triangulate (points, count, indices, indices + 3 * count);
-  for (size_t i = 0; i + 2 < n; i += 3)
-    add_triangle (brush, base + 2 * indices[i], base + 2 * indices[i + 1],
-                  base + 2 * indices[i + 2]);
+  cut_ears (brush, points, count, turn, base);
 }
 
 static void
 add_simple (const QnGlBrush *brush, const QnVec2 *points, uint32_t count)
 {
-  double turn = turning (points, count) < 0 ? -1 : 1;
+  double turn = qn_polygon_properties (points, count).area < 0 ? -1 : 1;
   if (is_small_and_convex (points, count, turn)) {
     Convex shape = { .brush = brush, .points = points, .count = count };
     uint32_t base = brush->batch->vertices->len;

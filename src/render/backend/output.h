@@ -82,6 +82,17 @@ GBytes *qn_page_encode (QnFormat format, const QnOutput *output,
 cairo_status_t qn_output_append (void *bytes, const unsigned char *data,
                                  unsigned int length);
 
+/* PNG files with text chunks and resolution, which Cairo's own writer cannot carry. */
+typedef struct QnPngText {
+  const char *key;  /* "Title", "Software", … or a private one, Latin-1 */
+  const char *text; /* UTF-8 */
+} QnPngText;
+
+/* Encodes an ARGB32 image surface. `dpi` <= 0: no resolution chunk. An image without any
+ * transparent pixel is written without alpha. NULL with an error (FAILED). */
+GBytes *qn_png_encode (cairo_surface_t *surface, double dpi, const QnPngText *texts,
+                       size_t text_count, GError **error);
+
 /* Puts the metadata into a PDF, which bears no date: equal input gives equal bytes. */
 void qn_output_describe_pdf (cairo_surface_t *surface, const QnMetadata *metadata);
 

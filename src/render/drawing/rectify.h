@@ -35,3 +35,7 @@ bool qn_rectify_to_plane (const QnVec2 points[4], QnVec2 photo, QnVec2 *plane);
  * picture shows. NULL without memory. `points` are sorted. The caller destroys it. */
 cairo_surface_t *qn_rectify (cairo_surface_t *photo, const QnVec2 points[4],
                              double margin, QnBox *seen);
+
+/* Reads a PNG, JPEG, TIFF … file, turned the right way up as the camera noted. NULL with an
+ * error (QN_RENDER_ERROR_FILE). */
+cairo_surface_t *qn_photo_load (const char *path, GError **error);

@@ -1,5 +1,7 @@
 #include "render/drawing/scene.h"
 
+#include "core/base/polygon.h"
+
 #include <stdarg.h>
 
 static void
@@ -143,23 +145,16 @@ qn_scene_legend (QnScene *scene, QnCommandKind kind, double size, QnColor color,
   return &g_array_index (scene->legend, QnLegendEntry, scene->legend->len - 1);
 }
 
-/* Stable counting sort by layer: within a layer the order of addition stays. */
+/* Within a layer the order of addition stays. */
 static void
 sort_by_layer (QnScene *scene)
 {
-  size_t start[QN_LAYER_COUNT + 1] = { 0 };
-  guint n = scene->commands->len;
-  for (guint i = 0; i < n; i++)
-    start[qn_scene_command (scene, i)->layer + 1]++;
+  const guint count = scene->commands->len;
+  GArray *sorted = g_array_sized_new (FALSE, FALSE, sizeof (QnCommand), count);
   for (int layer = 0; layer < QN_LAYER_COUNT; layer++)
-    start[layer + 1] += start[layer];
-
-  GArray *sorted = g_array_sized_new (FALSE, FALSE, sizeof (QnCommand), n);
-  g_array_set_size (sorted, n);
-  for (guint i = 0; i < n; i++) {
-    const QnCommand *command = qn_scene_command (scene, i);
-    g_array_index (sorted, QnCommand, start[command->layer]++) = *command;
-  }
+    for (guint i = 0; i < count; i++)
+      if (qn_scene_command (scene, i)->layer == layer)
+        g_array_append_vals (sorted, qn_scene_command (scene, i), 1);
   g_array_unref (scene->commands);
   scene->commands = sorted;
 }
@@ -213,4 +208,72 @@ qn_color_bar_color (const QnColorBar *bar, double value, int monochrome)
   }
   double range = bar->max - bar->min;
   return qn_map_sequential (range > 0 ? (value - bar->min) / range : 0, monochrome);
+}
+
+/* ---- picking --------------------------------------------------------------------------- */
+
+/* Whether a command is within `reach` m of the model point p. */
+static bool
+command_hit (const QnScene *scene, const QnCommand *command, const QnCamera *camera,
+             QnVec2 p, double reach)
+{
+  const QnVec2 *v = qn_scene_points (scene, command);
+  double size = 0.5 * command->size * camera->unit / camera->scale;
+  switch ((QnCommandKind) command->kind) {
+  case QN_COMMAND_FILL:
+    return qn_polygon_depth (v, command->count, p) >= 0;
+  case QN_COMMAND_STROKE:
+    for (uint32_t i = command->closed ? 0 : 1; i < command->count; i++) {
+      uint32_t before = i > 0 ? i - 1 : command->count - 1;
+      if (qn_segment_distance (v[before], v[i], p) <= reach + size)
+        return true;
+    }
+    return false;
+  case QN_COMMAND_MARKER:
+  case QN_COMMAND_TEXT:
+    return qn_vec2_length (qn_vec2_sub (p, v[0])) <= reach + size;
+  case QN_COMMAND_IMAGE:
+    break;
+  }
+  return false;
+}
+
+QnPick
+qn_pick_at (const QnScene *scene, const QnCamera *camera, QnVec2 screen, double reach,
+            unsigned kinds)
+{
+  QnVec2 p = qn_camera_to_model (camera, screen);
+  double model_reach = reach / camera->scale;
+  const QnBox near = { { p.x - model_reach, p.y - model_reach },
+                       { p.x + model_reach, p.y + model_reach } };
+  for (guint i = scene->commands->len; i-- > 0;) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    if (command->pick != QN_PICK_NOTHING && (kinds == 0 || (kinds & 1u << command->pick))
+        && qn_command_is_visible (command, camera, near)
+        && command_hit (scene, command, camera, p, model_reach))
+      return (QnPick){ (QnPickKind) command->pick, command->id };
+  }
+  return (QnPick){ QN_PICK_NOTHING, QN_NONE };
+}
+
+void
+qn_pick_inside (const QnScene *scene, const QnCamera *camera, QnVec2 corner_a,
+                QnVec2 corner_b, QnPickKind kind, GArray *ids)
+{
+  QnBox box = QN_BOX_EMPTY;
+  qn_box_add_point (&box, qn_camera_to_model (camera, corner_a));
+  qn_box_add_point (&box, qn_camera_to_model (camera, corner_b));
+  g_autoptr (GHashTable) known = g_hash_table_new (NULL, NULL);
+  for (guint i = 0; i < scene->commands->len; i++) {
+    const QnCommand *c = qn_scene_command (scene, i);
+    /* Fills stand for blocks, whatever else is drawn of them; other entities are lines and
+     * points. */
+    if (c->pick != kind || c->id == QN_NONE
+        || (kind == QN_PICK_BLOCK && c->kind != QN_COMMAND_FILL))
+      continue;
+    bool inside = c->box.min.x >= box.min.x && c->box.max.x <= box.max.x
+                  && c->box.min.y >= box.min.y && c->box.max.y <= box.max.y;
+    if (inside && g_hash_table_add (known, GINT_TO_POINTER (c->id)))
+      g_array_append_val (ids, c->id);
+  }
 }

@@ -1,7 +1,7 @@
 /* The scene: the whole picture as one sorted array of drawing commands.
  *
  * Builders (scene/scene-build.h) decide what is drawn; the back ends (draw-cairo.h, draw-gl.h)
- * and the picker (pick.h) only walk this array and agree therefore by construction.
+ * and the picker only walk this array and agree therefore by construction.
  *
  * Places are in model coordinates (m, y up). Line widths, marker sizes and text sizes are in
  * typographic points and do not grow with zoom. Commands are ordered by layer, then by the
@@ -208,3 +208,19 @@ qn_command_is_thinned (const QnCommand *command)
          || command->layer == QN_LAYER_HATCH || command->layer == QN_LAYER_JOINTS
          || command->layer == QN_LAYER_FORCES;
 }
+
+/* What is under the pointer in the drawn scene. */
+typedef struct QnPick {
+  QnPickKind kind; /* QN_PICK_NOTHING: nothing there */
+  QnId id;
+} QnPick;
+
+/* The topmost visible command within `reach` px of the screen point. `kinds` is a set of
+ * bits 1 << QnPickKind, or 0 for every kind. */
+QnPick qn_pick_at (const QnScene *scene, const QnCamera *camera, QnVec2 screen,
+                   double reach, unsigned kinds);
+
+/* Appends to `ids` (of QnId) every entity of one kind whose commands lie wholly inside the
+ * rectangle between two screen points; each once. */
+void qn_pick_inside (const QnScene *scene, const QnCamera *camera, QnVec2 corner_a,
+                     QnVec2 corner_b, QnPickKind kind, GArray *ids);

@@ -4,6 +4,7 @@
 #include "render/drawing/color.h"
 
 #include <cairo.h>
+#include <glib.h>
 #include <stdbool.h>
 
 /* Moves the box of a text, px of the page, to a free
@@ -35,3 +36,15 @@ void qn_text_measure (cairo_t *cr, const QnTextStyle *style, const char *text,
  * the right or bottom edge. `angle` turns it counter-clockwise about (x, y). */
 void qn_text_draw (cairo_t *cr, const QnTextStyle *style, const char *text, double x,
                    double y, double align_x, double align_y, double angle, QnColor color);
+
+/* Text of an SVG stays text: to be searched, edited and read aloud. Cairo draws letters there as outlines;
+ * so a text is drawn as a rectangle with a colour of its own, which is replaced by the text once the SVG
+ * is written. From here on the surface, of an SVG, collects its texts, in what is returned; free it with
+ * g_ptr_array_unref() when the surface is gone. */
+GPtrArray *qn_svg_text_collect (cairo_surface_t *surface);
+
+/* Puts the texts where their rectangles are. */
+void qn_svg_text_insert (GString *svg, const GPtrArray *texts);
+
+/* Text as XML: characters that XML forbids become U+FFFD. Free with g_free(). */
+char *qn_xml_dup_text (const char *text);

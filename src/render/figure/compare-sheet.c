@@ -3,9 +3,9 @@
 #include "core/base/integer.h"
 #include "core/result/mechanism.h"
 #include "render/backend/draw-cairo.h"
-#include "render/drawing/scene-fit.h"
 #include "render/drawing/text.h"
 #include "render/figure/figure-furniture.h"
+#include "render/figure/figure.h"
 
 #include <gio/gio.h>
 #include <glib/gi18n-lib.h>

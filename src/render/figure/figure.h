@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/backend/output.h"
+#include "render/figure/figure-furniture.h"
 #include "render/scene/scene-build.h"
 
 typedef struct QnFigure {
@@ -56,3 +57,31 @@ bool qn_figure_draw (const QnFigure *figure, cairo_t *cr, const QnPage *page,
  * be drawn. */
 bool qn_figure_fit_height (const QnFigure *figure, cairo_t *cr, const QnPage *page,
                            const QnFrame *frame, double *height, GError **error);
+
+/* Centres the scene in the camera's viewport, as large as it goes without clipping markers,
+ * line ends and labels; at `scale` px per m where that is > 0. The camera's viewport and unit
+ * are given, its centre and scale are set. */
+void qn_scene_fit (QnCamera *camera, const QnScene *scene, cairo_t *cr, double scale);
+
+/* Layout of a figure: titles, structure, furniture. Made once and drawn many times, so that the frames of
+ * an animation do not jump. */
+typedef struct QnFigureLayout {
+  QnFrame frame;
+  bool titles; /* whether there is room for them */
+  bool as_column;
+  QnFurniture furniture;
+  QnCamera camera;
+} QnFigureLayout;
+
+/* Lays out for `scene`, which must live as long as the layout: legend and colour bar are read
+ * off it. */
+void qn_figure_layout_init (QnFigureLayout *layout, const QnFigure *figure,
+                            const QnScene *scene, cairo_t *cr, const QnPage *page,
+                            const QnFrame *frame);
+
+/* Draws the titles of `figure`, any scene of the same model, and the furniture. */
+bool qn_figure_layout_draw (const QnFigureLayout *layout, const QnFigure *figure,
+                            const QnScene *scene, cairo_t *cr, const QnPage *page,
+                            GError **error);
+
+void qn_figure_layout_clear (QnFigureLayout *layout);

@@ -3,7 +3,7 @@
 #include "core/base/integer.h"
 #include "render/backend/offscreen.h"
 #include "render/figure/curve-plot.h"
-#include "render/figure/figure-layout.h"
+#include "render/figure/figure.h"
 #include "render/movie/movie.h"
 
 #include <glib/gi18n-lib.h>

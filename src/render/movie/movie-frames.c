@@ -1,7 +1,7 @@
 /* Numbered PNG pictures in a folder, all of them or none. */
 #include "disk/file-group.h"
 #include "disk/whole-file.h"
-#include "render/backend/png-encode.h"
+#include "render/backend/output.h"
 #include "render/movie/movie.h"
 
 #include <errno.h>

@@ -1,6 +1,6 @@
 #include "render/backend/draw-cairo.h"
 #include "render/backend/output.h"
-#include "render/drawing/pick.h"
+#include "render/drawing/scene.h"
 #include "render/fixture.h"
 #include "render/scene/reading.h"
 #include "render/scene/scene-build.h"
