@@ -35,7 +35,7 @@ test_live (void)
     if (!model_of (window)->blocks[i].support[0])
       top = (QnId) i;
   }
-  qn_selection_set (document->selection, QN_PART_BLOCK, &top, 1);
+  qn_selection_set (document->selection, QN_PICK_BLOCK, &top, 1);
   gtk_widget_activate_action (GTK_WIDGET (window), "win.nudge", "(dd)", 1.0, 0.0);
   g_assert_true (qn_document_is_stale (document, document->run));
   driver_wait (has_fresh_run, window);
@@ -83,7 +83,7 @@ test_failures (void)
     driver_activate (window, "win.run");
     driver_wait_for_job (window);
     driver_screenshot (GTK_WIDGET (window), cases[i].picture);
-    g_assert_true (qn_selection_has (document->selection, QN_PART_BLOCK, top));
+    g_assert_true (qn_selection_has (document->selection, QN_PICK_BLOCK, top));
     g_assert_null (document->run);
     driver_discard (window);
   }
@@ -111,7 +111,7 @@ test_dead_load (void)
   g_assert_nonnull (run);
   g_assert_cmpint (run->result.outcome, ==, QN_OUTCOME_DEAD_LOAD_UNSTABLE);
   guint selected = 0;
-  qn_selection_get (document->selection, QN_PART_BLOCK, &selected);
+  qn_selection_get (document->selection, QN_PICK_BLOCK, &selected);
   g_assert_cmpuint (selected, ==, 1);
   driver_screenshot (GTK_WIDGET (window), "dead-load");
   driver_discard (window);

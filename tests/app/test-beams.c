@@ -7,7 +7,7 @@ static guint
 selected_beams (QnWindow *window)
 {
   guint count = 0;
-  qn_selection_get (selection_of (window), QN_PART_BEAM, &count);
+  qn_selection_get (selection_of (window), QN_PICK_BEAM, &count);
   return count;
 }
 
@@ -94,7 +94,7 @@ test_form (void)
   QnWindow *window = driver_open_example ("36-mast-on-block.quoin");
   driver_activate (window, "win.show-panel::properties");
   const QnId first = 0;
-  qn_selection_set (selection_of (window), QN_PART_BEAM, &first, 1);
+  qn_selection_set (selection_of (window), QN_PICK_BEAM, &first, 1);
   driver_settle ();
   GtkWidget *root = GTK_WIDGET (window);
   g_assert_nonnull (driver_find_widget (root, driver_says, "First End"));
@@ -144,7 +144,7 @@ test_diagrams (void)
   driver_activate (window, "win.view::model");
   driver_activate (window, "win.show-panel::properties");
   const QnId first = 0;
-  qn_selection_set (selection_of (window), QN_PART_BEAM, &first, 1);
+  qn_selection_set (selection_of (window), QN_PICK_BEAM, &first, 1);
   driver_settle ();
   g_assert_nonnull (driver_find_widget (GTK_WIDGET (window), driver_says, "M: "));
   driver_screenshot (GTK_WIDGET (window), "beam-forces");

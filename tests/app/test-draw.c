@@ -165,7 +165,7 @@ test_whole_wall (void)
   g_assert_cmpstr (qn_history_get_name (history, history->position - 1), ==,
                    "Move, Wall to Free Blocks");
   guint moved = 0;
-  qn_selection_get (qn_window_get_document (window)->selection, QN_PART_BLOCK, &moved);
+  qn_selection_get (qn_window_get_document (window)->selection, QN_PICK_BLOCK, &moved);
   g_assert_cmpuint (moved, ==, 1);
   driver_key ("ctrl+z");
   g_assert_cmpuint (count_objects (window), ==, 1);
@@ -499,7 +499,7 @@ test_keyboard (void)
   driver_key ("ctrl+a");
   guint selected = 0;
   QnSelection *selection = qn_canvas_get_selection (canvas_of (window));
-  qn_selection_get (selection, QN_PART_BLOCK, &selected);
+  qn_selection_get (selection, QN_PICK_BLOCK, &selected);
   g_assert_cmpuint (selected, ==, model_of (window)->block_count);
   GtkWidget *entry = driver_find_widget (root, is_shown_entry, NULL);
   g_assert_nonnull (entry);
@@ -549,14 +549,14 @@ test_joints (void)
   QnVec2 at = qn_vec2_lerp (contacts->faces[face].start, contacts->faces[face].end, 0.4);
   driver_click (window, at.x, at.y);
   guint count = 0;
-  qn_selection_get (selection, QN_PART_FACE, &count);
+  qn_selection_get (selection, QN_PICK_FACE, &count);
   g_assert_cmpuint (count, ==, 1);
   driver_activate (window, "win.select-faces-like::law");
-  qn_selection_get (selection, QN_PART_FACE, &count);
+  qn_selection_get (selection, QN_PICK_FACE, &count);
   g_assert_cmpuint (count, ==, rough);
   driver_screenshot (GTK_WIDGET (window), "faces-selected");
   driver_activate (window, "win.select-faces-like::line");
-  qn_selection_get (selection, QN_PART_FACE, &count);
+  qn_selection_get (selection, QN_PICK_FACE, &count);
   g_assert_cmpuint (count, >, 1);
 
   driver_key ("F5");
@@ -564,7 +564,7 @@ test_joints (void)
   g_assert_nonnull (document->run);
   driver_activate (window, "win.view::contacts");
   driver_activate (window, "win.show-panel::properties");
-  qn_selection_set_face (selection, face);
+  qn_selection_set_one (selection, QN_PICK_FACE, face);
   driver_screenshot (GTK_WIDGET (window), "joint-forces");
   driver_discard (window);
 }
@@ -625,7 +625,7 @@ test_other_bricks (void)
     driver_click (window, at.x, at.y);
   g_object_set (gtk_settings_get_default (), "gtk-double-click-time", 1, NULL);
   guint selected = 0;
-  qn_selection_get (selection_of (window), QN_PART_BLOCK, &selected);
+  qn_selection_get (selection_of (window), QN_PICK_BLOCK, &selected);
   g_assert_cmpuint (selected, ==, model_of (window)->block_count);
   gsize before = model_of (window)->block_count;
 
@@ -637,11 +637,11 @@ test_other_bricks (void)
   driver_type ("25 cm");
   driver_key ("Return");
   g_assert_cmpuint (model_of (window)->block_count, >, before);
-  qn_selection_get (selection_of (window), QN_PART_BLOCK, &selected);
+  qn_selection_get (selection_of (window), QN_PICK_BLOCK, &selected);
   g_assert_cmpuint (selected, ==, model_of (window)->block_count);
   driver_screenshot (GTK_WIDGET (window), "other-bricks");
   driver_activate (window, "win.undo");
-  qn_selection_get (selection_of (window), QN_PART_BLOCK, &selected);
+  qn_selection_get (selection_of (window), QN_PICK_BLOCK, &selected);
   g_assert_cmpuint (selected, ==, before);
   driver_discard (window);
 }

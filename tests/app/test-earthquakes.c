@@ -262,7 +262,7 @@ test_initial (void)
     if (!model->blocks[i].support[0])
       top = (QnId) i;
   g_assert_true (edit_model (document, "In Time", NULL, choose_dynamic, NULL, NULL));
-  qn_selection_set (document->selection, QN_PART_BLOCK, &top, 1);
+  qn_selection_set (document->selection, QN_PICK_BLOCK, &top, 1);
   driver_open_analysis (window);
   driver_settle ();
   g_assert_nonnull (
@@ -293,7 +293,7 @@ test_initial_fixed (void)
     if (model->blocks[i].support[0])
       base = (QnId) i;
   g_assert_true (edit_model (document, "In Time", NULL, choose_dynamic, NULL, NULL));
-  qn_selection_set (document->selection, QN_PART_BLOCK, &base, 1);
+  qn_selection_set (document->selection, QN_PICK_BLOCK, &base, 1);
   driver_open_analysis (window);
   type_start (window, "0.1 m");
   g_assert_cmpuint (model_of (window)->initial_count, ==, 0);
@@ -372,7 +372,7 @@ test_capacity (void)
   for (gsize i = 0; i < model_of (window)->block_count; i++)
     if (!model_of (window)->blocks[i].support[0])
       top = (QnId) i;
-  qn_selection_set (qn_window_get_document (window)->selection, QN_PART_BLOCK, &top, 1);
+  qn_selection_set (qn_window_get_document (window)->selection, QN_PICK_BLOCK, &top, 1);
   driver_activate (window, "win.nudge((0.01,0.0))");
   driver_wait (has_note, dialog);
 

@@ -173,14 +173,14 @@ test_state (gconstpointer data)
     driver_activate_target (window, "win.tool", g_variant_new_string (state->tool));
   if (state->block >= 0) {
     const QnId id = state->block;
-    qn_selection_set (selection, QN_PART_BLOCK, &id, 1);
+    qn_selection_set (selection, QN_PICK_BLOCK, &id, 1);
   }
   if (state->beam >= 0) {
     const QnId id = state->beam;
-    qn_selection_set (selection, QN_PART_BEAM, &id, 1);
+    qn_selection_set (selection, QN_PICK_BEAM, &id, 1);
   }
   if (state->face >= 0)
-    qn_selection_set_face (selection, state->face);
+    qn_selection_set_one (selection, QN_PICK_FACE, state->face);
   if (state->opening >= 0)
     qn_selection_set_opening (selection, 0, state->opening);
   driver_unfold (GTK_WIDGET (window));
@@ -396,7 +396,7 @@ test_laws (void)
     1);
   GtkWidget *apply = driver_find_widget (box, is_called, "apply");
   g_assert_false (gtk_widget_get_sensitive (apply)); /* nothing is selected */
-  qn_selection_set_face (selection, 1);
+  qn_selection_set_one (selection, QN_PICK_FACE, 1);
   driver_settle ();
   press (window, "apply");
   steps++;
@@ -408,7 +408,7 @@ test_laws (void)
   driver_screenshot (GTK_WIDGET (window), "laws-list");
   qn_selection_clear (selection);
   press (window, "select");
-  const QnId *faces = qn_selection_get (selection, QN_PART_FACE, &count);
+  const QnId *faces = qn_selection_get (selection, QN_PICK_FACE, &count);
   g_assert_cmpuint (count, ==, 1);
   g_assert_cmpint (faces[0], ==, 1);
   press (window, "duplicate");
@@ -532,7 +532,7 @@ test_refusal (void)
   QnWindow *window = driver_open_example ("05-stack.quoin");
   QnDocument *document = qn_window_get_document (window);
   const QnId top = 1;
-  qn_selection_set (document->selection, QN_PART_BLOCK, &top, 1);
+  qn_selection_set (document->selection, QN_PICK_BLOCK, &top, 1);
   driver_settle ();
   g_autofree char *before = g_strdup (document->text->text);
   const QnModel *model = &document->project.model;
@@ -547,7 +547,7 @@ test_refusal (void)
   gtk_editable_set_text (GTK_EDITABLE (name), "another");
   g_signal_emit_by_name (name, "activate");
   g_assert_cmpstr (document->project.model.blocks[1].name, ==, "another");
-  qn_selection_set (document->selection, QN_PART_BLOCK, &top, 1);
+  qn_selection_set (document->selection, QN_PICK_BLOCK, &top, 1);
   g_assert_false (gtk_widget_has_css_class (name, "error"));
   g_assert_null (gtk_widget_get_tooltip_text (name));
   driver_discard (window);

@@ -69,7 +69,7 @@ test_context (void)
   QnSelection *selection = qn_window_get_document (window)->selection;
   qn_selection_set_opening (selection, 0, 0);
   expect_page (window, "openings");
-  qn_selection_set_face (selection, 3);
+  qn_selection_set_one (selection, QN_PICK_FACE, 3);
   expect_page (window, "joints");
   qn_selection_clear (selection);
   static const char *const tools[][2] = {

@@ -91,7 +91,7 @@ test_click_joint (void)
     driver_settle ();
     qn_selection_clear (selection);
     driver_click (window, at.x, at.y);
-    g_assert_cmpint (qn_selection_get_face (selection), ==, joint);
+    g_assert_cmpint (qn_selection_get_one (selection, QN_PICK_FACE), ==, joint);
     g_assert_true (says (window, "Eccentricity"));
     g_assert_true (says (window, "Joint "));
     assert_apart (window);
@@ -123,7 +123,7 @@ test_small_joints (void)
   g_assert_cmpint (told, !=, QN_NONE);
   driver_point_at (GTK_WIDGET (canvas), s.x, s.y);
   driver_press_button ("1");
-  g_assert_cmpint (qn_selection_get_face (selection), ==, told);
+  g_assert_cmpint (qn_selection_get_one (selection, QN_PICK_FACE), ==, told);
   driver_discard (window);
 }
 
@@ -183,8 +183,8 @@ test_drag_beside_joint (void)
   guint count = 0;
   driver_activate (window, "win.view::model");
   driver_drag (window, at.x, at.y, at.x + 0.5, at.y);
-  g_assert_cmpint (qn_selection_get_face (document->selection), ==, QN_NONE);
-  qn_selection_get (document->selection, QN_PART_BLOCK, &count);
+  g_assert_cmpint (qn_selection_get_one (document->selection, QN_PICK_FACE), ==, QN_NONE);
+  qn_selection_get (document->selection, QN_PICK_BLOCK, &count);
   g_assert_cmpuint (count, ==, 1);
   g_assert_true (document->history->position > 0);
   driver_discard (window);
@@ -236,7 +236,8 @@ test_table_row (void)
   gtk_single_selection_set_selected (
     GTK_SINGLE_SELECTION (gtk_column_view_get_model (GTK_COLUMN_VIEW (table))), row);
   driver_settle ();
-  g_assert_cmpint (qn_selection_get_face (selection), ==, run->contacts.pairs[row].face);
+  g_assert_cmpint (qn_selection_get_one (selection, QN_PICK_FACE), ==,
+                   run->contacts.pairs[row].face);
   /* The values of the joint come in above; the next row is still under the pointer. */
   g_assert_cmpfloat (fabs (top_of (table, window) - before), <, 2.0);
   driver_screenshot (GTK_WIDGET (window), "inspect-row");
@@ -322,7 +323,7 @@ test_stale_result (void)
   g_assert_true (edit_model (document, "Delete", NULL, edit_delete_first, NULL, NULL));
   driver_settle ();
   driver_click (window, at.x, at.y);
-  g_assert_cmpint (qn_selection_get_face (selection), ==, QN_NONE);
+  g_assert_cmpint (qn_selection_get_one (selection, QN_PICK_FACE), ==, QN_NONE);
   g_assert_false (says (window, "Eccentricity"));
   driver_discard (window);
 }

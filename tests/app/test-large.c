@@ -20,7 +20,7 @@ test_move (void)
   driver_settle ();
   const double loading = large_drawing_seconds () - begin;
   const QnId block = LARGE_DRAWING_BLOCK;
-  qn_selection_set (document->selection, QN_PART_BLOCK, &block, 1);
+  qn_selection_set (document->selection, QN_PICK_BLOCK, &block, 1);
   driver_settle ();
   double least = G_MAXDOUBLE;
   for (int i = 0; i < 6; i++) {

@@ -42,10 +42,10 @@ test_both_ways (void)
 
   /* An arrow of the soil's pressure on the wall's left side. */
   driver_click (window, -0.25, 0.15);
-  g_assert_true (qn_selection_get_item (selection_of (window), QN_ITEM_LIVE_LOAD) >= 0);
+  g_assert_true (qn_selection_get_one (selection_of (window), QN_PICK_LIVE_LOAD) >= 0);
   driver_settle ();
   g_assert_true (gtk_expander_get_expanded (expander));
-  int first = qn_selection_get_item (selection_of (window), QN_ITEM_LIVE_LOAD);
+  int first = qn_selection_get_one (selection_of (window), QN_PICK_LIVE_LOAD);
   g_assert_cmpint (selected_row (window, "loads_card", "loads"), ==, first);
   driver_screenshot (root, "load-selected");
   driver_activate (window, "win.show-panel::properties");
@@ -56,7 +56,7 @@ test_both_ways (void)
   GtkListBox *rows =
     GTK_LIST_BOX (driver_find_id (driver_find_id (root, "loads_card"), "loads"));
   gtk_list_box_select_row (rows, gtk_list_box_get_row_at_index (rows, 1 - first));
-  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_LIVE_LOAD), ==,
+  g_assert_cmpint (qn_selection_get_one (selection_of (window), QN_PICK_LIVE_LOAD), ==,
                    1 - first);
 
   /* The second of two goes up, and stays selected. */
@@ -80,7 +80,7 @@ test_both_ways (void)
   g_assert_cmpstr (driver_last_step (window), ==, "Remove Load");
   g_assert_true (qn_selection_is_empty (selection_of (window)));
   g_assert_cmpint (selected_row (window, "loads_card", "loads"), ==, -1);
-  qn_selection_set_item (selection_of (window), QN_ITEM_LIVE_LOAD, 0);
+  qn_selection_set_one (selection_of (window), QN_PICK_LIVE_LOAD, 0);
   driver_activate (window, "win.duplicate");
   g_assert_cmpuint (model_of (window)->live_load_count, ==, 3);
   g_assert_cmpint (selected_row (window, "loads_card", "loads"), ==, 1);
@@ -105,7 +105,7 @@ test_blocks_first (void)
   QnWindow *window = open_panel ("05-stack.quoin");
   driver_click (window, 0.2, 0.5);
   guint count = 0;
-  qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
+  qn_selection_get (selection_of (window), QN_PICK_BLOCK, &count);
   g_assert_cmpuint (count, ==, 1);
   /* So does the right button. */
   const QnModel *model = model_of (window);
@@ -114,7 +114,7 @@ test_blocks_first (void)
     QnVec2 middle = model->blocks[block].centroid;
     driver_point (window, middle.x, middle.y);
     driver_press_button ("3");
-    g_assert_true (qn_selection_has (selection_of (window), QN_PART_BLOCK, block));
+    g_assert_true (qn_selection_has (selection_of (window), QN_PICK_BLOCK, block));
     driver_key ("Escape");
   }
   driver_discard (window);
@@ -222,7 +222,7 @@ test_draw_bar (void)
   driver_activate (window, "win.tool::bar");
   driver_drag (window, 0.2, 0.1, 0.2, 0.9);
   g_assert_cmpuint (model_of (window)->bar_count, ==, 1);
-  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_BAR), ==, 0);
+  g_assert_cmpint (qn_selection_get_one (selection_of (window), QN_PICK_BAR), ==, 0);
   g_assert_cmpint (selected_row (window, "ties_card", "bars"), ==, 0);
   driver_click (window, 0.3, 0.1);
   driver_click (window, 0.3, 0.9);
@@ -236,15 +236,15 @@ test_draw_bar (void)
   driver_click (window, 1.3, 0.9);
   g_assert_true (qn_selection_is_empty (selection_of (window)));
   driver_click (window, 0.2, 0.55);
-  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_BAR), ==, 0);
+  g_assert_cmpint (qn_selection_get_one (selection_of (window), QN_PICK_BAR), ==, 0);
   driver_key ("Delete");
   g_assert_cmpuint (model_of (window)->bar_count, ==, 1);
   driver_click (window, 0.3, 0.55);
-  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_BAR), ==, 0);
+  g_assert_cmpint (qn_selection_get_one (selection_of (window), QN_PICK_BAR), ==, 0);
   driver_activate (window, "win.duplicate");
   g_assert_cmpuint (model_of (window)->bar_count, ==, 2);
   g_assert_cmpstr (driver_last_step (window), ==, "Duplicate Bar");
-  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_BAR), ==, 1);
+  g_assert_cmpint (qn_selection_get_one (selection_of (window), QN_PICK_BAR), ==, 1);
   driver_discard (window);
 }
 
@@ -262,7 +262,7 @@ test_draw_tie (void)
   const QnTie *tie = &model_of (window)->ties[0];
   g_assert_cmpint (tie->ends[0].block, !=, QN_NONE);
   g_assert_cmpint (tie->ends[1].block, ==, QN_NONE);
-  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_TIE), ==, 0);
+  g_assert_cmpint (qn_selection_get_one (selection_of (window), QN_PICK_TIE), ==, 0);
   g_assert_cmpint (selected_row (window, "ties_card", "ties"), ==, 0);
   driver_screenshot (root, "tie-drawn");
   driver_activate (window, "win.tool::select");
@@ -272,7 +272,7 @@ test_draw_tie (void)
   driver_activate (window, "win.duplicate");
   g_assert_cmpstr (driver_last_step (window), ==, "Duplicate Tie");
   g_assert_cmpuint (model_of (window)->tie_count, ==, 2);
-  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_TIE), ==, 1);
+  g_assert_cmpint (qn_selection_get_one (selection_of (window), QN_PICK_TIE), ==, 1);
   driver_activate (window, "win.delete");
   g_assert_cmpuint (model_of (window)->tie_count, ==, 1);
   for (int i = 0; i < 4; i++)

@@ -147,7 +147,7 @@ test_window (void)
   driver_activate (window, "win.select-all");
   driver_activate (window, "win.show-panel::properties");
   expect_to_fit (GTK_WIDGET (window), "properties");
-  qn_selection_set_face (qn_window_get_document (window)->selection, 40);
+  qn_selection_set_one (qn_window_get_document (window)->selection, QN_PICK_FACE, 40);
   expect_to_fit (GTK_WIDGET (window), "joint");
   driver_activate (window, "win.show-panel::findings");
   expect_to_fit (GTK_WIDGET (window), "findings");
@@ -272,7 +272,7 @@ test_manual_results (void)
 {
   QnWindow *window = open_copy ("ferris-tin-loi/wall3.quoin", 1100, 720);
   driver_activate (window, "win.view::contacts");
-  qn_selection_set_face (qn_window_get_document (window)->selection, 40);
+  qn_selection_set_one (qn_window_get_document (window)->selection, QN_PICK_FACE, 40);
   driver_activate (window, "win.show-panel::properties");
   manual_picture (GTK_WIDGET (window), "contacts");
   qn_selection_clear (qn_window_get_document (window)->selection);

@@ -185,7 +185,7 @@ test_open_at_end (void)
   guint count = 0;
   window = driver_open_example ("05-stack.quoin");
   driver_click (window, 0.2, 0.5);
-  qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
+  qn_selection_get (selection_of (window), QN_PICK_BLOCK, &count);
   g_assert_cmpuint (count, ==, 1);
   driver_discard (window);
 }
@@ -213,7 +213,7 @@ test_submenu (void)
     driver_key ("ctrl+a");
     driver_set_animated (FALSE);
     driver_settle ();
-    qn_selection_get (selection, QN_PART_BLOCK, &count);
+    qn_selection_get (selection, QN_PICK_BLOCK, &count);
     g_assert_cmpuint (count, ==, model_of (window)->block_count);
     qn_selection_clear (selection);
   }
@@ -280,7 +280,7 @@ test_every_button (void)
           GTK_WIDGET (gtk_menu_button_get_popover (buttons->pdata[k]))));
         qn_selection_clear (selection_of (window));
         driver_key ("ctrl+a");
-        qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
+        qn_selection_get (selection_of (window), QN_PICK_BLOCK, &count);
         g_assert_cmpuint (count, ==, model_of (window)->block_count);
       }
       g_test_message ("window with button %u", last);
@@ -354,7 +354,7 @@ test_main_submenu (void)
     else
       driver_click_on (root, menu_is_item, "Block Names");
     driver_key ("ctrl+a");
-    qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
+    qn_selection_get (selection_of (window), QN_PICK_BLOCK, &count);
     g_assert_cmpuint (count, ==, model_of (window)->block_count);
     qn_selection_clear (selection_of (window));
   }

@@ -170,9 +170,9 @@ test_context_menus (void)
 {
   QnWindow *window = open_blocks ();
   check_menu (window, 4.3, 0.3, "win.support", "menu-block");
-  g_assert_true (qn_selection_has (selection_of (window), QN_PART_BLOCK, 2));
+  g_assert_true (qn_selection_has (selection_of (window), QN_PICK_BLOCK, 2));
   check_menu (window, 1.0, 1.0, "win.joint-law", "menu-joint");
-  g_assert_cmpint (qn_selection_get_face (selection_of (window)), ==, 0);
+  g_assert_cmpint (qn_selection_get_one (selection_of (window), QN_PICK_FACE), ==, 0);
   check_menu (window, 3.0, 0.6, "win.paste", "menu-paper");
   g_assert_true (qn_selection_is_empty (selection_of (window)));
   driver_click (window, 4.3, 0.3);
@@ -182,13 +182,13 @@ test_context_menus (void)
     driver_settle ();
     g_assert_nonnull (open_menu (window));
     driver_key ("Escape");
-    g_assert_true (qn_selection_has (selection_of (window), QN_PART_BLOCK, 2));
+    g_assert_true (qn_selection_has (selection_of (window), QN_PICK_BLOCK, 2));
   }
-  qn_selection_set_item (selection_of (window), QN_ITEM_LIVE_LOAD, 0);
+  qn_selection_set_one (selection_of (window), QN_PICK_LIVE_LOAD, 0);
   driver_activate (window, "win.delete");
   g_assert_cmpuint (model_of (window)->live_load_count, ==, 0);
   driver_activate (window, "win.undo");
-  qn_selection_set (selection_of (window), QN_PART_BLOCK, (QnId[]){ 2 }, 1);
+  qn_selection_set (selection_of (window), QN_PICK_BLOCK, (QnId[]){ 2 }, 1);
   driver_activate (window, "win.support::pinned");
   g_assert_false (model_of (window)->blocks[2].support[QN_DOF_RZ]);
   driver_discard (window);
@@ -215,7 +215,7 @@ test_lost_release (void)
   driver_point (window, 4.6, 0.5);
   driver_point (window, 5.6, 1.5);
   g_assert_false (qn_canvas_is_in_gesture (canvas));
-  g_assert_true (qn_selection_has (selection_of (window), QN_PART_BLOCK, 2));
+  g_assert_true (qn_selection_has (selection_of (window), QN_PICK_BLOCK, 2));
   check_corner (window, "other", 4.0, 0.0);
   driver_discard (window);
 }
@@ -307,11 +307,11 @@ static void
 test_various_values (void)
 {
   QnWindow *window = open_blocks ();
-  qn_selection_set (selection_of (window), QN_PART_BLOCK, (QnId[]){ 2 }, 1);
+  qn_selection_set (selection_of (window), QN_PICK_BLOCK, (QnId[]){ 2 }, 1);
   driver_settle ();
   enter (window, "thickness", "0.5");
   driver_activate (window, "win.support::pinned");
-  qn_selection_set (selection_of (window), QN_PART_BLOCK, (QnId[]){ 1, 2 }, 2);
+  qn_selection_set (selection_of (window), QN_PICK_BLOCK, (QnId[]){ 1, 2 }, 2);
   driver_screenshot (GTK_WIDGET (window), "numbers-various");
   g_assert_cmpstr (shown_in (window, "thickness"), ==, "");
   g_assert_cmpstr (shown_in (window, "weight"), !=, "");
@@ -338,7 +338,7 @@ static void
 test_typical_stone (void)
 {
   QnWindow *window = open_blocks ();
-  qn_selection_set (selection_of (window), QN_PART_BLOCK, (QnId[]){ 1, 2 }, 2);
+  qn_selection_set (selection_of (window), QN_PICK_BLOCK, (QnId[]){ 1, 2 }, 2);
   driver_settle ();
   GtkWidget *stone = driver_find_widget (GTK_WIDGET (window), is_widget_called, "stone");
   GtkWidget *source =
@@ -374,7 +374,7 @@ test_renamed_stays_selected (void)
   driver_click (window, 4.3, 0.3);
   g_assert_true (edit_model (qn_window_get_document (window), "Rename", NULL,
                              rename_other, "pier", NULL));
-  g_assert_true (qn_selection_has (selection_of (window), QN_PART_BLOCK, 2));
+  g_assert_true (qn_selection_has (selection_of (window), QN_PICK_BLOCK, 2));
   driver_discard (window);
 }
 
@@ -427,7 +427,7 @@ test_paste (void)
     driver_key ("ctrl+v");
     driver_settle ();
     guint count = 0;
-    const QnId *ids = qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
+    const QnId *ids = qn_selection_get (selection_of (window), QN_PICK_BLOCK, &count);
     g_assert_cmpuint (count, ==, 1);
     g_assert_cmpuint (model_of (window)->block_count, ==, (guint) (4 + i));
     g_assert_cmpint (ids[0], ==, 3 + i);
@@ -487,7 +487,7 @@ test_keys_after_buttons (void)
   g_assert_cmpstr (qn_canvas_get_tool (canvas_of (window))->name, ==, "select");
   driver_key ("ctrl+a");
   guint count = 0;
-  qn_selection_get (selection_of (window), QN_PART_BLOCK, &count);
+  qn_selection_get (selection_of (window), QN_PICK_BLOCK, &count);
   g_assert_cmpuint (count, ==, 3);
   driver_discard (window);
 }

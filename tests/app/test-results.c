@@ -201,7 +201,7 @@ test_tie (void)
   solve (window, "win.run-limit::associative");
   driver_activate (window, "win.view::mechanism");
   driver_click (window, -1.5, 4.9);
-  g_assert_cmpint (qn_selection_get_item (selection_of (window), QN_ITEM_TIE), ==, 0);
+  g_assert_cmpint (qn_selection_get_one (selection_of (window), QN_PICK_TIE), ==, 0);
   driver_screenshot (GTK_WIDGET (window), "tie-of-mechanism");
   driver_key ("Delete");
   g_assert_cmpuint (model_of (window)->tie_count, ==, 0);

@@ -138,7 +138,7 @@ test_edge_loads (void)
   g_assert_cmpint (model_of (window)->dead_loads[dead + 1].kind, ==, QN_LOAD_SURCHARGE);
 
   /* An edge load needs a block, and is on its top. */
-  qn_selection_set (document->selection, QN_PART_BLOCK, (QnId[]){ 2 }, 1);
+  qn_selection_set (document->selection, QN_PICK_BLOCK, (QnId[]){ 2 }, 1);
   driver_press (root, "Edge Load");
   load = &model_of (window)->dead_loads[dead + 2];
   g_assert_cmpint (load->kind, ==, QN_LOAD_EDGE);

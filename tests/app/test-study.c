@@ -392,9 +392,9 @@ test_every_number (void)
     QnSelection *selection = document->selection;
     QnId beam = 0, block = (QnId) document->project.model.block_count - 1;
     if (cases[i].selected == A_BEAM)
-      qn_selection_set (selection, QN_PART_BEAM, &beam, 1);
+      qn_selection_set (selection, QN_PICK_BEAM, &beam, 1);
     else if (cases[i].selected == A_BLOCK)
-      qn_selection_set (selection, QN_PART_BLOCK, &block, 1);
+      qn_selection_set (selection, QN_PICK_BLOCK, &block, 1);
     else if (cases[i].selected == AN_OPENING)
       qn_selection_set_opening (selection, 0, 0);
     g_autofree char *panel = g_strconcat ("win.show-panel::", cases[i].panel, NULL);

@@ -351,7 +351,7 @@ test_edit (void)
   }
   QnVec2 c = model_of (window)->blocks[top].centroid;
   driver_click (window, c.x, c.y);
-  g_assert_true (qn_selection_has (selection, QN_PART_BLOCK, top));
+  g_assert_true (qn_selection_has (selection, QN_PICK_BLOCK, top));
   driver_key ("Right");
   g_assert_cmpfloat (model_of (window)->blocks[top].centroid.x, >, c.x);
   driver_key ("Right");
@@ -699,7 +699,7 @@ test_appearance (void)
   g_autofree char *path = driver_example_path ("ferris-tin-loi/wall4.quoin");
   g_assert_true (qn_window_open_path (window, path));
   driver_activate (window, "win.view::contacts");
-  qn_selection_set_face (qn_window_get_document (window)->selection, 10);
+  qn_selection_set_one (qn_window_get_document (window)->selection, QN_PICK_FACE, 10);
   driver_screenshot (GTK_WIDGET (window), "large");
   g_action_group_activate_action (G_ACTION_GROUP (driver_application ()), "preferences",
                                   NULL);

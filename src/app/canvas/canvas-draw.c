@@ -198,33 +198,27 @@ qn_canvas_trace_line (QnCanvas *self, cairo_t *cr, QnVec2 a, QnVec2 b)
 
 /* What the scene draws of a load, bar or tie, where it is displaced too; of a load with the edges it lies on. */
 static void
-trace_item (QnCanvas *self, cairo_t *cr, QnItemKind kind, QnId item, gboolean displaced)
+trace_item (QnCanvas *self, cairo_t *cr, QnPick item, gboolean displaced)
 {
-  static const QnPickKind picks[QN_ITEM_COUNT] = {
-    [QN_ITEM_DEAD_LOAD] = QN_PICK_DEAD_LOAD,
-    [QN_ITEM_LIVE_LOAD] = QN_PICK_LIVE_LOAD,
-    [QN_ITEM_BAR] = QN_PICK_BAR,
-    [QN_ITEM_TIE] = QN_PICK_TIE,
-  };
   const QnScene *scene = qn_canvas_get_scene (self);
   const QnModel *model = qn_canvas_get_model (self);
-  const gboolean live = kind == QN_ITEM_LIVE_LOAD;
+  const gboolean live = item.kind == QN_PICK_LIVE_LOAD;
   for (guint i = 0; scene != NULL && i < scene->commands->len; i++) {
     const QnCommand *command = qn_scene_command (scene, i);
     const QnVec2 *v = qn_scene_points (scene, command);
-    for (uint32_t k = 1; command->pick == picks[kind] && command->id == item
+    for (uint32_t k = 1; command->pick == item.kind && command->id == item.id
                          && command->kind == QN_COMMAND_STROKE && k < command->count;
          k++)
       qn_canvas_trace_line (self, cr, v[k - 1], v[k]);
   }
   gsize count = 0;
-  if (displaced || !(live || kind == QN_ITEM_DEAD_LOAD))
+  if (displaced || !(live || item.kind == QN_PICK_DEAD_LOAD))
     return;
   qn_model_loads (model, live, &count);
-  if ((gsize) item >= count)
+  if ((gsize) item.id >= count)
     return;
   const QnEdgeForce *forces = qn_model_edge_forces_of (
-    model, (gsize) item + (live ? model->dead_load_count : 0), &count);
+    model, (gsize) item.id + (live ? model->dead_load_count : 0), &count);
   for (gsize i = 0; i < count; i++)
     qn_canvas_trace_line (self, cr, forces[i].ends[0], forces[i].ends[1]);
 }
@@ -236,17 +230,16 @@ draw_selected_lines (QnCanvas *self, cairo_t *cr, gboolean displaced)
   const QnModel *model = qn_canvas_get_model (self);
   guint count = 0;
   QnSelection *selection = qn_canvas_get_selection (self);
-  const QnId *ids = qn_selection_get (selection, QN_PART_BEAM, &count);
+  const QnId *ids = qn_selection_get (selection, QN_PICK_BEAM, &count);
   for (guint i = 0; i < count && !displaced; i++) {
     if ((gsize) ids[i] >= model->beam_count)
       continue;
     const QnId *ends = model->beams[ids[i]].nodes;
     qn_canvas_trace_line (self, cr, model->nodes[ends[0]].at, model->nodes[ends[1]].at);
   }
-  QnItemKind kind;
-  const QnId item = qn_selection_get_any_item (selection, &kind);
-  if (item != QN_NONE)
-    trace_item (self, cr, kind, item, displaced);
+  const QnPick item = qn_selection_get_item (selection);
+  if (item.id != QN_NONE)
+    trace_item (self, cr, item, displaced);
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
   const QnColor c = qn_ink (QN_INK_SELECTION, false);
   GdkRGBA ink = { c.r / 255.0f, c.g / 255.0f, c.b / 255.0f, 1.0f }, halo = ink;
@@ -272,7 +265,7 @@ draw_selection (QnCanvas *self, cairo_t *cr)
   if (displaced && motion.model == NULL)
     return;
   guint count = 0;
-  const QnId *blocks = qn_selection_get (selection, QN_PART_BLOCK, &count);
+  const QnId *blocks = qn_selection_get (selection, QN_PICK_BLOCK, &count);
   for (guint i = 0; i < count; i++) {
     if ((gsize) blocks[i] >= model->block_count)
       continue;
@@ -284,7 +277,7 @@ draw_selection (QnCanvas *self, cairo_t *cr)
   cairo_set_line_width (cr, 2.0);
   cairo_stroke (cr);
 
-  const QnId *faces = qn_selection_get (selection, QN_PART_FACE, &count);
+  const QnId *faces = qn_selection_get (selection, QN_PICK_FACE, &count);
   for (guint i = 0; i < count; i++) {
     if ((gsize) faces[i] >= contacts->face_count)
       continue;

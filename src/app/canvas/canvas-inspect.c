@@ -114,18 +114,15 @@ qn_canvas_pick_joint (QnCanvas *self, QnVec2 screen)
 
 /* ---- the card ---- */
 
-static QnInspected
+static QnPick
 find_under_pointer (QnCanvas *self)
 {
   QnPick pick = qn_canvas_pick (self, self->pointer, 1u << QN_PICK_FOUND);
   if (pick.kind == QN_PICK_FOUND)
-    return (QnInspected){ QN_INSPECTED_FOUND, pick.id };
-  QnInspected what = { QN_INSPECTED_JOINT, qn_canvas_pick_joint (self, self->pointer) };
-  if (what.id != QN_NONE)
-    return what;
-  pick = qn_canvas_pick (self, self->pointer, 1u << QN_PICK_BLOCK);
-  return (QnInspected){ QN_INSPECTED_BLOCK,
-                        pick.kind == QN_PICK_BLOCK ? pick.id : QN_NONE };
+    return pick;
+  const QnPick joint = { QN_PICK_FACE, qn_canvas_pick_joint (self, self->pointer) };
+  return joint.id != QN_NONE ? joint
+                             : qn_canvas_pick (self, self->pointer, 1u << QN_PICK_BLOCK);
 }
 
 static gboolean
@@ -151,12 +148,13 @@ qn_canvas_pointer_moved (QnCanvas *self)
 
 /* What is selected alone is told by the panel of results. */
 static gboolean
-is_selected (QnCanvas *self, QnInspected what)
+is_selected (QnCanvas *self, QnPick what)
 {
   QnSelection *selection = qn_canvas_get_selection (self);
-  return what.kind == QN_INSPECTED_JOINT ? qn_selection_get_face (selection) == what.id
-         : what.kind == QN_INSPECTED_BLOCK
-           ? qn_selection_has (selection, QN_PART_BLOCK, what.id)
+  return what.kind == QN_PICK_FACE
+           ? qn_selection_get_one (selection, QN_PICK_FACE) == what.id
+         : what.kind == QN_PICK_BLOCK
+           ? qn_selection_has (selection, QN_PICK_BLOCK, what.id)
            : FALSE;
 }
 
@@ -232,20 +230,20 @@ make_card (QnCanvas *self, const char *title, const char *values)
 }
 
 static void
-trace_inspected (QnCanvas *self, cairo_t *cr, const QnStepView *view, QnInspected what)
+trace_inspected (QnCanvas *self, cairo_t *cr, const QnStepView *view, QnPick what)
 {
   QnMotion motion = qn_canvas_get_motion (self);
   if (motion.model == NULL)
     return;
   cairo_new_path (cr);
-  if (what.kind == QN_INSPECTED_FOUND) {
+  if (what.kind == QN_PICK_FOUND) {
     const QnFoundContact *contact = &view->result->found[what.id].contact;
     QnVec2 at =
       place_of (self, &motion, contact->other, qn_found_corner (view->model, contact));
     cairo_arc (cr, at.x, at.y, FOUND_PX, 0.0, 2.0 * G_PI);
     return;
   }
-  if (what.kind == QN_INSPECTED_JOINT) {
+  if (what.kind == QN_PICK_FACE) {
     QnVec2 line[2];
     qn_canvas_joint_line (self, &motion, &view->contacts->faces[what.id], line);
     cairo_move_to (cr, line[0].x, line[0].y);
@@ -263,7 +261,7 @@ qn_canvas_draw_inspected (QnCanvas *self, cairo_t *cr)
       || !self->has_rested || self->rested_view != self->state->options.view
       || self->rested_run != qn_canvas_get_document (self)->run)
     return;
-  QnInspected what = find_under_pointer (self);
+  QnPick what = find_under_pointer (self);
   QnStepView view;
   if (what.id == QN_NONE || is_selected (self, what)
       || !qn_step_view_init (&view, self->state))
@@ -274,7 +272,7 @@ qn_canvas_draw_inspected (QnCanvas *self, cairo_t *cr)
   if (title != NULL && values != NULL) {
     trace_inspected (self, cr, &view, what);
     cairo_set_source_rgba (cr, 0.11, 0.44, 0.85, 0.9);
-    cairo_set_line_width (cr, what.kind == QN_INSPECTED_JOINT ? 4.0 : 1.5);
+    cairo_set_line_width (cr, what.kind == QN_PICK_FACE ? 4.0 : 1.5);
     cairo_stroke (cr);
 
     g_autoptr (PangoLayout) layout = make_card (self, title, values);

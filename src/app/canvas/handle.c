@@ -93,7 +93,7 @@ static void
 add_tie_grips (QnCanvas *canvas, GArray *grips)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
-  QnId tie = qn_selection_get_item (qn_canvas_get_selection (canvas), QN_ITEM_TIE);
+  QnId tie = qn_selection_get_one (qn_canvas_get_selection (canvas), QN_PICK_TIE);
   for (int end = 0; end < 2 && tie != QN_NONE && (gsize) tie < model->tie_count; end++)
     add_grip (grips, (QnGrip){ .kind = QN_GRIP_TIE,
                                .at = model->ties[tie].ends[end].at,
@@ -110,14 +110,12 @@ collect_all (QnCanvas *canvas)
     return grips;
   QnSelection *selection = qn_canvas_get_selection (canvas);
   const QnModel *model = qn_canvas_get_model (canvas);
-  QnId object;
-  int opening;
-  if (qn_selection_get_opening (selection, &object, &opening)) {
-    add_masonry_grips (canvas, grips, object, opening);
+  if (selection->object != QN_NONE) {
+    add_masonry_grips (canvas, grips, selection->object, selection->opening);
     return grips;
   }
   guint count = 0;
-  const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &count);
+  const QnId *ids = qn_selection_get (selection, QN_PICK_BLOCK, &count);
   add_turn_grip (canvas, grips);
   add_node_grips (canvas, grips);
   add_tie_grips (canvas, grips);
@@ -209,13 +207,12 @@ paint_handle (cairo_t *cr)
 static void
 draw_opening_outline (QnCanvas *canvas, cairo_t *cr)
 {
-  QnId object;
-  int opening;
+  const QnId object = qn_canvas_get_selection (canvas)->object;
+  const int opening = qn_canvas_get_selection (canvas)->opening;
   const QnMasonries *list = qn_canvas_get_masonry (canvas);
   if (qn_view_needs_result (qn_canvas_get_state (canvas)->options.view))
     return;
-  if (!qn_selection_get_opening (qn_canvas_get_selection (canvas), &object, &opening)
-      || (gsize) object >= list->count
+  if (object == QN_NONE || (gsize) object >= list->count
       || (gsize) opening >= list->items[object].wall.opening_count)
     return;
   QnVec2 corners[4];

@@ -88,17 +88,17 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     form->wanted = (int) model->bar_count - 1;
     return TRUE;
   case DUPLICATE:
-    form->wanted = qn_edit_duplicate_item (model, QN_ITEM_BAR, form->selected, error);
+    form->wanted = qn_edit_duplicate_item (model, QN_PICK_BAR, form->selected, error);
     return form->wanted >= 0;
   case REMOVE:
-    return qn_edit_remove_item (model, QN_ITEM_BAR, form->selected, error);
+    return qn_edit_remove_item (model, QN_PICK_BAR, form->selected, error);
   default:
     return TRUE;
   }
 }
 
 static const QnFormList list =
-  QN_FORM_LIST (BARS, EMPTY, bars, bar_count, dup_row, TRUE, QN_ITEM_BAR);
+  QN_FORM_LIST (BARS, EMPTY, bars, bar_count, dup_row, QN_PICK_BAR);
 
 const QnFormKind qn_bar_form =
   QN_FORM_KIND ("bar-form", QnBoundForm, .list = &list, .follows = QN_FOLLOW_SELECTION);

@@ -260,16 +260,16 @@ follow_list (QnBoundForm *form)
 {
   const QnFormList *list = form->kind->list;
   const int count = (int) count_items (form), before = form->selected;
-  if (!list->in_drawing) {
+  if (list->kind == QN_PICK_NOTHING) {
     form->selected = MIN (form->wanted >= 0 ? form->wanted : before, count - 1);
     form->wanted = -1;
     return;
   }
   QnSelection *selection = qn_canvas_get_selection (form->canvas);
   if (form->wanted >= 0 && form->wanted < count)
-    qn_selection_set_item (selection, list->kind, form->wanted);
+    qn_selection_set_one (selection, list->kind, form->wanted);
   form->wanted = -1;
-  form->selected = qn_selection_get_item (selection, list->kind);
+  form->selected = qn_selection_get_one (selection, list->kind);
   if (form->selected >= count)
     form->selected = -1;
   if (form->selected >= 0 && form->selected != before)
@@ -286,8 +286,8 @@ static void
 select_item (QnBoundForm *form, int item)
 {
   const QnFormList *list = form->kind->list;
-  if (list->in_drawing)
-    qn_selection_set_item (qn_canvas_get_selection (form->canvas), list->kind, item);
+  if (list->kind != QN_PICK_NOTHING)
+    qn_selection_set_one (qn_canvas_get_selection (form->canvas), list->kind, item);
   else
     form->selected = item;
 }

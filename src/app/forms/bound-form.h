@@ -51,14 +51,14 @@ typedef struct QnFormList {
   gsize size;         /* of an item */
   /* Empty: the item has no row of its own. */
   char *(*dup_row) (const QnModel *model, gsize index);
-  gboolean in_drawing; /* the selected one is the selection's of this kind: */
-  QnItemKind kind;
+  QnPickKind
+    kind; /* the selected one is the selection's of this kind; NOTHING: the form has its own */
 } QnFormList;
 
-#define QN_FORM_LIST(list, empty, array, number, row, ...)                               \
+#define QN_FORM_LIST(list, empty, array, number, row, kind)                              \
   {                                                                                      \
     list, empty, offsetof (QnModel, array), offsetof (QnModel, number),                  \
-      sizeof *((QnModel *) NULL)->array, row, __VA_ARGS__                                \
+      sizeof *((QnModel *) NULL)->array, row, kind                                       \
   }
 
 typedef struct QnBoundForm QnBoundForm;

@@ -114,7 +114,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 }
 
 static const QnFormList list =
-  QN_FORM_LIST (CASES, EMPTY, load_cases, load_case_count, dup_row, FALSE, 0);
+  QN_FORM_LIST (CASES, EMPTY, load_cases, load_case_count, dup_row, QN_PICK_NOTHING);
 
 const QnFormKind qn_case_form =
   QN_FORM_KIND ("case-form", QnBoundForm, .list = &list, .subject = subject);

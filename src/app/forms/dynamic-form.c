@@ -351,7 +351,7 @@ init (gpointer data)
 }
 
 static const QnFormList list =
-  QN_FORM_LIST (MOTIONS, EMPTY, ground, ground_count, dup_row, FALSE, 0);
+  QN_FORM_LIST (MOTIONS, EMPTY, ground, ground_count, dup_row, QN_PICK_NOTHING);
 
 const QnFormKind qn_dynamic_form =
   QN_FORM_KIND ("dynamic-form", Form, .list = &list, .subject = subject, .look = look,

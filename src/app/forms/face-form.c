@@ -26,7 +26,7 @@ QN_FORM_FIELDS;
 static const QnId *
 selected (const QnBoundForm *form, guint *count)
 {
-  return qn_selection_get (qn_canvas_get_selection (form->canvas), QN_PART_FACE, count);
+  return qn_selection_get (qn_canvas_get_selection (form->canvas), QN_PICK_FACE, count);
 }
 
 static const QnContacts *

@@ -156,7 +156,6 @@ show (gpointer data, guint field, QnValue *value)
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
   const QnContacts *contacts = &qn_canvas_get_document (form->base.canvas)->contacts;
   QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
-  guint blocks, faces;
   QnLaw law = model->laws[form->shown];
   const double *number;
   guint uses = qn_edit_count_law_uses (model, form->shown);
@@ -198,9 +197,8 @@ show (gpointer data, guint field, QnValue *value)
     add_joints (value, _ ("Add…"));
     return TRUE;
   case APPLY:
-    qn_selection_get (selection, QN_PART_BLOCK, &blocks);
-    qn_selection_get (selection, QN_PART_FACE, &faces);
-    value->disabled = blocks + faces == 0;
+    value->disabled =
+      selection->ids[QN_PICK_BLOCK]->len + selection->ids[QN_PICK_FACE]->len == 0;
     return TRUE;
   case APPLY_TO_ALL:
     value->disabled = model->contact.law == form->shown;
@@ -249,8 +247,8 @@ apply (const Form *form, QnModel *model, GError **error)
   const QnContacts *contacts = &qn_canvas_get_document (form->base.canvas)->contacts;
   QnBlockSet blocks = { 0 };
   guint count;
-  blocks.ids = qn_selection_get (selection, QN_PART_BLOCK, &blocks.count);
-  const QnId *ids = qn_selection_get (selection, QN_PART_FACE, &count);
+  blocks.ids = qn_selection_get (selection, QN_PICK_BLOCK, &blocks.count);
+  const QnId *ids = qn_selection_get (selection, QN_PICK_FACE, &count);
   if (blocks.count > 0)
     return qn_edit_set_blocks (model, blocks, QN_BLOCK_LAW, form->shown, error);
   return qn_edit_set_faces (model, (QnFaceSet){ contacts, ids, count }, &form->shown,
@@ -274,10 +272,10 @@ select_uses (const Form *form)
     if (model->blocks[i].law == form->shown)
       g_array_append_val (blocks, i);
   if (faces->len > 0)
-    qn_selection_set (selection, QN_PART_FACE, (const QnId *) (const void *) faces->data,
+    qn_selection_set (selection, QN_PICK_FACE, (const QnId *) (const void *) faces->data,
                       faces->len);
   else
-    qn_selection_set (selection, QN_PART_BLOCK,
+    qn_selection_set (selection, QN_PICK_BLOCK,
                       (const QnId *) (const void *) blocks->data, blocks->len);
 }
 

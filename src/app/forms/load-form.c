@@ -85,10 +85,10 @@ typedef struct Form {
   FIELD (REMOVE, "remove", N_ ("Remove Load"))
 QN_FORM_FIELDS;
 
-static QnItemKind
+static QnPickKind
 kind_of (const Form *form)
 {
-  return QN_ITEM_LOAD (form->shown != DEAD_LOADS);
+  return QN_PICK_LOAD (form->shown != DEAD_LOADS);
 }
 
 static const QnLoad *
@@ -103,8 +103,8 @@ selected_load (const Form *form)
 static void
 select_load (const Form *form, QnId load)
 {
-  qn_selection_set_item (qn_canvas_get_selection (form->base.canvas), kind_of (form),
-                         load);
+  qn_selection_set_one (qn_canvas_get_selection (form->base.canvas), kind_of (form),
+                        load);
 }
 
 /* Whether the list has a load. */
@@ -154,7 +154,7 @@ look (gpointer data)
   const int before = form->base.selected;
   form->base.wanted = form->base.selected = -1;
   for (int live = 0; live < 2; live++) {
-    QnId id = qn_selection_get_item (selection, QN_ITEM_LOAD (live));
+    QnId id = qn_selection_get_one (selection, QN_PICK_LOAD (live));
     gsize count;
     const QnLoad *loads = qn_model_loads (model, live, &count);
     if (id == QN_NONE || (gsize) id >= count
@@ -441,7 +441,7 @@ make_room (QnModel *model)
   const QnLoad *load = count == 1 ? &model->live_loads[only] : NULL;
   return load != NULL && load->kind == QN_LOAD_WEIGHT && load->vector.x == 1.0
          && load->vector.y == 0.0
-         && qn_edit_remove_item (model, QN_ITEM_LIVE_LOAD, only, NULL);
+         && qn_edit_remove_item (model, QN_PICK_LIVE_LOAD, only, NULL);
 }
 
 static gboolean
@@ -476,7 +476,7 @@ add (Form *form, QnModel *model, guint field, GError **error)
   added->set = MAX (list, 0);
   if (list != form->shown)
     show_list (form, list);
-  form->base.wanted = (int) qn_model_count_items (model, QN_ITEM_LOAD (!dead)) - 1;
+  form->base.wanted = (int) qn_model_count_items (model, QN_PICK_LOAD (!dead)) - 1;
   return TRUE;
 }
 

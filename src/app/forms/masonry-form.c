@@ -30,13 +30,11 @@ static gboolean
 look (gpointer data)
 {
   Form *form = data;
-  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
-  int opening;
   QnBlockSet set = qn_canvas_get_parts (form->base.canvas).blocks;
   if (set.count > 0)
     form->object = qn_canvas_get_model (form->base.canvas)->blocks[set.ids[0]].masonry;
-  else if (!qn_selection_get_opening (selection, &form->object, &opening))
-    return FALSE;
+  else
+    form->object = qn_canvas_get_selection (form->base.canvas)->object;
   return form->object >= 0
          && (gsize) form->object < qn_canvas_get_masonry (form->base.canvas)->count;
 }

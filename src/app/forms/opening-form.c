@@ -28,9 +28,9 @@ look (gpointer data)
 {
   Form *form = data;
   const QnMasonries *list = qn_canvas_get_masonry (form->base.canvas);
-  return qn_selection_get_opening (qn_canvas_get_selection (form->base.canvas),
-                                   &form->object, &form->number)
-         && (gsize) form->object < list->count
+  form->object = qn_canvas_get_selection (form->base.canvas)->object;
+  form->number = qn_canvas_get_selection (form->base.canvas)->opening;
+  return form->object != QN_NONE && (gsize) form->object < list->count
          && (gsize) form->number < list->items[form->object].wall.opening_count;
 }
 

@@ -216,7 +216,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 }
 
 static const QnFormList list =
-  QN_FORM_LIST (STAGES, EMPTY, stages, stage_count, dup_row, FALSE, 0);
+  QN_FORM_LIST (STAGES, EMPTY, stages, stage_count, dup_row, QN_PICK_NOTHING);
 
 const QnFormKind qn_stage_form =
   QN_FORM_KIND ("stage-form", QnBoundForm, .list = &list, .look = look);

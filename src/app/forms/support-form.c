@@ -62,12 +62,12 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   int row = (int) value->number;
   for (QnId i = 0; i < (QnId) model->block_count; i++)
     if (qn_support_is_any (model->blocks[i].support) && row-- == 0)
-      qn_selection_set (selection, QN_PART_BLOCK, &i, 1);
+      qn_selection_set (selection, QN_PICK_BLOCK, &i, 1);
   for (QnId node = 0; node < (QnId) model->node_count; node++)
     if (qn_support_is_any (model->nodes[node].support) && row-- == 0)
       for (QnId i = 0; i < (QnId) model->beam_count; i++)
         if (model->beams[i].nodes[0] == node || model->beams[i].nodes[1] == node)
-          qn_selection_set (selection, QN_PART_BEAM, &i, 1);
+          qn_selection_set (selection, QN_PICK_BEAM, &i, 1);
   return TRUE;
 }
 

@@ -175,10 +175,10 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case GLUE:
     return qn_edit_glue_tie (model, form->selected, error);
   case DUPLICATE:
-    form->wanted = qn_edit_duplicate_item (model, QN_ITEM_TIE, form->selected, error);
+    form->wanted = qn_edit_duplicate_item (model, QN_PICK_TIE, form->selected, error);
     return form->wanted >= 0;
   case REMOVE:
-    return qn_edit_remove_item (model, QN_ITEM_TIE, form->selected, error);
+    return qn_edit_remove_item (model, QN_PICK_TIE, form->selected, error);
   case FIRST_X:
   case FIRST_Y:
   case SECOND_X:
@@ -192,7 +192,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 }
 
 static const QnFormList list =
-  QN_FORM_LIST (TIES, EMPTY, ties, tie_count, dup_row, TRUE, QN_ITEM_TIE);
+  QN_FORM_LIST (TIES, EMPTY, ties, tie_count, dup_row, QN_PICK_TIE);
 
 const QnFormKind qn_tie_form =
   QN_FORM_KIND ("tie-form", QnBoundForm, .list = &list, .follows = QN_FOLLOW_SELECTION);

@@ -391,7 +391,7 @@ static void
 take_selected (Form *form)
 {
   guint count = 0;
-  const QnId *ids = qn_selection_get (form->document->selection, QN_PART_BLOCK, &count);
+  const QnId *ids = qn_selection_get (form->document->selection, QN_PICK_BLOCK, &count);
   if (count != 1) {
     say (form, _ ("Select one block in the drawing first"));
     return;

@@ -19,10 +19,9 @@ draw (QnCanvas *canvas, cairo_t *cr)
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   const QnModel *model = qn_canvas_get_model (canvas);
   QnSelection *selection = qn_canvas_get_selection (canvas);
-  guint selected = 0;
-  qn_selection_get (selection, QN_PART_BLOCK, &selected);
+  const guint selected = selection->ids[QN_PICK_BLOCK]->len;
   for (QnId i = 0; i < (QnId) model->block_count; i++) {
-    if ((selected == 0 || qn_selection_has (selection, QN_PART_BLOCK, i))
+    if ((selected == 0 || qn_selection_has (selection, QN_PICK_BLOCK, i))
         && qn_block_is_crossed (model, i, gesture->from, gesture->to))
       qn_canvas_trace (canvas, cr, qn_model_block_vertices (model, i),
                        (gsize) model->blocks[i].vertex_count);

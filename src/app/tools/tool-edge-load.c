@@ -63,12 +63,11 @@ put_load (QnCanvas *canvas, const char *name, const Put *put)
 static gboolean
 find_selected (QnCanvas *canvas, Put *put)
 {
-  QnSelection *selection = qn_canvas_get_selection (canvas);
+  const QnPick item = qn_selection_get_item (qn_canvas_get_selection (canvas));
   const QnModel *model = qn_canvas_get_model (canvas);
-  QnItemKind kind;
-  put->load = qn_selection_get_any_item (selection, &kind);
-  put->live = kind == QN_ITEM_LIVE_LOAD;
-  return put->load != QN_NONE && (put->live || kind == QN_ITEM_DEAD_LOAD)
+  put->load = item.id;
+  put->live = item.kind == QN_PICK_LIVE_LOAD;
+  return put->load != QN_NONE && (put->live || item.kind == QN_PICK_DEAD_LOAD)
          && qn_model_loads (model, put->live, NULL)[put->load].kind == QN_LOAD_EDGE;
 }
 
@@ -76,9 +75,9 @@ find_selected (QnCanvas *canvas, Put *put)
 static void
 select_last (QnCanvas *canvas, gboolean live)
 {
-  const QnItemKind kind = QN_ITEM_LOAD (live);
+  const QnPickKind kind = QN_PICK_LOAD (live);
   const gsize count = qn_model_count_items (qn_canvas_get_model (canvas), kind);
-  qn_selection_set_item (qn_canvas_get_selection (canvas), kind, (QnId) count - 1);
+  qn_selection_set_one (qn_canvas_get_selection (canvas), kind, (QnId) count - 1);
 }
 
 static void

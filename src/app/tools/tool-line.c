@@ -36,17 +36,17 @@ static void
 select_beam (QnCanvas *canvas)
 {
   const QnId last = (QnId) qn_canvas_get_model (canvas)->beam_count - 1;
-  qn_selection_set (qn_canvas_get_selection (canvas), QN_PART_BEAM, &last, 1);
+  qn_selection_set (qn_canvas_get_selection (canvas), QN_PICK_BEAM, &last, 1);
 }
 
 static void
 select_item (QnCanvas *canvas)
 {
-  const QnItemKind kind =
-    qn_canvas_get_tool (canvas) == &qn_tool_bar ? QN_ITEM_BAR : QN_ITEM_TIE;
-  qn_selection_set_item (qn_canvas_get_selection (canvas), kind,
-                         (QnId) qn_model_count_items (qn_canvas_get_model (canvas), kind)
-                           - 1);
+  const QnPickKind kind =
+    qn_canvas_get_tool (canvas) == &qn_tool_bar ? QN_PICK_BAR : QN_PICK_TIE;
+  qn_selection_set_one (qn_canvas_get_selection (canvas), kind,
+                        (QnId) qn_model_count_items (qn_canvas_get_model (canvas), kind)
+                          - 1);
 }
 
 static void

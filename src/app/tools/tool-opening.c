@@ -120,9 +120,7 @@ fill_at (QnCanvas *canvas, QnVec2 at)
 static gboolean
 has_opening (QnCanvas *canvas)
 {
-  QnId object;
-  int opening;
-  return qn_selection_get_opening (qn_canvas_get_selection (canvas), &object, &opening);
+  return qn_canvas_get_selection (canvas)->object != QN_NONE;
 }
 
 static gboolean

@@ -44,26 +44,26 @@ leave_to_magnet (QnCanvas *canvas)
 
 /* Selects a part that is pressed, or with Shift or Control more or less than before; a drag moves it. */
 static void
-press_on_part (QnCanvas *canvas, QnPartKind part, QnId id, const QnToolEvent *event)
+press_on_part (QnCanvas *canvas, QnPick part, const QnToolEvent *event)
 {
   QnSelection *selection = qn_canvas_get_selection (canvas);
   QnGesture *gesture = qn_canvas_get_gesture (canvas);
   if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) {
-    qn_selection_toggle (selection, part, id);
+    qn_selection_toggle (selection, part.kind, part.id);
     return;
   }
-  if (part == QN_PART_BLOCK && event->press_count > 1) {
-    qn_selection_select_blocks_like (selection, qn_canvas_get_model (canvas), id,
+  if (part.kind == QN_PICK_BLOCK && event->press_count > 1) {
+    qn_selection_select_blocks_like (selection, qn_canvas_get_model (canvas), part.id,
                                      event->press_count == 2 ? QN_LIKE_COURSE
                                                              : QN_LIKE_WALL);
     return;
   }
-  if (!qn_selection_has (selection, part, id))
-    qn_selection_set (selection, part, &id, 1);
+  if (!qn_selection_has (selection, part.kind, part.id))
+    qn_selection_set_one (selection, part.kind, part.id);
   if (!shows_undeformed (canvas))
     return;
   gesture->from = gesture->to =
-    part == QN_PART_BLOCK ? grabbed_point (canvas, id, event) : event->model;
+    part.kind == QN_PICK_BLOCK ? grabbed_point (canvas, part.id, event) : event->model;
   leave_to_magnet (canvas);
   qn_canvas_set_in_gesture (canvas, TRUE);
 }
@@ -92,13 +92,13 @@ select_face (QnCanvas *canvas, QnId face, const QnToolEvent *event)
   QnSelection *selection = qn_canvas_get_selection (canvas);
   const QnContacts *contacts = &qn_canvas_get_document (canvas)->contacts;
   if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK))
-    qn_selection_toggle (selection, QN_PART_FACE, face);
+    qn_selection_toggle (selection, QN_PICK_FACE, face);
   else if (event->press_count > 1)
     qn_selection_select_faces_like (selection, contacts, face,
                                     event->press_count == 2 ? QN_LIKE_LINE
                                                             : QN_LIKE_DIRECTION);
   else
-    qn_selection_set_face (selection, face);
+    qn_selection_set_one (selection, QN_PICK_FACE, face);
 }
 
 /* In the view of the model a drag moves what lies under the pointer: there a joint is selected by a
@@ -124,15 +124,12 @@ select_item (QnCanvas *canvas, QnVec2 screen)
   QnPick pick =
     qn_canvas_pick (canvas, screen, 1u << QN_PICK_DEAD_LOAD | 1u << QN_PICK_LIVE_LOAD);
   const gboolean live = pick.kind == QN_PICK_LIVE_LOAD;
-  QnItemKind kind = QN_ITEM_LOAD (live);
   if (!shows_undeformed (canvas) || pick.id == QN_NONE
-      || qn_model_loads (model, live, NULL)[pick.id].kind == QN_LOAD_WEIGHT) {
+      || qn_model_loads (model, live, NULL)[pick.id].kind == QN_LOAD_WEIGHT)
     pick = qn_canvas_pick (canvas, screen, 1u << QN_PICK_BAR | 1u << QN_PICK_TIE);
-    kind = pick.kind == QN_PICK_TIE ? QN_ITEM_TIE : QN_ITEM_BAR;
-  }
   if (pick.id == QN_NONE || !shows_document (canvas))
     return FALSE;
-  qn_selection_set_item (qn_canvas_get_selection (canvas), kind, pick.id);
+  qn_selection_set_one (qn_canvas_get_selection (canvas), pick.kind, pick.id);
   return TRUE;
 }
 
@@ -145,28 +142,26 @@ click (QnCanvas *canvas, const QnToolEvent *event)
   if (!plain || event->press_count != 1 || select_item (canvas, event->screen))
     return;
   if (face != QN_NONE && qn_canvas_get_state (canvas)->options.view == QN_VIEW_MODEL)
-    qn_selection_set_face (qn_canvas_get_selection (canvas), face);
+    qn_selection_set_one (qn_canvas_get_selection (canvas), QN_PICK_FACE, face);
 }
 
 /* The block or beam under the pointer, by its number in the document, which has it under the same name; QN_NONE:
- * not any more. FALSE: there is none. */
-static gboolean
-part_under (QnCanvas *canvas, QnVec2 screen, QnPartKind *part, QnId *id)
+ * not any more. */
+static QnPick
+part_under (QnCanvas *canvas, QnVec2 screen)
 {
   const QnModel *shown, *model = qn_canvas_get_model (canvas);
   const QnContacts *contacts;
   const QnResult *result;
   QnPick pick = qn_canvas_pick (canvas, screen, 1u << QN_PICK_BLOCK | 1u << QN_PICK_BEAM);
-  *part = pick.kind == QN_PICK_BEAM ? QN_PART_BEAM : QN_PART_BLOCK;
-  *id = pick.id;
   if (pick.kind != QN_PICK_NOTHING && !shows_document (canvas)
       && qn_view_state_get_content (qn_canvas_get_state (canvas),
                                     qn_canvas_get_state (canvas)->options.view, &shown,
                                     &contacts, &result))
-    *id = *part == QN_PART_BEAM
-            ? qn_model_find_beam (model, shown->beams[pick.id].name)
-            : qn_model_find_block (model, shown->blocks[pick.id].name);
-  return pick.kind != QN_PICK_NOTHING;
+    pick.id = pick.kind == QN_PICK_BEAM
+                ? qn_model_find_beam (model, shown->beams[pick.id].name)
+                : qn_model_find_block (model, shown->blocks[pick.id].name);
+  return pick;
 }
 
 /* ---- openings and handles ---- */
@@ -195,8 +190,8 @@ press_on_opening (QnCanvas *canvas, const QnToolEvent *event)
                   .handle = QN_HANDLE_MIDDLE };
   if (!select_opening (canvas, event->model))
     return FALSE;
-  qn_selection_get_opening (qn_canvas_get_selection (canvas), &grip.object,
-                            &grip.opening);
+  grip.object = qn_canvas_get_selection (canvas)->object;
+  grip.opening = qn_canvas_get_selection (canvas)->opening;
   qn_handle_begin (canvas, grip);
   return TRUE;
 }
@@ -214,13 +209,11 @@ press (QnCanvas *canvas, const QnToolEvent *event)
   }
   if (press_on_face (canvas, event))
     return;
-  QnPartKind part;
-  QnId id;
-  if (part_under (canvas, event->screen, &part, &id)) {
-    if (id != QN_NONE)
-      press_on_part (canvas, part, id, event);
+  const QnPick part = part_under (canvas, event->screen);
+  if (part.id != QN_NONE)
+    press_on_part (canvas, part, event);
+  if (part.kind != QN_PICK_NOTHING)
     return;
-  }
   if (press_on_opening (canvas, event))
     return;
   if ((event->modifiers & GDK_SHIFT_MASK) == 0)
@@ -262,15 +255,14 @@ qn_tool_select_under (QnCanvas *canvas, QnVec2 screen)
     return;
   QnId face = face_under (canvas, &event);
   if (face != QN_NONE) {
-    if (!qn_selection_has (selection, QN_PART_FACE, face))
-      qn_selection_set_face (selection, face);
+    if (!qn_selection_has (selection, QN_PICK_FACE, face))
+      qn_selection_set_one (selection, QN_PICK_FACE, face);
     return;
   }
-  QnPartKind part;
-  QnId id;
-  if (part_under (canvas, screen, &part, &id) && id != QN_NONE) {
-    if (!qn_selection_has (selection, part, id))
-      qn_selection_set (selection, part, &id, 1);
+  const QnPick part = part_under (canvas, screen);
+  if (part.id != QN_NONE) {
+    if (!qn_selection_has (selection, part.kind, part.id))
+      qn_selection_set_one (selection, part.kind, part.id);
     return;
   }
   qn_selection_clear (selection);
@@ -293,17 +285,17 @@ finish_band (QnCanvas *canvas)
   g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
   if (qn_canvas_get_state (canvas)->options.view == QN_VIEW_CONTACTS) {
     qn_canvas_faces_inside (canvas, gesture->from, gesture->to, ids);
-    qn_selection_add (qn_canvas_get_selection (canvas), QN_PART_FACE,
+    qn_selection_add (qn_canvas_get_selection (canvas), QN_PICK_FACE,
                       (const QnId *) ids->data, ids->len);
     return;
   }
   qn_canvas_pick_inside (canvas, qn_canvas_to_screen (canvas, gesture->from),
                          qn_canvas_to_screen (canvas, gesture->to), ids);
-  qn_selection_add (qn_canvas_get_selection (canvas), QN_PART_BLOCK,
+  qn_selection_add (qn_canvas_get_selection (canvas), QN_PICK_BLOCK,
                     (const QnId *) ids->data, ids->len);
   g_array_set_size (ids, 0);
   qn_canvas_beams_inside (canvas, gesture->from, gesture->to, ids);
-  qn_selection_add (qn_canvas_get_selection (canvas), QN_PART_BEAM,
+  qn_selection_add (qn_canvas_get_selection (canvas), QN_PICK_BEAM,
                     (const QnId *) ids->data, ids->len);
 }
 

@@ -92,7 +92,7 @@ on_row_activated (GtkListBox *list, GtkListBoxRow *row, Panel *panel)
   QnId blocks[] = { finding->block_a, finding->block_b };
   guint count = (finding->block_a != QN_NONE) + (finding->block_b != QN_NONE);
   qn_view_state_set_view (qn_canvas_get_state (panel->canvas), QN_VIEW_CONTACTS);
-  qn_selection_set (qn_canvas_get_selection (panel->canvas), QN_PART_BLOCK, blocks,
+  qn_selection_set (qn_canvas_get_selection (panel->canvas), QN_PICK_BLOCK, blocks,
                     count);
   if (qn_finding_has_place (finding))
     qn_canvas_show_place (panel->canvas, finding->at);

@@ -34,17 +34,13 @@ new_label (const char *text, gboolean value)
 
 /* A single joint or block is selected. */
 static gboolean
-find_selected (Inspector *inspector, QnInspected *what)
+find_selected (Inspector *inspector, QnPick *what)
 {
   QnSelection *selection = qn_canvas_get_selection (inspector->canvas);
-  guint faces = 0, blocks = 0;
-  const QnId *face = qn_selection_get (selection, QN_PART_FACE, &faces);
-  const QnId *block = qn_selection_get (selection, QN_PART_BLOCK, &blocks);
-  if (faces + blocks != 1)
-    return FALSE;
-  *what = faces == 1 ? (QnInspected){ QN_INSPECTED_JOINT, *face }
-                     : (QnInspected){ QN_INSPECTED_BLOCK, *block };
-  return TRUE;
+  const guint faces = selection->ids[QN_PICK_FACE]->len;
+  what->kind = faces > 0 ? QN_PICK_FACE : QN_PICK_BLOCK;
+  what->id = qn_selection_get_one (selection, what->kind);
+  return faces + selection->ids[QN_PICK_BLOCK]->len == 1;
 }
 
 /* The selection is of the document's model: a result of another one says nothing of it. */
@@ -93,9 +89,9 @@ make_plots (Inspector *inspector, const QnStepView *view, QnId face)
 }
 
 static void
-show_diagram (Inspector *inspector, const QnStepView *view, QnInspected what)
+show_diagram (Inspector *inspector, const QnStepView *view, QnPick what)
 {
-  const gboolean shown = what.kind == QN_INSPECTED_JOINT && view->pairs != NULL;
+  const gboolean shown = what.kind == QN_PICK_FACE && view->pairs != NULL;
   g_autofree char *description = NULL; /* the plots in words */
   clear_plots (inspector);
   if (shown) {
@@ -114,7 +110,7 @@ show_diagram (Inspector *inspector, const QnStepView *view, QnInspected what)
 static void
 update (Inspector *inspector)
 {
-  QnInspected what;
+  QnPick what;
   QnStepView view;
   gboolean shown = find_selected (inspector, &what) && has_result (inspector)
                    && qn_step_view_init (&view, qn_canvas_get_state (inspector->canvas));

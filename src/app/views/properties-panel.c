@@ -12,8 +12,7 @@ static void
 update (Panel *panel)
 {
   QnSelection *selection = qn_canvas_get_selection (panel->canvas);
-  QnItemKind kind;
-  const gboolean item = qn_selection_get_any_item (selection, &kind) != QN_NONE;
+  const gboolean item = qn_selection_get_item (selection).id != QN_NONE;
   gtk_label_set_text (GTK_LABEL (panel->hint),
                       item ? _ ("Numbers of loads, bars and ties are under Analysis.")
                            : _ ("Select blocks, beams or an opening, or joints in the "

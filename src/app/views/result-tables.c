@@ -186,8 +186,8 @@ select_contact (const Table *table, const QnRun *run, guint row)
     return;
   qn_canvas_show_place (table->canvas, run->contacts.pairs[row].point);
   if (!qn_document_is_stale (qn_canvas_get_document (table->canvas), run))
-    qn_selection_set_face (qn_canvas_get_selection (table->canvas),
-                           run->contacts.pairs[row].face);
+    qn_selection_set_one (qn_canvas_get_selection (table->canvas), QN_PICK_FACE,
+                          run->contacts.pairs[row].face);
 }
 
 /* ---- section forces: two rows for every element, its ends ---- */
@@ -237,7 +237,7 @@ select_beam (const Table *table, const QnRun *run, guint row)
   const char *name = run->model.beams[run->model.elements[row / 2].beam].name;
   QnId beam = qn_model_find_beam (qn_canvas_get_model (table->canvas), name);
   if (beam != QN_NONE)
-    qn_selection_set (qn_canvas_get_selection (table->canvas), QN_PART_BEAM, &beam, 1);
+    qn_selection_set (qn_canvas_get_selection (table->canvas), QN_PICK_BEAM, &beam, 1);
 }
 
 /* ---- cells and rows ---- */

@@ -281,14 +281,10 @@ find_facts (QnWindow *self)
   QnJob *job = document->job;
   gboolean busy = job != NULL && !qn_job_get_run (job)->live;
   gboolean own = qn_window_page_has (self, "undo");
-  guint blocks = 0, beams = 0;
-  QnId object;
-  int number;
-  qn_selection_get (selection, QN_PART_BLOCK, &blocks);
-  qn_selection_get (selection, QN_PART_BEAM, &beams);
-  gboolean opening = qn_selection_get_opening (selection, &object, &number);
-  QnItemKind kind;
-  gboolean item = qn_selection_get_any_item (selection, &kind) != QN_NONE;
+  gboolean blocks = selection->ids[QN_PICK_BLOCK]->len > 0;
+  gboolean parts = blocks || selection->ids[QN_PICK_BEAM]->len > 0;
+  gboolean opening = selection->object != QN_NONE;
+  gboolean item = qn_selection_get_item (selection).id != QN_NONE;
   const struct {
     gboolean holds;
     QnNeeds fact;
@@ -305,11 +301,11 @@ find_facts (QnWindow *self)
       QN_NEEDS_REDO },
     { blocks > 0, QN_NEEDS_BLOCKS },
     { blocks > 1, QN_NEEDS_TWO_BLOCKS },
-    { blocks + beams > 0, QN_NEEDS_PARTS },
-    { blocks + beams > 0 || opening, QN_NEEDS_MOVABLE },
-    { blocks + beams > 0 || item, QN_NEEDS_COPYABLE },
-    { blocks + beams > 0 || opening || item, QN_NEEDS_THING },
-    { qn_selection_get_face (selection) != QN_NONE, QN_NEEDS_FACE },
+    { parts, QN_NEEDS_PARTS },
+    { parts || opening, QN_NEEDS_MOVABLE },
+    { parts || item, QN_NEEDS_COPYABLE },
+    { parts || opening || item, QN_NEEDS_THING },
+    { selection->ids[QN_PICK_FACE]->len > 0, QN_NEEDS_FACE },
     { self->last_export != NULL, QN_NEEDS_EXPORTED },
     { !qn_window_page_has (self, "run") || qn_window_page_can (self, "run"),
       QN_NEEDS_READY },

@@ -23,7 +23,7 @@ show_job_error (QnWindow *self)
     QnId blocks[] = { diag->index, diag->other };
     gboolean two = diag->other >= 0 && (gsize) diag->other < model->block_count;
     qn_view_state_set_view (self->state, QN_VIEW_CONTACTS);
-    qn_selection_set (self->document->selection, QN_PART_BLOCK, blocks, two ? 2 : 1);
+    qn_selection_set (self->document->selection, QN_PICK_BLOCK, blocks, two ? 2 : 1);
     qn_window_show_error_at (self, error->message, model->blocks[diag->index].centroid);
   } else
     qn_window_show_error (self, error->message);
@@ -63,7 +63,7 @@ show_unstable (QnWindow *self, const QnRun *run)
     return;
   }
   qn_view_state_set_view (self->state, QN_VIEW_MODEL);
-  qn_selection_set (self->document->selection, QN_PART_BLOCK, run->result.unstable_blocks,
+  qn_selection_set (self->document->selection, QN_PICK_BLOCK, run->result.unstable_blocks,
                     (guint) run->result.unstable_count);
   qn_window_show_error_at (self, message,
                            run->model.blocks[run->result.unstable_blocks[0]].centroid);

@@ -49,20 +49,20 @@ static gboolean
 selected_opening (QnWindow *self, OpeningEdit *edit)
 {
   const QnMasonries *list = qn_canvas_get_masonry (self->canvas);
-  QnSelection *selection = self->document->selection;
-  return qn_selection_get_opening (selection, &edit->object, &edit->opening)
-         && (gsize) edit->object < list->count
+  edit->object = self->document->selection->object;
+  edit->opening = self->document->selection->opening;
+  return edit->object != QN_NONE && (gsize) edit->object < list->count
          && (gsize) edit->opening < list->items[edit->object].wall.opening_count;
 }
 
 /* ---- loads and bars ---- */
 
 /* Names of the steps that remove and copy one. */
-static const char *const item_steps[QN_ITEM_COUNT][2] = {
-  [QN_ITEM_DEAD_LOAD] = { N_ ("Remove Load"), N_ ("Duplicate Load") },
-  [QN_ITEM_LIVE_LOAD] = { N_ ("Remove Load"), N_ ("Duplicate Load") },
-  [QN_ITEM_BAR] = { N_ ("Remove Bar"), N_ ("Duplicate Bar") },
-  [QN_ITEM_TIE] = { N_ ("Remove Tie"), N_ ("Duplicate Tie") },
+static const char *const item_steps[][2] = {
+  [QN_PICK_DEAD_LOAD] = { N_ ("Remove Load"), N_ ("Duplicate Load") },
+  [QN_PICK_LIVE_LOAD] = { N_ ("Remove Load"), N_ ("Duplicate Load") },
+  [QN_PICK_BAR] = { N_ ("Remove Bar"), N_ ("Duplicate Bar") },
+  [QN_PICK_TIE] = { N_ ("Remove Tie"), N_ ("Duplicate Tie") },
 };
 
 /* Removes or copies the selected one, and selects the copy. FALSE where none is selected. */
@@ -70,22 +70,23 @@ static gboolean
 edit_item (QnWindow *self, gboolean copy)
 {
   QnSelection *selection = self->document->selection;
-  QnItemKind kind;
-  QnId item = qn_selection_get_any_item (selection, &kind);
+  QnPick item = qn_selection_get_item (selection);
   QnCanvasDraft draft;
-  if (item == QN_NONE)
+  if (item.id == QN_NONE)
     return FALSE;
   if (!copy)
     qn_selection_clear (selection);
   if (!qn_canvas_begin_edit (self->canvas, &draft))
     return TRUE;
   if (copy)
-    item = qn_edit_duplicate_item (draft.model, kind, item, &draft.error);
+    item.id = qn_edit_duplicate_item (draft.model, item.kind, item.id, &draft.error);
   const gboolean done =
-    copy ? item != QN_NONE : qn_edit_remove_item (draft.model, kind, item, &draft.error);
-  if (qn_canvas_end_edit (self->canvas, &draft, _ (item_steps[kind][copy]), NULL, done)
+    copy ? item.id != QN_NONE
+         : qn_edit_remove_item (draft.model, item.kind, item.id, &draft.error);
+  if (qn_canvas_end_edit (self->canvas, &draft, _ (item_steps[item.kind][copy]), NULL,
+                          done)
       && copy)
-    qn_selection_set_item (selection, kind, item);
+    qn_selection_set_one (selection, item.kind, item.id);
   return TRUE;
 }
 
@@ -195,8 +196,8 @@ select_added (QnWindow *self, const QnModel *before)
   if (added->len == 0)
     return;
   const QnId *ids = (const QnId *) added->data;
-  qn_selection_set (selection, QN_PART_BLOCK, ids, blocks);
-  qn_selection_add (selection, QN_PART_BEAM, ids + blocks, added->len - blocks);
+  qn_selection_set (selection, QN_PICK_BLOCK, ids, blocks);
+  qn_selection_add (selection, QN_PICK_BEAM, ids + blocks, added->len - blocks);
 }
 
 /* A copy beside the original, selected for the next step; beside it by a part of its height where
@@ -282,11 +283,10 @@ select_like (QnWindow *self, const char *what)
 {
   QnSelection *selection = self->document->selection;
   const QnModel *model = &self->document->project.model;
-  guint count = 0;
-  const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &count);
-  if (count == 0)
+  const QnId block = qn_selection_get_one (selection, QN_PICK_BLOCK);
+  if (block == QN_NONE)
     return;
-  qn_selection_select_blocks_like (selection, model, ids[0],
+  qn_selection_select_blocks_like (selection, model, block,
                                    g_str_equal (what, "course") ? QN_LIKE_COURSE
                                    : g_str_equal (what, "wall") ? QN_LIKE_WALL
                                                                 : QN_LIKE_LAW);
@@ -297,7 +297,7 @@ select_faces_like (QnWindow *self, const char *what)
 {
   QnSelection *selection = self->document->selection;
   const QnContacts *contacts = &self->document->contacts;
-  QnId face = qn_selection_get_face (selection);
+  QnId face = qn_selection_get_one (selection, QN_PICK_FACE);
   if (face == QN_NONE || (gsize) face >= contacts->face_count)
     return;
   qn_selection_select_faces_like (selection, contacts, face,
@@ -331,7 +331,7 @@ static void
 set_joint_law (QnWindow *self, const char *law)
 {
   guint count = 0;
-  const QnId *ids = qn_selection_get (self->document->selection, QN_PART_FACE, &count);
+  const QnId *ids = qn_selection_get (self->document->selection, QN_PICK_FACE, &count);
   qn_tool_joint_set_law (self->canvas, ids, count, law);
 }
 

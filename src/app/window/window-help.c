@@ -15,19 +15,15 @@ static const char *
 page_of_drawing (QnWindow *self)
 {
   QnSelection *selection = self->document->selection;
-  QnId object;
-  int opening;
-  guint beams;
   const char *tool = qn_canvas_get_tool (self->canvas)->name;
   for (gsize i = 0; i < G_N_ELEMENTS (tool_pages); i++)
     if (g_str_equal (tool, tool_pages[i].tool))
       return tool_pages[i].page;
-  if (qn_selection_get_opening (selection, &object, &opening))
+  if (selection->object != QN_NONE)
     return "openings";
-  if (qn_selection_get_face (selection) != QN_NONE)
+  if (selection->ids[QN_PICK_FACE]->len > 0)
     return "joints";
-  qn_selection_get (selection, QN_PART_BEAM, &beams);
-  return beams > 0 ? "frames" : "drawing";
+  return selection->ids[QN_PICK_BEAM]->len > 0 ? "frames" : "drawing";
 }
 
 const char *

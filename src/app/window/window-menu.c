@@ -50,25 +50,21 @@ make_for_selection (QnWindow *self)
   const QnModel *model = &self->document->project.model;
   g_autoptr (GtkBuilder) builder = qn_builder_new ("context-menus");
   const char *id = "paper";
-  guint blocks = 0, beams = 0;
-  QnId object;
-  QnItemKind kind;
-  int opening;
-  const QnId *ids = qn_selection_get (selection, QN_PART_BLOCK, &blocks);
-  qn_selection_get (selection, QN_PART_BEAM, &beams);
-  if (qn_selection_get_opening (selection, &object, &opening))
+  const QnPick item = qn_selection_get_item (selection);
+  const QnId block = qn_selection_get_one (selection, QN_PICK_BLOCK);
+  if (selection->object != QN_NONE)
     id = "opening";
-  else if (qn_selection_get_any_item (selection, &kind) != QN_NONE)
-    return g_object_ref (get (builder, kind == QN_ITEM_BAR   ? "bar"
-                                       : kind == QN_ITEM_TIE ? "tie"
-                                                             : "load"));
-  else if (qn_selection_get_face (selection) != QN_NONE) {
+  else if (item.id != QN_NONE)
+    return g_object_ref (get (builder, item.kind == QN_PICK_BAR   ? "bar"
+                                       : item.kind == QN_PICK_TIE ? "tie"
+                                                                  : "load"));
+  else if (qn_selection_get_one (selection, QN_PICK_FACE) != QN_NONE) {
     id = "joint";
     complete_joint_menu (builder, model);
-  } else if (blocks > 0 && (gsize) ids[0] < model->block_count) {
+  } else if (block >= 0 && (gsize) block < model->block_count) {
     id = "block";
-    complete_block_menu (builder, &model->blocks[ids[0]]);
-  } else if (beams > 0) {
+    complete_block_menu (builder, &model->blocks[block]);
+  } else if (qn_selection_get_one (selection, QN_PICK_BEAM) != QN_NONE) {
     id = "beam";
     insert_turns (builder, get (builder, "beam-shape"), 2);
   }

@@ -10,15 +10,7 @@
 /* Faces whose directions differ by less belong together. */
 #define SAME_DIRECTION 1e-6
 
-/* Behind the parts, each of which may be many, the items, of which there is one. */
-enum { FIRST_ITEM = QN_PART_COUNT, LIST_COUNT = FIRST_ITEM + QN_ITEM_COUNT };
-
-struct _QnSelection {
-  GObject parent_instance;
-  GArray *lists[LIST_COUNT]; /* of QnId, ascending */
-  QnId object;               /* of the opening, or QN_NONE */
-  int opening;
-};
+enum { LIST_COUNT = QN_PICK_TIE + 1 };
 
 G_DEFINE_FINAL_TYPE (QnSelection, qn_selection, G_TYPE_OBJECT)
 
@@ -26,7 +18,7 @@ static void
 qn_selection_finalize (GObject *object)
 {
   for (int i = 0; i < LIST_COUNT; i++)
-    g_array_unref (QN_SELECTION (object)->lists[i]);
+    g_array_unref (QN_SELECTION (object)->ids[i]);
   G_OBJECT_CLASS (qn_selection_parent_class)->finalize (object);
 }
 
@@ -48,7 +40,7 @@ static void
 qn_selection_init (QnSelection *self)
 {
   for (int i = 0; i < LIST_COUNT; i++)
-    self->lists[i] = new_ids ();
+    self->ids[i] = new_ids ();
   self->object = QN_NONE;
 }
 
@@ -59,16 +51,16 @@ qn_selection_new (void)
 }
 
 gboolean
-qn_selection_has (QnSelection *self, QnPartKind kind, QnId id)
+qn_selection_has (QnSelection *self, QnPickKind kind, QnId id)
 {
-  return g_array_binary_search (self->lists[kind], &id, qn_compare_ids, NULL);
+  return g_array_binary_search (self->ids[kind], &id, qn_compare_ids, NULL);
 }
 
 const QnId *
-qn_selection_get (QnSelection *self, QnPartKind kind, guint *count)
+qn_selection_get (QnSelection *self, QnPickKind kind, guint *count)
 {
-  *count = self->lists[kind]->len;
-  return (const QnId *) self->lists[kind]->data;
+  *count = self->ids[kind]->len;
+  return (const QnId *) self->ids[kind]->data;
 }
 
 gboolean
@@ -76,14 +68,14 @@ qn_selection_is_empty (QnSelection *self)
 {
   guint count = 0;
   for (int i = 0; i < LIST_COUNT; i++)
-    count += self->lists[i]->len;
+    count += self->ids[i]->len;
   return count == 0 && self->object == QN_NONE;
 }
 
 void
 qn_selection_clear (QnSelection *self)
 {
-  qn_selection_set (self, QN_PART_BLOCK, NULL, 0);
+  qn_selection_set (self, QN_PICK_BLOCK, NULL, 0);
 }
 
 /* Ascending, each once. */
@@ -114,9 +106,9 @@ replace_all (QnSelection *self, GArray *const lists[LIST_COUNT], QnId object, in
   gboolean same = object == self->object && opening == self->opening;
   for (int i = 0; i < LIST_COUNT; i++) {
     sort_ids (lists[i]);
-    same = same_ids (lists[i], self->lists[i]) && same;
-    g_array_unref (self->lists[i]);
-    self->lists[i] = lists[i];
+    same = same_ids (lists[i], self->ids[i]) && same;
+    g_array_unref (self->ids[i]);
+    self->ids[i] = lists[i];
   }
   self->object = object;
   self->opening = opening;
@@ -159,48 +151,50 @@ replace_one (QnSelection *self, int list, GArray *ids, gboolean keep)
   GArray *lists[LIST_COUNT];
   for (int i = 0; i < LIST_COUNT; i++)
     lists[i] = i == list ? ids
-               : keep && list < QN_PART_FACE && i < QN_PART_FACE
-                 ? g_array_copy (self->lists[i])
+               : keep && list < QN_PICK_FACE && i < QN_PICK_FACE
+                 ? g_array_copy (self->ids[i])
                  : new_ids ();
   replace_all (self, lists, QN_NONE, 0);
 }
 
-/* The first of a list, or QN_NONE. */
-static QnId
-first_of (QnSelection *self, int list)
-{
-  const GArray *ids = self->lists[list];
-  return ids->len > 0 ? g_array_index (ids, QnId, 0) : QN_NONE;
-}
-
 void
-qn_selection_set (QnSelection *self, QnPartKind kind, const QnId *ids, guint count)
+qn_selection_set (QnSelection *self, QnPickKind kind, const QnId *ids, guint count)
 {
   replace_one (self, kind, ids_with (new_ids (), ids, count), FALSE);
 }
 
 void
-qn_selection_add (QnSelection *self, QnPartKind kind, const QnId *ids, guint count)
+qn_selection_add (QnSelection *self, QnPickKind kind, const QnId *ids, guint count)
 {
-  replace_one (self, kind, ids_with (g_array_copy (self->lists[kind]), ids, count), TRUE);
+  replace_one (self, kind, ids_with (g_array_copy (self->ids[kind]), ids, count), TRUE);
 }
 
 void
-qn_selection_toggle (QnSelection *self, QnPartKind kind, QnId id)
+qn_selection_toggle (QnSelection *self, QnPickKind kind, QnId id)
 {
-  replace_one (self, kind, ids_toggled (self->lists[kind], id), TRUE);
+  replace_one (self, kind, ids_toggled (self->ids[kind], id), TRUE);
 }
 
 void
-qn_selection_set_face (QnSelection *self, QnId face)
+qn_selection_set_one (QnSelection *self, QnPickKind kind, QnId id)
 {
-  qn_selection_set (self, QN_PART_FACE, &face, face != QN_NONE);
+  qn_selection_set (self, kind, &id, id != QN_NONE);
 }
 
 QnId
-qn_selection_get_face (QnSelection *self)
+qn_selection_get_one (QnSelection *self, QnPickKind kind)
 {
-  return first_of (self, QN_PART_FACE);
+  const GArray *ids = self->ids[kind];
+  return ids->len > 0 ? g_array_index (ids, QnId, 0) : QN_NONE;
+}
+
+QnPick
+qn_selection_get_item (QnSelection *self)
+{
+  QnPickKind kind = QN_PICK_DEAD_LOAD;
+  while (kind < QN_PICK_TIE && self->ids[kind]->len == 0)
+    kind++;
+  return (QnPick){ kind, qn_selection_get_one (self, kind) };
 }
 
 void
@@ -211,37 +205,6 @@ qn_selection_set_opening (QnSelection *self, QnId object, int opening)
   replace_all (self, none, object, object != QN_NONE ? opening : 0);
 }
 
-gboolean
-qn_selection_get_opening (QnSelection *self, QnId *object, int *opening)
-{
-  *object = self->object;
-  *opening = self->opening;
-  return self->object != QN_NONE;
-}
-
-void
-qn_selection_set_item (QnSelection *self, QnItemKind kind, QnId id)
-{
-  replace_one (self, FIRST_ITEM + (int) kind, ids_with (new_ids (), &id, id != QN_NONE),
-               FALSE);
-}
-
-QnId
-qn_selection_get_item (QnSelection *self, QnItemKind kind)
-{
-  return first_of (self, FIRST_ITEM + (int) kind);
-}
-
-QnId
-qn_selection_get_any_item (QnSelection *self, QnItemKind *kind)
-{
-  int i = 0;
-  while (i + 1 < QN_ITEM_COUNT && self->lists[FIRST_ITEM + i]->len == 0)
-    i++;
-  *kind = (QnItemKind) i;
-  return qn_selection_get_item (self, *kind);
-}
-
 /* ---- what belongs together ---- */
 
 void
@@ -250,9 +213,9 @@ qn_selection_select_all (QnSelection *self, const QnModel *model)
   GArray *lists[LIST_COUNT];
   begin_lists (lists);
   for (QnId i = 0; i < (QnId) model->block_count; i++)
-    g_array_append_val (lists[QN_PART_BLOCK], i);
+    g_array_append_val (lists[QN_PICK_BLOCK], i);
   for (QnId i = 0; i < (QnId) model->beam_count; i++)
-    g_array_append_val (lists[QN_PART_BEAM], i);
+    g_array_append_val (lists[QN_PICK_BEAM], i);
   replace_all (self, lists, QN_NONE, 0);
 }
 
@@ -281,7 +244,7 @@ qn_selection_select_blocks_like (QnSelection *self, const QnModel *model, QnId b
     if (i == block
         || are_like_blocks (&model->blocks[i], &model->blocks[block], likeness))
       g_array_append_val (blocks, i);
-  replace_one (self, QN_PART_BLOCK, blocks, FALSE);
+  replace_one (self, QN_PICK_BLOCK, blocks, FALSE);
 }
 
 static gboolean
@@ -304,7 +267,7 @@ qn_selection_select_faces_like (QnSelection *self, const QnContacts *contacts, Q
     if (i == face || are_alike (&contacts->faces[face], &contacts->faces[i], likeness))
       g_array_append_val (faces, i);
   }
-  replace_one (self, QN_PART_FACE, faces, FALSE);
+  replace_one (self, QN_PICK_FACE, faces, FALSE);
 }
 
 /* ---- across edits ---- */
@@ -406,12 +369,12 @@ same_load (const QnModel *a, const QnLoad *one, const QnModel *b, const QnLoad *
 }
 
 static gboolean
-same_item (QnItemKind kind, const QnModel *a, QnId one, const QnModel *b, QnId other)
+same_item (QnPickKind kind, const QnModel *a, QnId one, const QnModel *b, QnId other)
 {
-  if (kind == QN_ITEM_TIE)
+  if (kind == QN_PICK_TIE)
     return strcmp (a->ties[one].name, b->ties[other].name) == 0;
-  if (kind != QN_ITEM_BAR) {
-    gboolean live = kind == QN_ITEM_LIVE_LOAD;
+  if (kind != QN_PICK_BAR) {
+    gboolean live = kind == QN_PICK_LIVE_LOAD;
     return same_load (a, &qn_model_loads (a, live, NULL)[one], b,
                       &qn_model_loads (b, live, NULL)[other]);
   }
@@ -423,18 +386,15 @@ same_item (QnItemKind kind, const QnModel *a, QnId one, const QnModel *b, QnId o
 /* The same one at its place or elsewhere; where none is the same, the one at its place was changed,
  * unless there are fewer or more than before. */
 static QnId
-follow_item (QnItemKind kind, QnId old, const QnModel *before, const QnModel *after)
+follow_item (QnPickKind kind, QnId old, const QnModel *before, const QnModel *after)
 {
-  const gsize then = qn_model_count_items (before, kind),
-              now = qn_model_count_items (after, kind);
-  if (old == QN_NONE || (gsize) old >= then)
-    return QN_NONE;
+  const gsize now = qn_model_count_items (after, kind);
   if ((gsize) old < now && same_item (kind, before, old, after, old))
     return old;
   for (QnId i = 0; i < (QnId) now; i++)
     if (same_item (kind, before, old, after, i))
       return i;
-  return now == then ? old : QN_NONE;
+  return now == qn_model_count_items (before, kind) ? old : QN_NONE;
 }
 
 void
@@ -442,8 +402,6 @@ qn_selection_follow (QnSelection *self, const QnModel *before,
                      const QnContacts *contacts_before, const QnModel *after,
                      const QnContacts *contacts_after)
 {
-  const gsize counts[QN_PART_COUNT] = { before->block_count, before->beam_count,
-                                        contacts_before->face_count };
   GArray *lists[LIST_COUNT];
   gsize objects;
   g_autofree gboolean *whole = find_whole (self, before, after, &objects);
@@ -451,24 +409,26 @@ qn_selection_follow (QnSelection *self, const QnModel *before,
   for (QnId i = 0; i < (QnId) after->block_count; i++)
     if (after->blocks[i].masonry != QN_NONE && (gsize) after->blocks[i].masonry < objects
         && whole[after->blocks[i].masonry])
-      g_array_append_val (lists[QN_PART_BLOCK], i);
-  for (int list = 0; list < LIST_COUNT; list++)
-    for (guint i = 0; i < self->lists[list]->len; i++) {
-      const QnId old = g_array_index (self->lists[list], QnId, i);
-      if (list < FIRST_ITEM && (gsize) old >= counts[list])
-        continue;
-      if (list == QN_PART_BLOCK && before->blocks[old].masonry != QN_NONE
-          && whole[before->blocks[old].masonry])
+      g_array_append_val (lists[QN_PICK_BLOCK], i);
+  for (QnPickKind kind = QN_PICK_BLOCK; kind <= QN_PICK_TIE; kind++) {
+    const gsize count = kind == QN_PICK_FACE ? contacts_before->face_count
+                                             : qn_model_count_items (before, kind);
+    for (guint i = 0; i < self->ids[kind]->len; i++) {
+      const QnId old = g_array_index (self->ids[kind], QnId, i);
+      if ((gsize) old >= count
+          || (kind == QN_PICK_BLOCK && before->blocks[old].masonry != QN_NONE
+              && whole[before->blocks[old].masonry]))
         continue;
       const QnId id =
-        list == QN_PART_BLOCK  ? follow_block (before, old, after)
-        : list == QN_PART_BEAM ? qn_model_find_beam (after, before->beams[old].name)
-        : list == QN_PART_FACE
+        kind == QN_PICK_BLOCK  ? follow_block (before, old, after)
+        : kind == QN_PICK_BEAM ? qn_model_find_beam (after, before->beams[old].name)
+        : kind == QN_PICK_FACE
           ? follow_face (before, &contacts_before->faces[old], after, contacts_after)
-          : follow_item ((QnItemKind) (list - FIRST_ITEM), old, before, after);
+          : follow_item (kind, old, before, after);
       if (id != QN_NONE)
-        g_array_append_val (lists[list], id);
+        g_array_append_val (lists[kind], id);
     }
+  }
   replace_all (self, lists, self->object, self->opening);
 }
 
@@ -476,7 +436,7 @@ QnPartSet
 qn_selection_get_parts (QnSelection *selection)
 {
   QnPartSet set;
-  set.blocks.ids = qn_selection_get (selection, QN_PART_BLOCK, &set.blocks.count);
-  set.beams.ids = qn_selection_get (selection, QN_PART_BEAM, &set.beams.count);
+  set.blocks.ids = qn_selection_get (selection, QN_PICK_BLOCK, &set.blocks.count);
+  set.beams.ids = qn_selection_get (selection, QN_PICK_BEAM, &set.beams.count);
   return set;
 }

@@ -13,42 +13,40 @@
 #define QN_TYPE_SELECTION (qn_selection_get_type ())
 G_DECLARE_FINAL_TYPE (QnSelection, qn_selection, QN, SELECTION, GObject)
 
+/* To read; blocks, beams and faces may be many. */
+struct _QnSelection {
+  GObject parent_instance;
+  GArray *ids[QN_PICK_TIE + 1]; /* by QnPickKind; of QnId, ascending */
+  QnId object;                  /* of the opening, or QN_NONE */
+  int opening;
+};
+
 /* Nothing selected. */
 QnSelection *qn_selection_new (void);
 
-/* The selected parts. */
-typedef enum { QN_PART_BLOCK, QN_PART_BEAM, QN_PART_FACE, QN_PART_COUNT } QnPartKind;
-
 gboolean qn_selection_is_empty (QnSelection *selection);
 void qn_selection_clear (QnSelection *selection);
-gboolean qn_selection_has (QnSelection *selection, QnPartKind kind, QnId id);
+gboolean qn_selection_has (QnSelection *selection, QnPickKind kind, QnId id);
 /* Numbers of the selected parts, ascending; borrowed. */
-const QnId *qn_selection_get (QnSelection *selection, QnPartKind kind, guint *count);
+const QnId *qn_selection_get (QnSelection *selection, QnPickKind kind, guint *count);
 /* These parts and nothing else. */
-void qn_selection_set (QnSelection *selection, QnPartKind kind, const QnId *ids,
+void qn_selection_set (QnSelection *selection, QnPickKind kind, const QnId *ids,
                        guint count);
 /* These parts beside what is selected: blocks beside beams, faces beside faces alone. */
-void qn_selection_add (QnSelection *selection, QnPartKind kind, const QnId *ids,
+void qn_selection_add (QnSelection *selection, QnPickKind kind, const QnId *ids,
                        guint count);
-void qn_selection_toggle (QnSelection *selection, QnPartKind kind, QnId id);
+void qn_selection_toggle (QnSelection *selection, QnPickKind kind, QnId id);
 
-/* Selects a face and nothing else; QN_NONE for none. */
-void qn_selection_set_face (QnSelection *selection, QnId face);
-/* The first of the selected faces, or QN_NONE. */
-QnId qn_selection_get_face (QnSelection *selection);
+/* Selects one of this kind and nothing else; QN_NONE for none. */
+void qn_selection_set_one (QnSelection *selection, QnPickKind kind, QnId id);
+/* The first of the selected ones of this kind, or QN_NONE. */
+QnId qn_selection_get_one (QnSelection *selection, QnPickKind kind);
+/* The selected load, bar or tie. */
+QnPick qn_selection_get_item (QnSelection *selection);
 
 /* Selects an opening of a masonry object and nothing else. Both numbers are those of lists that
  * edits change: whoever asks must check that they still are. */
 void qn_selection_set_opening (QnSelection *selection, QnId object, int opening);
-gboolean qn_selection_get_opening (QnSelection *selection, QnId *object, int *opening);
-
-/* Selects the i-th of the model's dead loads, live loads (those of all sets), bars or ties, and nothing
- * else; QN_NONE for none. */
-void qn_selection_set_item (QnSelection *selection, QnItemKind kind, QnId id);
-/* The selected one of this kind, or QN_NONE. */
-QnId qn_selection_get_item (QnSelection *selection, QnItemKind kind);
-/* The one of any kind, and which. */
-QnId qn_selection_get_any_item (QnSelection *selection, QnItemKind *kind);
 
 /* Every block and beam. */
 void qn_selection_select_all (QnSelection *selection, const QnModel *model);

@@ -176,7 +176,7 @@ qn_edit_set_line_load (QnModel *model, QnBeamSet set, gboolean live, QnVec2 valu
     const QnLoad *loads = qn_model_loads (model, live, &count);
     for (gsize i = count; i > 0; i--)
       if (is_line_load (&loads[i - 1], set.ids[k])
-          && !qn_edit_remove_item (model, QN_ITEM_LOAD (live), (QnId) i - 1, error))
+          && !qn_edit_remove_item (model, QN_PICK_LOAD (live), (QnId) i - 1, error))
         return FALSE;
     if (value.x == 0.0 && value.y == 0.0)
       continue;

@@ -51,7 +51,7 @@ qn_edit_drop (gpointer items, size_t *count, gsize size, gsize index)
   memmove (dropped, dropped + size, (--*count - index) * size);
 }
 
-/* ---- loads, bars, ties ---- */
+/* ---- parts, loads, bars, ties ---- */
 
 #define LIST(array, number)                                                              \
   offsetof (QnModel, array), offsetof (QnModel, number), sizeof *((QnModel *) NULL)->array
@@ -59,34 +59,36 @@ qn_edit_drop (gpointer items, size_t *count, gsize size, gsize index)
 static const struct {
   gsize items, count, size;
   const char *missing;
-} lists[QN_ITEM_COUNT] = {
-  [QN_ITEM_DEAD_LOAD] = { LIST (dead_loads, dead_load_count),
+} lists[] = {
+  [QN_PICK_BLOCK] = { LIST (blocks, block_count), NULL },
+  [QN_PICK_BEAM] = { LIST (beams, beam_count), NULL },
+  [QN_PICK_DEAD_LOAD] = { LIST (dead_loads, dead_load_count),
                           N_ ("There is no such load") },
-  [QN_ITEM_LIVE_LOAD] = { LIST (live_loads, live_load_count),
+  [QN_PICK_LIVE_LOAD] = { LIST (live_loads, live_load_count),
                           N_ ("There is no such load") },
-  [QN_ITEM_BAR] = { LIST (bars, bar_count), N_ ("There is no such bar") },
-  [QN_ITEM_TIE] = { LIST (ties, tie_count), N_ ("There is no such tie") },
+  [QN_PICK_BAR] = { LIST (bars, bar_count), N_ ("There is no such bar") },
+  [QN_PICK_TIE] = { LIST (ties, tie_count), N_ ("There is no such tie") },
 };
 
 gsize
-qn_model_count_items (const QnModel *model, QnItemKind kind)
+qn_model_count_items (const QnModel *model, QnPickKind kind)
 {
   return G_STRUCT_MEMBER (size_t, model, lists[kind].count);
 }
 
 gboolean
-qn_edit_has_item (const QnModel *model, QnItemKind kind, QnId item, GError **error)
+qn_edit_has_item (const QnModel *model, QnPickKind kind, QnId item, GError **error)
 {
   return (item >= 0 && (gsize) item < qn_model_count_items (model, kind))
          || qn_edit_refuse (error, "%s", _ (lists[kind].missing));
 }
 
 gboolean
-qn_edit_remove_item (QnModel *model, QnItemKind kind, QnId item, GError **error)
+qn_edit_remove_item (QnModel *model, QnPickKind kind, QnId item, GError **error)
 {
   if (!qn_edit_has_item (model, kind, item, error))
     return FALSE;
-  if (kind == QN_ITEM_TIE)
+  if (kind == QN_PICK_TIE)
     free (model->ties[item].name);
   qn_edit_drop (G_STRUCT_MEMBER (gpointer, model, lists[kind].items),
                 &G_STRUCT_MEMBER (size_t, model, lists[kind].count), lists[kind].size,
@@ -95,13 +97,13 @@ qn_edit_remove_item (QnModel *model, QnItemKind kind, QnId item, GError **error)
 }
 
 QnId
-qn_edit_duplicate_item (QnModel *model, QnItemKind kind, QnId item, GError **error)
+qn_edit_duplicate_item (QnModel *model, QnPickKind kind, QnId item, GError **error)
 {
-  const gboolean live = kind == QN_ITEM_LIVE_LOAD;
+  const gboolean live = kind == QN_PICK_LIVE_LOAD;
   if (!qn_edit_has_item (model, kind, item, error))
     return QN_NONE;
-  if (kind == QN_ITEM_BAR || kind == QN_ITEM_TIE)
-    return (kind == QN_ITEM_BAR ? qn_edit_copy_bar : qn_edit_copy_tie) (model, item,
+  if (kind == QN_PICK_BAR || kind == QN_PICK_TIE)
+    return (kind == QN_PICK_BAR ? qn_edit_copy_bar : qn_edit_copy_tie) (model, item,
                                                                         error)
              ? (QnId) qn_model_count_items (model, kind) - 1
              : QN_NONE;

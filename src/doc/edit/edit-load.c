@@ -189,7 +189,7 @@ qn_edit_carry_edge_loads (QnModel *model, QnId gone, QnId first, GError **error)
         carry (carried, model, &loads[i], first);
     for (gsize i = count; i-- > 0;)
       if (loads[i].kind == QN_LOAD_EDGE && loads[i].block == gone)
-        qn_edit_remove_item (model, QN_ITEM_LOAD (live), (QnId) i, NULL);
+        qn_edit_remove_item (model, QN_PICK_LOAD (live), (QnId) i, NULL);
     for (guint i = 0; i < carried->len; i++) {
       QnLoad *added = qn_edit_new_load (model, live, error);
       if (added == NULL)
@@ -212,7 +212,7 @@ qn_edit_set_weight_load (QnModel *model, gboolean live, QnVec2 direction, GError
     if (wanted && !found)
       loads[i - 1].vector = direction;
     else
-      qn_edit_remove_item (model, QN_ITEM_LOAD (live), (QnId) i - 1, NULL);
+      qn_edit_remove_item (model, QN_PICK_LOAD (live), (QnId) i - 1, NULL);
     found = TRUE;
   }
   if (!wanted || found)

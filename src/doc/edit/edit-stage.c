@@ -187,7 +187,7 @@ qn_model_load_beside (const QnModel *model, gboolean live, QnId load, int by)
 gboolean
 qn_edit_move_load (QnModel *model, gboolean live, QnId load, int by, GError **error)
 {
-  const QnItemKind kind = QN_ITEM_LOAD (live);
+  const QnPickKind kind = QN_PICK_LOAD (live);
   if (!qn_edit_has_item (model, kind, load, error))
     return FALSE;
   const QnId other = qn_model_load_beside (model, live, load, by);

@@ -146,7 +146,7 @@ find_blocks_along (const QnModel *model, QnVec2 from, QnVec2 to)
 gboolean
 qn_edit_glue_tie (QnModel *model, QnId tie, GError **error)
 {
-  if (!qn_edit_has_item (model, QN_ITEM_TIE, tie, error))
+  if (!qn_edit_has_item (model, QN_PICK_TIE, tie, error))
     return FALSE;
   const QnTie strip = model->ties[tie];
   g_autoptr (GArray) blocks =
@@ -168,7 +168,7 @@ qn_edit_glue_tie (QnModel *model, QnId tie, GError **error)
 gboolean
 qn_edit_place_tie_end (QnModel *model, QnId tie, int end, QnVec2 at, GError **error)
 {
-  if (!qn_edit_has_item (model, QN_ITEM_TIE, tie, error))
+  if (!qn_edit_has_item (model, QN_PICK_TIE, tie, error))
     return FALSE;
   model->ties[tie].ends[end] = end_at (model, at);
   return ties_something (&model->ties[tie], error);

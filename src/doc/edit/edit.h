@@ -8,7 +8,9 @@
 #pragma once
 
 #include "core/model/model.h"
+#include "render/drawing/scene.h"
 #include "stereotomy/masonry.h"
+
 #include <glib.h>
 
 /* Its message says all: it has no codes. */
@@ -130,23 +132,14 @@ gboolean qn_edit_delete_law (QnModel *model, QnId law, QnId by, GError **error);
 
 /* ---- lists of loads, bars and ties (edit-list.c) ---- */
 
-typedef enum {
-  QN_ITEM_DEAD_LOAD,
-  QN_ITEM_LIVE_LOAD, /* those of all sets */
-  QN_ITEM_BAR,
-  QN_ITEM_TIE,
-  QN_ITEM_COUNT
-} QnItemKind;
-#define QN_ITEM_LOAD(live) ((live) ? QN_ITEM_LIVE_LOAD : QN_ITEM_DEAD_LOAD)
-
-gsize qn_model_count_items (const QnModel *model, QnItemKind kind);
+gsize qn_model_count_items (const QnModel *model, QnPickKind kind);
 /* Whether there is one of this number; an error where there is none. */
-gboolean qn_edit_has_item (const QnModel *model, QnItemKind kind, QnId item,
+gboolean qn_edit_has_item (const QnModel *model, QnPickKind kind, QnId item,
                            GError **error);
-gboolean qn_edit_remove_item (QnModel *model, QnItemKind kind, QnId item, GError **error);
+gboolean qn_edit_remove_item (QnModel *model, QnPickKind kind, QnId item, GError **error);
 /* Adds one like it: a load behind it, a bar or tie as the last, four diameters to the left of it. Returns its
  * number; QN_NONE with an error. */
-QnId qn_edit_duplicate_item (QnModel *model, QnItemKind kind, QnId item, GError **error);
+QnId qn_edit_duplicate_item (QnModel *model, QnPickKind kind, QnId item, GError **error);
 
 /* ---- for edits (edit-rebuild.c) ---- */
 

@@ -61,24 +61,24 @@ qn_step_view_clear (QnStepView *view)
 }
 
 static gboolean
-is_there (const QnStepView *view, QnInspected what)
+is_there (const QnStepView *view, QnPick what)
 {
-  gsize count = what.kind == QN_INSPECTED_JOINT   ? view->contacts->face_count
-                : what.kind == QN_INSPECTED_BLOCK ? view->model->block_count
-                : view->result != NULL            ? view->result->found_count
-                                                  : 0;
+  gsize count = what.kind == QN_PICK_FACE    ? view->contacts->face_count
+                : what.kind == QN_PICK_BLOCK ? view->model->block_count
+                : view->result != NULL       ? view->result->found_count
+                                             : 0;
   return what.id >= 0 && (gsize) what.id < count;
 }
 
 char *
-qn_inspect_dup_title (const QnStepView *view, QnInspected what)
+qn_inspect_dup_title (const QnStepView *view, QnPick what)
 {
   if (!is_there (view, what))
     return NULL;
   const QnBlock *blocks = view->model->blocks;
-  if (what.kind == QN_INSPECTED_BLOCK)
+  if (what.kind == QN_PICK_BLOCK)
     return g_strdup_printf (_ ("Block %s"), blocks[what.id].name);
-  if (what.kind == QN_INSPECTED_FOUND) {
+  if (what.kind == QN_PICK_FOUND) {
     const QnFoundContact *contact = &view->result->found[what.id].contact;
     return g_strdup_printf (_ ("Contact %s – %s"), blocks[contact->block].name,
                             blocks[contact->other].name);
@@ -291,17 +291,16 @@ tell_block (Lines *lines, const QnStepView *view, QnId id, QnUnits units, gboole
 }
 
 char *
-qn_inspect_dup_values (const QnStepView *view, QnInspected what, QnUnits units,
-                       gboolean brief)
+qn_inspect_dup_values (const QnStepView *view, QnPick what, QnUnits units, gboolean brief)
 {
   if (!is_there (view, what))
     return NULL;
   Lines lines = { g_string_new (NULL),
                   { [QN_QUANTITY_FORCE] = NOISE * view->force,
                     [QN_QUANTITY_LENGTH] = NOISE * view->length } };
-  if (what.kind == QN_INSPECTED_JOINT)
+  if (what.kind == QN_PICK_FACE)
     tell_joint (&lines, view, what.id, units, brief);
-  else if (what.kind == QN_INSPECTED_FOUND)
+  else if (what.kind == QN_PICK_FOUND)
     tell_found (&lines, view, what.id, units);
   else
     tell_block (&lines, view, what.id, units, brief);

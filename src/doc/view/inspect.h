@@ -8,19 +8,6 @@
 #include "doc/view/view-state.h"
 #include "render/scene/reading.h"
 
-/* A block, a joint, or a contact found on the way, of what the view shows
- * (qn_view_state_get_content()). */
-typedef enum {
-  QN_INSPECTED_BLOCK,
-  QN_INSPECTED_JOINT,
-  QN_INSPECTED_FOUND
-} QnInspectedKind;
-
-typedef struct QnInspected {
-  QnInspectedKind kind;
-  QnId id;
-} QnInspected;
-
 /* Content of a view: a result at its step. */
 typedef struct QnStepView {
   const QnModel *model;
@@ -39,9 +26,10 @@ typedef struct QnStepView {
 gboolean qn_step_view_init (QnStepView *view, QnViewState *state);
 void qn_step_view_clear (QnStepView *view);
 
-/* The name of what it is: "Joint b1 – b2", "Contact b1 – b2", "Block b1"; and its values, a line for each with a tab
+/* A block, a joint (FACE), or a contact found on the way, of what the view shows
+ * (qn_view_state_get_content()). The name of what it is: "Joint b1 – b2", "Contact b1 – b2", "Block b1"; and its values, a line for each with a tab
  * between name and value, the most important ones alone where `brief`. NULL where there is no such
  * joint or block; the caller frees them. */
-char *qn_inspect_dup_title (const QnStepView *view, QnInspected what);
-char *qn_inspect_dup_values (const QnStepView *view, QnInspected what, QnUnits units,
+char *qn_inspect_dup_title (const QnStepView *view, QnPick what);
+char *qn_inspect_dup_values (const QnStepView *view, QnPick what, QnUnits units,
                              gboolean brief);

@@ -54,19 +54,21 @@ typedef enum {
   QN_MARKER_COUNT
 } QnMarker;
 
-/* Kind of the entity of a command, for picking. */
+/* Kind of the entity of a command, for picking; the first ones can be selected, those from the loads on
+ * stand in lists. */
 typedef enum {
   QN_PICK_NOTHING,
   QN_PICK_BLOCK,
-  QN_PICK_FACE,
-  QN_PICK_PAIR,
-  QN_PICK_DEAD_LOAD,
-  QN_PICK_LIVE_LOAD,
   QN_PICK_BEAM,
+  QN_PICK_FACE,
+  QN_PICK_DEAD_LOAD,
+  QN_PICK_LIVE_LOAD, /* those of all sets */
   QN_PICK_BAR,
   QN_PICK_TIE,
+  QN_PICK_PAIR,
   QN_PICK_FOUND /* a contact found on the way */
 } QnPickKind;
+#define QN_PICK_LOAD(live) ((live) ? QN_PICK_LIVE_LOAD : QN_PICK_DEAD_LOAD)
 
 typedef struct QnCommand {
   uint8_t layer, kind, marker;

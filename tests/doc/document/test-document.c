@@ -241,9 +241,9 @@ test_selection_ends_gesture (void)
   QnSelection *selection = document->selection;
   QnEditHistory *history = document->history;
   const QnId first = 0;
-  qn_selection_set (selection, QN_PART_BLOCK, &first, 1);
+  qn_selection_set (selection, QN_PICK_BLOCK, &first, 1);
   change (document, 0.5, "nudge");
-  qn_selection_set (selection, QN_PART_BLOCK, &first, 1); /* the same */
+  qn_selection_set (selection, QN_PICK_BLOCK, &first, 1); /* the same */
   change (document, 0.4, "nudge");
   g_assert_cmpuint (history->steps->len, ==, 1);
   qn_selection_clear (selection);

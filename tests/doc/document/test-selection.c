@@ -15,24 +15,24 @@ test_sets (void)
   int changes = 0;
   g_signal_connect_swapped (selection, "changed", G_CALLBACK (on_changed), &changes);
   const QnId ids[] = { 5, 2, 2, 9 };
-  qn_selection_set (selection, QN_PART_BLOCK, ids, 4);
+  qn_selection_set (selection, QN_PICK_BLOCK, ids, 4);
   guint count = 0;
-  const QnId *sorted = qn_selection_get (selection, QN_PART_BLOCK, &count);
+  const QnId *sorted = qn_selection_get (selection, QN_PICK_BLOCK, &count);
   g_assert_cmpuint (count, ==, 3);
   g_assert_cmpint (sorted[0], ==, 2);
   g_assert_cmpint (sorted[2], ==, 9);
   g_assert_cmpint (changes, ==, 1);
-  qn_selection_set (selection, QN_PART_BLOCK, ids, 4);
+  qn_selection_set (selection, QN_PICK_BLOCK, ids, 4);
   g_assert_cmpint (changes, ==, 1); /* nothing new */
-  qn_selection_toggle (selection, QN_PART_BLOCK, 5);
-  g_assert_false (qn_selection_has (selection, QN_PART_BLOCK, 5));
-  qn_selection_toggle (selection, QN_PART_BLOCK, 7);
-  g_assert_true (qn_selection_has (selection, QN_PART_BLOCK, 7));
-  qn_selection_set_face (selection, 3);
-  g_assert_false (qn_selection_has (selection, QN_PART_BLOCK, 7));
-  g_assert_cmpint (qn_selection_get_face (selection), ==, 3);
+  qn_selection_toggle (selection, QN_PICK_BLOCK, 5);
+  g_assert_false (qn_selection_has (selection, QN_PICK_BLOCK, 5));
+  qn_selection_toggle (selection, QN_PICK_BLOCK, 7);
+  g_assert_true (qn_selection_has (selection, QN_PICK_BLOCK, 7));
+  qn_selection_set_one (selection, QN_PICK_FACE, 3);
+  g_assert_false (qn_selection_has (selection, QN_PICK_BLOCK, 7));
+  g_assert_cmpint (qn_selection_get_one (selection, QN_PICK_FACE), ==, 3);
   qn_selection_clear (selection);
-  g_assert_cmpint (qn_selection_get_face (selection), ==, QN_NONE);
+  g_assert_cmpint (qn_selection_get_one (selection, QN_PICK_FACE), ==, QN_NONE);
 }
 
 static void
@@ -47,13 +47,13 @@ test_like (void)
   QnId block = qn_model_find_block (model, "w.2.1");
   guint count = 0;
   qn_selection_select_blocks_like (selection, model, block, QN_LIKE_COURSE);
-  qn_selection_get (selection, QN_PART_BLOCK, &count);
+  qn_selection_get (selection, QN_PICK_BLOCK, &count);
   g_assert_cmpuint (count, ==, 5);
   qn_selection_select_blocks_like (selection, model, block, QN_LIKE_WALL);
-  qn_selection_get (selection, QN_PART_BLOCK, &count);
+  qn_selection_get (selection, QN_PICK_BLOCK, &count);
   g_assert_cmpuint (count, ==, model->block_count - 1);
   qn_selection_select_all (selection, model);
-  qn_selection_get (selection, QN_PART_BLOCK, &count);
+  qn_selection_get (selection, QN_PICK_BLOCK, &count);
   g_assert_cmpuint (count, ==, model->block_count);
 }
 
@@ -81,9 +81,9 @@ test_follow_load (void)
   static const QnId now[] = { QN_NONE, 0, 1 };
   for (QnId old = 0; old < 3; old++) {
     g_autoptr (QnSelection) selection = qn_selection_new ();
-    qn_selection_set_item (selection, QN_ITEM_LIVE_LOAD, old);
+    qn_selection_set_one (selection, QN_PICK_LIVE_LOAD, old);
     qn_selection_follow (selection, &before, &contacts, &after, &contacts);
-    g_assert_cmpint (qn_selection_get_item (selection, QN_ITEM_LIVE_LOAD), ==, now[old]);
+    g_assert_cmpint (qn_selection_get_one (selection, QN_PICK_LIVE_LOAD), ==, now[old]);
   }
 }
 

@@ -75,7 +75,7 @@ test_walls_stay_or_detach (void)
   g_autoptr (QnDocument) document = open_example ("ferris-tin-loi/wall3.quoin");
   qn_selection_select_all (document->selection, &document->project.model);
   guint count = 0;
-  const QnId *ids = qn_selection_get (document->selection, QN_PART_BLOCK, &count);
+  const QnId *ids = qn_selection_get (document->selection, QN_PICK_BLOCK, &count);
   g_autofree QnId *all = g_memdup2 (ids, count * sizeof *ids);
   gsize faces = document->contacts.face_count;
 

@@ -107,19 +107,19 @@ test_selection (void)
   g_autoptr (QnDocument) document = open_stack ();
   QnSelection *selection = document->selection;
   const QnId faces[] = { 0, 1 };
-  qn_selection_set (selection, QN_PART_FACE, faces, 2);
+  qn_selection_set (selection, QN_PICK_FACE, faces, 2);
   apply (document, set_law, (Change){ first_faces (document, 2), 1, NULL });
   guint count = 0;
-  qn_selection_get (selection, QN_PART_FACE, &count);
+  qn_selection_get (selection, QN_PICK_FACE, &count);
   g_assert_cmpuint (count, ==, 2);
   qn_selection_select_faces_like (selection, &document->contacts, 0, QN_LIKE_LAW);
-  qn_selection_get (selection, QN_PART_FACE, &count);
+  qn_selection_get (selection, QN_PICK_FACE, &count);
   g_assert_cmpuint (count, ==, 2);
   qn_selection_select_faces_like (selection, &document->contacts, 0, QN_LIKE_LINE);
-  qn_selection_get (selection, QN_PART_FACE, &count);
+  qn_selection_get (selection, QN_PICK_FACE, &count);
   g_assert_cmpuint (count, ==, 1);
   qn_selection_select_faces_like (selection, &document->contacts, 0, QN_LIKE_DIRECTION);
-  qn_selection_get (selection, QN_PART_FACE, &count);
+  qn_selection_get (selection, QN_PICK_FACE, &count);
   g_assert_cmpuint (count, ==, document->contacts.face_count);
 }
 

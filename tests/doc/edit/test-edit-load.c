@@ -16,7 +16,7 @@ add_force (QnModel *model, gpointer data, GError **error)
 static gboolean
 delete_force (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_remove_item (model, QN_ITEM_LIVE_LOAD, *(const QnId *) data, error);
+  return qn_edit_remove_item (model, QN_PICK_LIVE_LOAD, *(const QnId *) data, error);
 }
 
 static gboolean
@@ -347,15 +347,15 @@ add_bar (QnModel *model, gpointer data, GError **error)
 static gboolean
 remove_bar (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_remove_item (model, QN_ITEM_BAR, *(const QnId *) data, error);
+  return qn_edit_remove_item (model, QN_PICK_BAR, *(const QnId *) data, error);
 }
 
 static gboolean
 duplicate_bar (QnModel *model, gpointer data, GError **error)
 {
   g_assert_cmpint (
-    qn_edit_duplicate_item (model, QN_ITEM_BAR, (QnId) model->bar_count, NULL), ==, -1);
-  return qn_edit_duplicate_item (model, QN_ITEM_BAR, *(const QnId *) data, error) >= 0;
+    qn_edit_duplicate_item (model, QN_PICK_BAR, (QnId) model->bar_count, NULL), ==, -1);
+  return qn_edit_duplicate_item (model, QN_PICK_BAR, *(const QnId *) data, error) >= 0;
 }
 
 static gboolean

@@ -74,7 +74,7 @@ static gboolean
 remove_it (QnModel *model, gpointer data, GError **error)
 {
   const Put *put = data;
-  return qn_edit_remove_item (model, QN_ITEM_LOAD (put->set != DEAD), put->id, error);
+  return qn_edit_remove_item (model, QN_PICK_LOAD (put->set != DEAD), put->id, error);
 }
 
 static gboolean
@@ -155,7 +155,7 @@ test_loads (void)
   model = edit (document, append, &(Put){ 1, 0, settlement });
   const QnLoad *live = model->live_loads; /* set by set */
   g_assert_cmpuint (model->live_load_count, ==, 4);
-  g_assert_cmpuint (qn_model_count_items (model, QN_ITEM_DEAD_LOAD), ==, 2);
+  g_assert_cmpuint (qn_model_count_items (model, QN_PICK_DEAD_LOAD), ==, 2);
   for (int i = 0; i < 4; i++)
     g_assert_cmpint (live[i].set, ==, i / 2);
   g_assert_cmpint (live[3].kind, ==, QN_LOAD_SETTLEMENT);
@@ -192,7 +192,7 @@ move_or_copy (QnModel *model, gpointer data, GError **error)
 {
   const Place *place = data;
   return place->by == 0
-           ? qn_edit_duplicate_item (model, QN_ITEM_LIVE_LOAD, place->load, error) >= 0
+           ? qn_edit_duplicate_item (model, QN_PICK_LIVE_LOAD, place->load, error) >= 0
            : qn_edit_move_load (model, TRUE, place->load, place->by, error);
 }
 

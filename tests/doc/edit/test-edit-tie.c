@@ -83,7 +83,7 @@ place (QnModel *model, gpointer data, GError **error)
 static gboolean
 duplicate (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_duplicate_item (model, QN_ITEM_TIE, *(QnId *) data, error) >= 0;
+  return qn_edit_duplicate_item (model, QN_PICK_TIE, *(QnId *) data, error) >= 0;
 }
 
 static gboolean
@@ -95,7 +95,7 @@ rename_first (QnModel *model, gpointer data, GError **error)
 static gboolean
 remove_tie (QnModel *model, gpointer data, GError **error)
 {
-  return qn_edit_remove_item (model, QN_ITEM_TIE, *(QnId *) data, error);
+  return qn_edit_remove_item (model, QN_PICK_TIE, *(QnId *) data, error);
 }
 
 static void

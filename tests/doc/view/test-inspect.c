@@ -14,7 +14,7 @@ test_noise (void)
   QnStepView view;
   qn_view_state_set_view (state, QN_VIEW_DEFORMED);
   g_assert_true (qn_step_view_init (&view, state));
-  const QnInspected joint = { QN_INSPECTED_JOINT, 0 };
+  const QnPick joint = { QN_PICK_FACE, 0 };
   g_assert_nonnull (view.pairs);
   for (gsize p = 0; p < view.contacts->pair_count; p++)
     view.pairs[p].shear_force = 1e-12 * view.force;
