@@ -281,8 +281,8 @@ find_facts (QnWindow *self)
   QnJob *job = document->job;
   gboolean busy = job != NULL && !qn_job_get_run (job)->live;
   gboolean own = qn_window_page_has (self, "undo");
-  gboolean blocks = selection->ids[QN_PICK_BLOCK]->len > 0;
-  gboolean parts = blocks || selection->ids[QN_PICK_BEAM]->len > 0;
+  guint blocks = selection->ids[QN_PICK_BLOCK]->len;
+  gboolean parts = blocks > 0 || selection->ids[QN_PICK_BEAM]->len > 0;
   gboolean opening = selection->object != QN_NONE;
   gboolean item = qn_selection_get_item (selection).id != QN_NONE;
   const struct {
