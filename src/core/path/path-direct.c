@@ -72,6 +72,7 @@ seek (QnPathTrace *trace)
   for (size_t p = 0; p < as->pair_count; p++)
     memcpy (forces + 2 * p, eq->committed.responses[p].force, 2 * sizeof *forces);
   trace->sought = true;
+  trace->leads_from = path->result->step_count;
   qn_limit_solution_clear (direct);
   direct->effort = eq->statistics;
   QnStatus status =
@@ -174,6 +175,50 @@ end_there (QnPathTrace *trace)
   return true;
 }
 
+/* Cosine of the angle between the last step and the motion of the collapse found, in the norm of damping. */
+static double
+alignment (const QnPathTrace *trace)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnAssembly *as = &eq->assembly;
+  double both = 0, step = 0, collapse = 0;
+
+  for (size_t i = 0; i < trace->path->model->block_count * QN_DOF_COUNT; i++) {
+    int32_t k = as->unknown[i];
+    if (k == QN_NONE)
+      continue;
+    double turn = i % QN_DOF_COUNT == QN_DOF_RZ ? as->length : 1;
+    double c = trace->direct.velocities[i] * turn;
+    double s = eq->committed.u[k] - trace->measure.last_u[k];
+    both += as->damping[k] * c * s;
+    step += as->damping[k] * s * s;
+    collapse += as->damping[k] * c * c;
+  }
+  return both > 0 ? both / sqrt (step * collapse) : 0;
+}
+
+/* Whether the path leads to the collapse found: LEADS_STEPS steps in a row move the same way, and gain, as the
+ * last doubling of the motion did, what LEADS_DOUBLINGS more need. Paths that end before gain next to nothing,
+ * or turn back, soon after they have taken that way. */
+static bool
+leads_there (QnPathTrace *trace)
+{
+  const QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnAssembly *as = &eq->assembly;
+  size_t steps = trace->path->result->step_count;
+  double multiplier = eq->committed.multiplier;
+  double motion = qn_assembly_elastic_displacements (as, eq->committed.u, NULL);
+  double before = qn_assembly_elastic_displacements (as, trace->measure.last_u, NULL);
+  double gain = (multiplier / trace->last_multiplier - 1) / log2 (motion / before);
+  double needs = (trace->direct.lower_bound / multiplier - 1) / QN_PATH_LEADS_DOUBLINGS;
+
+  if (trace->events.below || !(motion > before)
+      || fmin (gain, qn_path_end_gain (trace)) < needs
+      || alignment (trace) < QN_PATH_LEADS_ALIGNED)
+    trace->leads_from = steps;
+  return steps >= trace->leads_from + QN_PATH_LEADS_STEPS;
+}
+
 bool
 qn_path_end_direct (QnPathTrace *trace, bool last)
 {
@@ -186,7 +231,7 @@ qn_path_end_direct (QnPathTrace *trace, bool last)
   if (last ? !is_ahead (trace) : !trace->sought)
     ok = seek (trace);
   return ok && trace->stop == QN_STOP_UNKNOWN && is_ahead (trace)
-             && (far
+             && (far || leads_there (trace)
                  || trace->direct.lower_bound
                       <= (1 + QN_PATH_SETTLES) * trace->events.highest)
            ? end_there (trace)

@@ -44,7 +44,8 @@ typedef struct QnPathTrace {
   bool moved_on; /* a plateau was met, and rest above its peak */
   bool sought;   /* `direct` has been computed */
   QnLimitSolution direct;
-  double last_multiplier;                    /* before the last accepted step */
+  size_t leads_from;      /* number of steps after which the path leads to `direct` */
+  double last_multiplier; /* before the last accepted step */
   double plateau_multiplier, plateau_motion; /* at the begin of the present plateau */
   QnStop stop;                               /* UNKNOWN while the path goes on */
   /* Load control: the state with the highest multiplier, and the lower one that the path had come to when the

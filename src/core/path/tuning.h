@@ -12,7 +12,7 @@
 #define QN_PATH_TURN          0.25
 
 /* First load step, x the multiplier at which the largest live load on a block equals the largest dead load,
- * regardless of `increments`; after failures it is cut to SMALLEST_STEP of itself. */
+ * regardless of `increments`. */
 #define QN_PATH_START 0.02
 
 /* Longest step: LARGEST_STEP first steps in displacement control; LARGEST_MOTION characteristic lengths in
@@ -57,6 +57,12 @@
   {                                                                                      \
     1e7, 1000, 6000                                                                      \
   }
+
+/* STEPS steps in a row lead to a direct collapse if the cosine between them and its motion is at least ALIGNED, and
+ * their gain for a doubling of the motion, and that of the last doubling, DOUBLINGS times at least what is left. */
+#define QN_PATH_LEADS_STEPS     3
+#define QN_PATH_LEADS_ALIGNED   0.9
+#define QN_PATH_LEADS_DOUBLINGS 6
 
 /* A step of load control with a gain above IN_DOUBT is doubtful if at the part LATE of its straight way the
  * joints resist less than RESISTS x LATE of the gain (0.9 to 1.2 in most steps, 0.06 to 0.75 in four after
