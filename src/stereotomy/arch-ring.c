@@ -1,6 +1,5 @@
 #include "stereotomy/arch-ring.h"
 #include "core/base/integer.h"
-#include "core/base/memory.h"
 
 /* Intervals of Simpson's rule for a quarter of an ellipse, and rounds of Newton's method. */
 #define SIMPSON_INTERVALS 256
@@ -228,53 +227,44 @@ upper_point (const QnArchRing *ring, double u0, double u1, int32_t k, int32_t n,
            : qn_arch_ring_point (ring, position_between (u0, u1, k, n), offset);
 }
 
-bool
-qn_arch_ring_voussoir (const QnArchRing *ring, int32_t course, int32_t index,
-                       QnRing *voussoir)
+QnRing
+qn_arch_ring_voussoir (const QnArchRing *ring, int32_t course, int32_t index)
 {
   double u0 = joint_at (ring, index), u1 = joint_at (ring, index + 1);
   double thickness = ring->arch.ring / qn_arch_rings (&ring->arch);
   int32_t n = chords_between (ring, u0, u1);
-  voussoir->points = qn_alloc (2 * (size_t) n + 2, sizeof *voussoir->points);
-  voussoir->count = 0;
-  if (voussoir->points == NULL)
-    return false;
-
+  QnRing voussoir = { g_new (QnVec2, 2 * (size_t) n + 2), 0 };
   for (int32_t k = n; k >= 0; k--)
-    voussoir->points[voussoir->count++] =
+    voussoir.points[voussoir.count++] =
       qn_arch_ring_point (ring, position_between (u0, u1, k, n), course * thickness);
   for (int32_t k = 0; k <= n; k++)
-    voussoir->points[voussoir->count++] =
+    voussoir.points[voussoir.count++] =
       upper_point (ring, u0, u1, k, n, (course + 1) * thickness);
-  qn_ring_orient (voussoir);
-  return true;
+  qn_ring_orient (&voussoir);
+  return voussoir;
 }
 
-bool
-qn_arch_ring_line (const QnArchRing *ring, bool outside, double level, QnRing *line)
+QnRing
+qn_arch_ring_line (const QnArchRing *ring, bool outside, double level)
 {
   size_t most = (size_t) ring->arch.voussoirs * ((size_t) ring->chords + 1) + 1;
-  line->points = qn_alloc (most, sizeof *line->points);
-  line->count = 0;
-  if (line->points == NULL)
-    return false;
-  line->points[line->count++] =
-    qn_arch_ring_point (ring, 0, outside ? ring->arch.ring : 0);
+  QnRing line = { g_new (QnVec2, most), 0 };
+  line.points[line.count++] = qn_arch_ring_point (ring, 0, outside ? ring->arch.ring : 0);
   for (int32_t i = 0; i < ring->arch.voussoirs; i++) {
     double u0 = joint_at (ring, i), u1 = joint_at (ring, i + 1);
     int32_t n = chords_between (ring, u0, u1);
     for (int32_t k = 1; k <= n; k++) {
-      QnVec2 last = line->points[line->count - 1];
+      QnVec2 last = line.points[line.count - 1];
       QnVec2 p = outside ? upper_point (ring, u0, u1, k, n, ring->arch.ring)
                          : qn_arch_ring_point (ring, position_between (u0, u1, k, n), 0);
       bool above = p.y >= level;
       if (above && p.y > level)
         p = qn_vec2_lerp (last, p, (level - last.y) / (p.y - last.y));
       p.y = above ? level : p.y;
-      line->points[line->count++] = p;
+      line.points[line.count++] = p;
       if (above)
-        return true;
+        return line;
     }
   }
-  return true;
+  return line;
 }

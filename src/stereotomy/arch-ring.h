@@ -42,10 +42,8 @@ qn_arch_ring_extrados (const QnArchRing *ring, double u)
   return qn_arch_ring_point (ring, u, ring->arch.ring);
 }
 
-/* Voussoir `index` from the left of a ring, counted from 0 inside; counter-clockwise. False when
- * memory runs out. */
-bool qn_arch_ring_voussoir (const QnArchRing *ring, int32_t course, int32_t index,
-                            QnRing *voussoir);
+/* Voussoir `index` from the left of a ring, counted from 0 inside; counter-clockwise. */
+QnRing qn_arch_ring_voussoir (const QnArchRing *ring, int32_t course, int32_t index);
 
 /* How many rings there are; the smaller radius of a three-centred arch, m. */
 static inline int32_t
@@ -58,4 +56,4 @@ double qn_arch_haunch (const QnArch *arch);
 
 /* The intrados, for the hole below it, or the extrados, from the left springing up to a level or to the
  * right one, as the voussoirs have it: an open line. */
-bool qn_arch_ring_line (const QnArchRing *ring, bool outside, double level, QnRing *line);
+QnRing qn_arch_ring_line (const QnArchRing *ring, bool outside, double level);

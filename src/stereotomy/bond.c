@@ -115,8 +115,6 @@ lay_unit (Course *course, double x0, double x1, double least, double most, QnDia
   piece->whole_width = fmin (whole, course->full_height);
   piece->cut = x1 - x0 < whole - tolerance
                || course->y1 - course->y0 < course->full_height * (1 - EDGE_TOLERANCE);
-  if (course->pieces->failed)
-    return qn_diag_no_memory (diag);
   if (course->pieces->count > QN_MAX_PIECES)
     return qn_masonry_problem (diag, QN_PROBLEM_TOO_MANY_BLOCKS, "unit", 0);
   return QN_OK;

@@ -1,5 +1,4 @@
 /* Closing gaps: sides -> joints -> lines -> corners. See gaps.h. */
-#include "core/base/memory.h"
 #include "stereotomy/gaps.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/weld.h"
@@ -55,7 +54,6 @@ typedef struct Sample {
 } Sample;
 
 typedef struct Closing {
-  QnPool pool; /* of all but the gaps */
   const QnRings *rings;
   QnGaps gaps;
   double slack;  /* m: by how much a line may cut into a block */
@@ -354,13 +352,11 @@ is_open (const Closing *closing, size_t joint)
 }
 
 /* One line for every joint as a whole where it can be, else for the largest parts of it. */
-static bool
+static void
 find_lines (Closing *closing)
 {
   ClosingSide *sides = closing->sides;
-  Rank *ranks = qn_alloc (closing->gaps.count, sizeof *ranks);
-  if (ranks == NULL)
-    return false;
+  g_autofree Rank *ranks = g_new (Rank, closing->gaps.count);
   for (size_t g = 0; g < closing->gaps.count; g++)
     ranks[g] = (Rank){ overlap_of (&closing->gaps.items[g]), g };
   qsort (ranks, closing->gaps.count, sizeof *ranks, compare_ranks);
@@ -402,8 +398,6 @@ find_lines (Closing *closing)
     }
   for (size_t i = 0; i < closing->side_count; i++)
     sides[i].joint = joint_of (closing, i);
-  free (ranks);
-  return true;
 }
 
 /* ---- corners ---- */
@@ -471,15 +465,15 @@ common_place (const Corner *corners, const QnId *group, size_t size)
 }
 
 /* Corners of several blocks where joints meet, within `reach` of each other, become one. */
-static bool
+static void
 gather_corners (const Closing *closing, QnRings *moved, double reach)
 {
-  QnPool room = { 0 };
-  Corner *corners = qn_pool_alloc (&room, closing->side_count, sizeof *corners);
-  QnBox *boxes = qn_pool_alloc (&room, closing->side_count, sizeof *boxes);
+  g_auto (QnPool) room = { 0 };
+  g_autofree Corner *corners = g_new (Corner, closing->side_count);
+  g_autofree QnBox *boxes = g_new (QnBox, closing->side_count);
   QnBoxTree tree;
   size_t count = 0;
-  for (size_t i = 0; !room.failed && i < moved->count; i++)
+  for (size_t i = 0; i < moved->count; i++)
     for (size_t k = 0; k < moved->items[i].count; k++) {
       const ClosingSide *after = &closing->sides[closing->first_side[i] + k];
       if (!after->has_line || !closing->sides[after->before].has_line)
@@ -489,9 +483,8 @@ gather_corners (const Closing *closing, QnRings *moved, double reach)
       corners[count++] =
         (Corner){ i, { &closing->sides[after->before], after }, at, false };
     }
-  qn_box_tree_init (&tree, boxes, count, &room);
-  const bool done = !room.failed;
-  for (size_t i = 0; done && i < count; i++) {
+  qn_tree_of (&tree, boxes, count, &room);
+  for (size_t i = 0; i < count; i++) {
     if (corners[i].taken)
       continue;
     QnId group[8];
@@ -514,50 +507,44 @@ gather_corners (const Closing *closing, QnRings *moved, double reach)
         *corners[group[k]].at = place;
     }
   }
-  qn_pool_clear (&room);
-  return done;
 }
 
-/* Takes from a ring what lies in another one, as long as one piece of nearly all of it is left. */
-static QnStatus
-trim (QnRing *ring, const QnRing *other, QnDiag *diag)
+static void
+swap_rings (QnRing *one, QnRing *two)
 {
-  QnRings cutter = { 0 }, left = { 0 };
-  qn_rings_add (&cutter, other->points, other->count);
-  QnStatus status = qn_polygon_difference (ring, &cutter, &left, diag);
-  if (status == QN_OK && left.count == 1
-      && qn_ring_area (&left.items[0]) > LEAST_LEFT * qn_ring_area (ring)) {
-    QnRing swap = *ring;
-    *ring = left.items[0];
-    left.items[0] = swap;
-  }
-  qn_rings_clear (&cutter);
-  qn_rings_clear (&left);
-  /* A ring that cannot be cut is reported as an overlap. */
-  return status == QN_ERROR_NO_MEMORY ? status : QN_OK;
+  QnRing swap = *one;
+  *one = *two;
+  *two = swap;
+}
+
+/* Takes from a ring what lies in another one, as long as one piece of nearly all of it is left. A ring that cannot
+ * be cut is reported as an overlap. */
+static void
+trim (QnRing *ring, QnRing *other)
+{
+  g_auto (QnRings) left = { 0 };
+  if (qn_polygon_difference (ring, &(QnRings){ .items = other, .count = 1 }, &left, NULL)
+        == QN_OK
+      && left.count == 1
+      && qn_ring_area (&left.items[0]) > LEAST_LEFT * qn_ring_area (ring))
+    swap_rings (ring, &left.items[0]);
 }
 
 /* Puts a ring back where it was. */
-static bool
+static void
 restore (QnRing *ring, const QnRing *before)
 {
-  QnRing copy = qn_ring_of (before->points, before->count);
-  if (copy.points == NULL)
-    return false;
-  qn_ring_clear (ring);
-  *ring = copy;
-  return true;
+  g_auto (QnRing) copy = qn_ring_of (before->points, before->count);
+  swap_rings (ring, &copy);
 }
 
 /* Area that two rings have in common, m2; 0 where it cannot be computed. */
 static double
 common_area (const QnRings *rings, const QnId pair[2])
 {
-  QnRings common = { 0 };
+  g_auto (QnRings) common = { 0 };
   qn_polygon_intersection (&rings->items[pair[0]], &rings->items[pair[1]], &common, NULL);
-  double area = qn_rings_area (&common);
-  qn_rings_clear (&common);
-  return area;
+  return qn_rings_area (&common);
 }
 
 static double
@@ -569,21 +556,20 @@ depth_of (QnBox a, QnBox b)
 
 /* Blocks that came to overlap: where more than two joints meet, or a block
  * touches another at its corner alone, no lines part them. The smaller one is trimmed. */
-static QnStatus
-trim_overlaps (const Closing *closing, QnRings *moved, QnDiag *diag)
+static void
+trim_overlaps (const Closing *closing, QnRings *moved)
 {
-  QnPool room = { 0 };
-  QnBox *boxes = qn_pool_alloc (&room, moved->count, sizeof *boxes);
+  g_auto (QnPool) room = { 0 };
+  g_auto (QnBoxPairs) pairs = { 0 };
+  g_autofree QnBox *boxes = g_new0 (QnBox, moved->count);
   QnBoxTree tree;
-  QnBoxPairs pairs = { 0 };
-  for (size_t i = 0; boxes != NULL && i < moved->count; i++)
+  for (size_t i = 0; i < moved->count; i++)
     if (moved->items[i].count > 0)
       boxes[i] = qn_box_of_points (moved->items[i].points, moved->items[i].count);
-  qn_box_tree_init (&tree, boxes, moved->count, &room);
-  bool done = !room.failed && qn_box_tree_pairs (&tree, 0, QN_MOST_SIDE_PAIRS, &pairs);
-  QnStatus status = done ? QN_OK : qn_diag_no_memory (diag);
+  qn_tree_of (&tree, boxes, moved->count, &room);
+  qn_require_memory (qn_box_tree_pairs (&tree, 0, QN_MOST_SIDE_PAIRS, &pairs));
   double least = ROUNDING * closing->widest;
-  for (size_t i = 0; status == QN_OK && i < pairs.count; i++) {
+  for (size_t i = 0; i < pairs.count; i++) {
     const QnId *ids = pairs.items[i];
     const bool second =
       qn_ring_area (&moved->items[ids[1]]) < qn_ring_area (&moved->items[ids[0]]);
@@ -592,33 +578,26 @@ trim_overlaps (const Closing *closing, QnRings *moved, QnDiag *diag)
     if (depth_of (boxes[pair[0]], boxes[pair[1]]) > least
         && common_area (moved, pair) > least * closing->widest
         && common_area (closing->rings, pair) <= least * closing->widest) {
-      status = trim (&moved->items[pair[0]], &moved->items[pair[1]], diag);
-      for (int k = 0; k < 2 && status == QN_OK; k++)
-        if (common_area (moved, pair) > least * closing->widest
-            && !restore (&moved->items[pair[k]], &closing->rings->items[pair[k]]))
-          status = qn_diag_no_memory (diag);
+      trim (&moved->items[pair[0]], &moved->items[pair[1]]);
+      for (int k = 0; k < 2; k++)
+        if (common_area (moved, pair) > least * closing->widest)
+          restore (&moved->items[pair[k]], &closing->rings->items[pair[k]]);
     }
   }
-  qn_box_pairs_clear (&pairs);
-  qn_pool_clear (&room);
-  return status;
 }
 
 /* ---- all of it ---- */
 
-static bool
+static void
 closing_init (Closing *closing, const QnRings *rings)
 {
+  const size_t gaps = closing->gaps.count;
   for (size_t i = 0; i < rings->count; i++)
     closing->side_count += rings->items[i].count;
-  const size_t gaps = closing->gaps.count;
-  closing->sides =
-    qn_pool_alloc (&closing->pool, closing->side_count, sizeof *closing->sides);
-  closing->first_side = qn_pool_alloc (&closing->pool, rings->count, sizeof (size_t));
-  closing->next_gap = qn_pool_alloc (&closing->pool, gaps, sizeof (size_t));
-  closing->samples = qn_pool_alloc (&closing->pool, 2 * gaps, sizeof (Sample));
-  if (closing->pool.failed)
-    return false;
+  closing->sides = g_new0 (ClosingSide, closing->side_count);
+  closing->first_side = g_new (size_t, rings->count);
+  closing->next_gap = g_new0 (size_t, gaps);
+  closing->samples = g_new (Sample, 2 * gaps);
   for (size_t i = 0, n = 0; i < rings->count; i++) {
     const QnRing *ring = &rings->items[i];
     closing->first_side[i] = n;
@@ -640,80 +619,63 @@ closing_init (Closing *closing, const QnRings *rings)
     for (int i = 0; i < 2; i++)
       closing->sides[side_of (closing, g, i)].faces = true;
   }
-  return true;
 }
 
-/* What is told of it; gaps that are left are looked for anew. */
-static QnStatus
-tell (const Closing *closing, const QnRings *moved, double most, QnGapClosing *told,
-      QnDiag *diag)
+static void
+closing_clear (Closing *closing)
 {
-  QnGaps left = { 0 };
-  QnStatus status = qn_gaps_find (moved, closing->slack, most, &left, diag);
-  *told = (QnGapClosing){ .left = left.count };
-  if (left.count > 0)
-    told->left_at =
-      qn_vec2_lerp (left.items[0].sides[0][0], left.items[0].sides[1][1], 0.5);
-  told->grown = qn_rings_area (moved) - qn_rings_area (closing->rings);
-  qn_gaps_clear (&left);
-  return status;
+  qn_gaps_clear (&closing->gaps);
+  g_free (closing->sides);
+  g_free (closing->first_side);
+  g_free (closing->next_gap);
+  g_free (closing->samples);
 }
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (Closing, closing_clear)
 
-static QnStatus
-close_once (QnRings *rings, double least, double most, QnGapClosing *told, QnDiag *diag)
+static QnGapClosing
+close_once (QnRings *rings, double least, double most)
 {
-  Closing closing = { .rings = rings, .slack = least };
-  QnRings moved = { 0 };
-  QnStatus status = qn_gaps_find (rings, -least, most, &closing.gaps, diag);
-  bool done = status == QN_OK && closing_init (&closing, rings) && find_lines (&closing);
-  for (size_t i = 0; done && i < rings->count; i++) {
+  g_auto (Closing) closing = { .rings = rings, .slack = least };
+  g_auto (QnRings) moved = { 0 };
+  g_auto (QnGaps) left = { 0 };
+  qn_gaps_find (rings, -least, most, &closing.gaps);
+  closing_init (&closing, rings);
+  find_lines (&closing);
+  for (size_t i = 0; i < rings->count; i++) {
     qn_rings_add (&moved, rings->items[i].points, rings->items[i].count);
-    done = !moved.failed;
-    for (size_t k = 0; done && k < rings->items[i].count; k++) {
+    for (size_t k = 0; k < rings->items[i].count; k++) {
       const ClosingSide *after = &closing.sides[closing.first_side[i] + k];
       moved.items[i].points[k] = corner (&closing.sides[after->before], after);
     }
   }
-  done = done && gather_corners (&closing, &moved, 0.5 * closing.widest);
-  if (done)
-    status = qn_snap_neighbours (&moved, least, NULL, diag);
-  if (done && status == QN_OK)
-    status = trim_overlaps (&closing, &moved, diag);
-  if (status == QN_OK && !done)
-    status = qn_diag_no_memory (diag);
-  if (status == QN_OK)
-    status = tell (&closing, &moved, most, told, diag);
-  if (status == QN_OK) {
-    QnRings swap = *rings;
-    *rings = moved;
-    moved = swap;
-  }
-  qn_rings_clear (&moved);
-  qn_gaps_clear (&closing.gaps);
-  qn_pool_clear (&closing.pool);
-  return status;
+  gather_corners (&closing, &moved, 0.5 * closing.widest);
+  qn_snap_neighbours (&moved, least, NULL);
+  trim_overlaps (&closing, &moved);
+  /* Gaps that are left are looked for anew. */
+  qn_gaps_find (&moved, least, most, &left);
+  QnGapClosing told = { .left = left.count };
+  if (left.count > 0)
+    told.left_at =
+      qn_vec2_lerp (left.items[0].sides[0][0], left.items[0].sides[1][1], 0.5);
+  told.grown = qn_rings_area (&moved) - qn_rings_area (rings);
+  QnRings swap = *rings;
+  *rings = moved;
+  moved = swap;
+  return told;
 }
 
-QnStatus
-qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *told,
-               QnDiag *diag)
+void
+qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *told)
 {
-  QnGapClosing first;
-  QnStatus status = close_once (rings, least, most, &first, diag);
+  QnGapClosing all = close_once (rings, least, most);
   /* Short sides may face each other only when their neighbours have grown. */
   size_t before = SIZE_MAX;
-  for (int i = 0;
-       i < MOST_PASSES && status == QN_OK && first.left > 0 && first.left < before; i++) {
-    QnGapClosing again;
-    before = first.left;
-    status = close_once (rings, least, most, &again, diag);
-    if (status == QN_OK) {
-      first.grown += again.grown;
-      first.left = again.left;
-      first.left_at = again.left_at;
-    }
+  for (int i = 0; i < MOST_PASSES && all.left > 0 && all.left < before; i++) {
+    before = all.left;
+    QnGapClosing again = close_once (rings, least, most);
+    again.grown += all.grown;
+    all = again;
   }
   if (told != NULL)
-    *told = first;
-  return status;
+    *told = all;
 }

@@ -12,9 +12,7 @@ typedef struct Search {
   const QnRings *rings;
   double least, most; /* m */
   double parallel;    /* cosine of the angle that still counts as parallel */
-  QnPool *room;       /* of the trees */
   QnBoxTree rings_tree;
-  QnGaps *gaps;
 } Search;
 
 static void
@@ -89,48 +87,30 @@ is_filled (const Search *search, const QnGap *gap)
   return filled == QN_N_ELEMENTS (places);
 }
 
-static bool
-collect (Search *search)
+void
+qn_gaps_find (const QnRings *rings, double least, double most, QnGaps *gaps)
 {
-  QnBoxTree tree;
-  QnBoxPairs pairs = { 0 };
-  QnRingSide *sides = qn_rings_side_tree (search->rings, 0, &tree, search->room);
-  bool done = !search->room->failed
-              && qn_box_tree_pairs (
-                &tree, search->most,
-                QN_MOST_SIDE_PAIRS + QN_PAIRS_PER_SIDE * tree.item_count, &pairs);
-  for (size_t i = 0; done && i < pairs.count; i++) {
-    QnRingSide one = sides[pairs.items[i][0]], two = sides[pairs.items[i][1]];
-    QnGap gap = { .rings = { one.ring, two.ring }, .edges = { one.edge, two.edge } };
-    if (one.ring != two.ring && face_each_other (search, one, two, &gap)
-        && !is_filled (search, &gap))
-      done = QN_ARRAY_PUSH (search->gaps->items, search->gaps->count,
-                            search->gaps->capacity, gap);
-  }
-  qn_box_pairs_clear (&pairs);
-  return done;
-}
-
-QnStatus
-qn_gaps_find (const QnRings *rings, double least, double most, QnGaps *gaps, QnDiag *diag)
-{
-  QnPool room = { 0 };
+  g_auto (QnPool) room = { 0 };
+  g_auto (QnBoxPairs) pairs = { 0 };
   Search search = { .rings = rings,
                     .least = least,
                     .most = most,
-                    .parallel = cos (QN_GAP_ANGLE * acos (-1.0) / 180),
-                    .gaps = gaps,
-                    .room = &room };
+                    .parallel = cos (QN_GAP_ANGLE * acos (-1.0) / 180) };
+  QnBoxTree tree;
   *gaps = (QnGaps){ 0 };
   if (rings->count < 2 || !(most > least))
-    return qn_rings_status (rings, diag);
+    return;
   qn_rings_tree (rings, 0, &search.rings_tree, &room);
-  bool done = !rings->failed && collect (&search);
-  qn_pool_clear (&room);
-  if (done)
-    return QN_OK;
-  qn_gaps_clear (gaps);
-  return qn_diag_no_memory (diag);
+  QnRingSide *sides = qn_rings_side_tree (rings, 0, &tree, &room);
+  qn_require_memory (qn_box_tree_pairs (
+    &tree, most, QN_MOST_SIDE_PAIRS + QN_PAIRS_PER_SIDE * tree.item_count, &pairs));
+  for (size_t i = 0; i < pairs.count; i++) {
+    QnRingSide one = sides[pairs.items[i][0]], two = sides[pairs.items[i][1]];
+    QnGap gap = { .rings = { one.ring, two.ring }, .edges = { one.edge, two.edge } };
+    if (one.ring != two.ring && face_each_other (&search, one, two, &gap)
+        && !is_filled (&search, &gap))
+      qn_require_memory (QN_ARRAY_PUSH (gaps->items, gaps->count, gaps->capacity, gap));
+  }
 }
 
 void
@@ -174,15 +154,13 @@ double
 qn_gaps_usual_width (const QnRings *rings)
 {
   size_t count = 0;
-  double *widths = qn_alloc (rings->count, sizeof *widths), usual = 0;
-  for (size_t i = 0; widths != NULL && i < rings->count; i++)
+  g_autofree double *widths = g_new (double, rings->count);
+  for (size_t i = 0; i < rings->count; i++)
     if (rings->items[i].count >= 3)
       widths[count++] =
         qn_ring_area (&rings->items[i]) / qn_ring_perimeter (&rings->items[i]);
-  if (count > 0) {
-    qsort (widths, count, sizeof *widths, qn_compare_doubles);
-    usual = fmin (widths[count / 2], USUAL_MOST);
-  }
-  free (widths);
-  return usual;
+  if (count == 0)
+    return 0;
+  qsort (widths, count, sizeof *widths, qn_compare_doubles);
+  return fmin (widths[count / 2], USUAL_MOST);
 }

@@ -16,7 +16,6 @@
  */
 #pragma once
 
-#include "core/base/status.h"
 #include "stereotomy/ring.h"
 
 /* Sides that deviate more from parallel (degrees) bound no joint. */
@@ -50,18 +49,17 @@ typedef struct QnGapClosing {
 /* All gaps wider than `least` and up to `most` (m) from end to end; with `least` < 0 also sides that
  * touch, and overlap by up to that. Of very many sides in one place only the first
  * QN_MOST_SIDE_PAIRS pairs are compared. `gaps` is overwritten without being cleared. */
-QnStatus qn_gaps_find (const QnRings *rings, double least, double most, QnGaps *gaps,
-                       QnDiag *diag);
+void qn_gaps_find (const QnRings *rings, double least, double most, QnGaps *gaps);
 void qn_gaps_clear (QnGaps *gaps);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnGaps, qn_gaps_clear)
 
 /* Widths of gaps at their ends: least, mean, most; m. There must be one. */
 void qn_gaps_widths (const QnGaps *gaps, double *least, double *mean, double *most);
 
 /* Lets blocks grow until the gaps between them that are wider than `least` and up to `most` (m) are
  * closed. Rings keep their order; those without such gaps keep every digit. `closing` (nullable)
- * is overwritten. On failure the rings are as they were. */
-QnStatus qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *closing,
-                        QnDiag *diag);
+ * is overwritten. */
+void qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *closing);
 
 /* Appends to `rings` the body of mortar in each gap, a quadrangle. */
 void qn_gaps_fill (const QnGaps *gaps, QnRings *rings);

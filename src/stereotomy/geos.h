@@ -1,7 +1,6 @@
-/* The only access to GEOS: a context per computation, rings in and out.
+/* The only access to GEOS: rings in and out.
  *
- * Every failure shows in a NULL result and becomes a QnStatus. The messages of GEOS are used only to
- * recognise lack of memory. Private to this layer.
+ * A failure shows in a NULL result and becomes a QnStatus. Private to this layer.
  */
 #pragma once
 
@@ -10,33 +9,28 @@
 
 #include <geos_c.h>
 
-typedef struct QnGeos {
-  GEOSContextHandle_t handle;
-  bool no_memory; /* something failed for lack of it */
-} QnGeos;
+/* The context of this thread. */
+GEOSContextHandle_t qn_geos (void);
 
-/* NULL handle when memory runs out. The struct must stay where it is until it is cleared. */
-QnStatus qn_geos_init (QnGeos *geos, QnDiag *diag);
-void qn_geos_clear (QnGeos *geos);
+static inline void
+qn_geos_destroy (GEOSGeometry *geometry)
+{
+  GEOSGeom_destroy_r (qn_geos (), geometry);
+}
+G_DEFINE_AUTOPTR_CLEANUP_FUNC (GEOSGeometry, qn_geos_destroy)
 
-/* A GEOS polygon; NULL when memory runs out. */
-GEOSGeometry *qn_geos_polygon (QnGeos *geos, const QnVec2 *points, size_t count);
+/* Of three points or more. */
+GEOSGeometry *qn_geos_polygon (const QnVec2 *points, size_t count);
 
-/* A line through points; NULL when memory runs out. */
-GEOSGeometry *qn_geos_line (QnGeos *geos, const QnVec2 *points, size_t count);
+/* A line through points. */
+GEOSGeometry *qn_geos_line (const QnVec2 *points, size_t count);
 
-/* A collection of this type of `count` parts, which it takes over as the list of them; NULL when memory
- * ran out, for it or before for any of them. */
-GEOSGeometry *qn_geos_gather (QnGeos *geos, int type, GEOSGeometry **parts, size_t count);
-
-/* A collection of polygons, NULL when memory runs out. */
-GEOSGeometry *qn_geos_collection (QnGeos *geos, const QnRings *rings);
+/* A collection of polygons. */
+GEOSGeometry *qn_geos_collection (const QnRings *rings);
 
 /* The outer rings of all polygons in `geometry` appended to `rings`, counter-clockwise, first
  * vertex lowest left; lines and points are ignored. `holes` (nullable) counts inner rings. */
-void qn_geos_read_polygons (QnGeos *geos, const GEOSGeometry *geometry, QnRings *rings,
-                            size_t *holes);
+void qn_geos_read_polygons (const GEOSGeometry *geometry, QnRings *rings, size_t *holes);
 
-/* A function above or a GEOS operation failed: QN_ERROR_NO_MEMORY, or QN_ERROR_INTERNAL with
- * QN_PROBLEM_GEOMETRY_FAILED. */
-QnStatus qn_geos_failed (const QnGeos *geos, QnDiag *diag);
+/* A GEOS operation failed: QN_ERROR_INTERNAL with QN_PROBLEM_GEOMETRY_FAILED. */
+QnStatus qn_geos_failed (QnDiag *diag);

@@ -11,9 +11,8 @@
 void
 qn_segments_add (QnSegments *segments, QnVec2 a, QnVec2 b)
 {
-  if (!QN_ARRAY_PUSH (segments->items, segments->count, segments->capacity,
-                      (QnSegment){ a, b }))
-    segments->failed = true;
+  qn_require_memory (QN_ARRAY_PUSH (segments->items, segments->count, segments->capacity,
+                                    (QnSegment){ a, b }));
 }
 
 void
@@ -23,31 +22,31 @@ qn_segments_clear (QnSegments *segments)
   *segments = (QnSegments){ 0 };
 }
 
-QnBox *
+static QnBox
+box_of (QnSegment s)
+{
+  return qn_box_of_segment (s.a, s.b);
+}
+
+void
 qn_segments_tree (const QnSegments *segments, double margin, QnBoxTree *tree,
                   QnPool *pool)
 {
-  QnBox *boxes = qn_pool_alloc (pool, segments->count, sizeof *boxes);
-  for (size_t i = 0; boxes != NULL && i < segments->count; i++)
-    boxes[i] = qn_box_grow (
-      qn_box_of_segment (segments->items[i].a, segments->items[i].b), margin);
-  qn_box_tree_init (tree, boxes, segments->count, pool);
-  return boxes;
+  g_autofree QnBox *boxes = g_new (QnBox, segments->count);
+  for (size_t i = 0; i < segments->count; i++)
+    boxes[i] = qn_box_grow (box_of (segments->items[i]), margin);
+  qn_tree_of (tree, boxes, segments->count, pool);
 }
 
 /* Welds the ends by handing them over as two-point rings. */
-static QnStatus
-weld_ends (QnSegments *segments, double tolerance, QnHealing *healing, QnDiag *diag)
+static void
+weld_ends (QnSegments *segments, double tolerance, QnHealing *healing)
 {
-  QnRings pairs = { .items = qn_alloc (segments->count, sizeof *pairs.items),
-                    .count = segments->count };
-  if (pairs.items == NULL)
-    return qn_diag_no_memory (diag);
+  g_autofree QnRing *pairs = g_new (QnRing, segments->count);
   for (size_t i = 0; i < segments->count; i++)
-    pairs.items[i] = (QnRing){ &segments->items[i].a, 2 };
-  QnStatus status = qn_weld_vertices (&pairs, 0, tolerance, NULL, healing, diag);
-  free (pairs.items);
-  return status;
+    pairs[i] = (QnRing){ &segments->items[i].a, 2 };
+  qn_weld_vertices (&(QnRings){ .items = pairs, .count = segments->count }, 0, tolerance,
+                    NULL, healing);
 }
 
 /* By their ends, the lower or left one first. */
@@ -117,16 +116,10 @@ typedef struct Split {
   QnVec2 at;
 } Split;
 
-typedef struct Splits {
-  Split *items;
-  size_t count, capacity;
-} Splits;
-
-/* Brings one end of segment `index` onto the nearest other segment it almost reaches. False when
- * memory runs out. */
-static bool
+/* Brings one end of segment `index` onto the nearest other segment it almost reaches. */
+static void
 reach (QnSegments *segments, size_t index, bool first, const QnBoxTree *tree,
-       double tolerance, Splits *splits, QnHealing *healing)
+       double tolerance, GArray *splits, QnHealing *healing)
 {
   QnSegment *own = &segments->items[index];
   QnVec2 end = first ? own->a : own->b, start = first ? own->b : own->a, best = end;
@@ -140,7 +133,7 @@ reach (QnSegments *segments, size_t index, bool first, const QnBoxTree *tree,
     /* A shared end is met already. */
     if ((other.a.x == end.x && other.a.y == end.y)
         || (other.b.x == end.x && other.b.y == end.y))
-      return true;
+      return;
     QnVec2 to;
     if (!meet (start, end, other, tolerance, &to))
       continue;
@@ -152,16 +145,16 @@ reach (QnSegments *segments, size_t index, bool first, const QnBoxTree *tree,
     }
   }
   if (!isfinite (nearest))
-    return true;
+    return;
   if (nearest > NEGLIGIBLE * tolerance) {
     *(first ? &own->a : &own->b) = best;
     qn_healing_note (healing, end, best);
   } else {
     best = end;
   }
-  return QN_ARRAY_PUSH (
-    splits->items, splits->count, splits->capacity,
-    (Split){ met, qn_vec2_length (qn_vec2_sub (best, segments->items[met].a)), best });
+  const Split split = { met, qn_vec2_length (qn_vec2_sub (best, segments->items[met].a)),
+                        best };
+  g_array_append_val (splits, split);
 }
 
 static int
@@ -173,36 +166,23 @@ compare_splits (const void *left, const void *right)
   return a->distance < b->distance ? -1 : a->distance > b->distance;
 }
 
-/* Parts the segments at their splits; the last part takes the place of the whole. */
+/* Brings ends onto segments, and parts those there; the last part takes the place of the whole. */
 static void
-apply_splits (QnSegments *segments, Splits *splits)
+close_gaps (QnSegments *segments, double tolerance, QnHealing *healing)
 {
-  if (splits->count > 1)
-    qsort (splits->items, splits->count, sizeof *splits->items, compare_splits);
-  for (size_t i = 0; i < splits->count; i++) {
-    size_t index = splits->items[i].segment;
-    QnVec2 from = segments->items[index].a;
-    qn_segments_add (segments, from, splits->items[i].at);
-    segments->items[index].a = splits->items[i].at;
-  }
-}
-
-static QnStatus
-close_gaps (QnSegments *segments, double tolerance, QnHealing *healing, QnDiag *diag)
-{
-  QnPool room = { 0 };
+  g_auto (QnPool) room = { 0 };
+  g_autoptr (GArray) splits = g_array_new (FALSE, FALSE, sizeof (Split));
   QnBoxTree tree;
-  Splits splits = { 0 };
   qn_segments_tree (segments, tolerance, &tree, &room);
-  bool done = !room.failed;
-  for (size_t i = 0, count = segments->count; done && i < count; i++)
-    done = reach (segments, i, true, &tree, tolerance, &splits, healing)
-           && reach (segments, i, false, &tree, tolerance, &splits, healing);
-  if (done)
-    apply_splits (segments, &splits);
-  qn_pool_clear (&room);
-  free (splits.items);
-  return done && !segments->failed ? QN_OK : qn_diag_no_memory (diag);
+  for (size_t i = 0; i < segments->count; i++)
+    for (int end = 0; end < 2; end++)
+      reach (segments, i, end == 0, &tree, tolerance, splits, healing);
+  g_array_sort (splits, compare_splits);
+  for (guint i = 0; i < splits->len; i++) {
+    const Split *split = &g_array_index (splits, Split, i);
+    qn_segments_add (segments, segments->items[split->segment].a, split->at);
+    segments->items[split->segment].a = split->at;
+  }
 }
 
 static bool
@@ -216,47 +196,35 @@ crosses (QnSegment s, QnSegment t)
   return ((a > 0 && b < 0) || (a < 0 && b > 0)) && ((c > 0 && f < 0) || (c < 0 && f > 0));
 }
 
-/* Refuses a soup whose lines cross too often. */
-static QnStatus
-check_crossings (const QnSegments *segments, QnDiag *diag)
+/* Whether the lines of a soup cross too often. */
+static bool
+cross_too_often (const QnSegments *segments)
 {
-  QnPool room = { 0 };
+  g_auto (QnPool) room = { 0 };
   QnBoxTree tree;
-  QnBox *boxes = qn_segments_tree (segments, 0, &tree, &room);
   size_t crossings = 0, meetings = 0;
-  bool done = !room.failed, most = false;
-  for (size_t i = 0; done && !most && i < segments->count; i++) {
-    QnBoxQuery query = qn_box_tree_query (&tree, boxes[i]);
-    for (QnId k; !most && (k = qn_box_query_next (&query)) != QN_NONE;) {
+  qn_segments_tree (segments, 0, &tree, &room);
+  for (size_t i = 0; i < segments->count; i++) {
+    QnBoxQuery query = qn_box_tree_query (&tree, box_of (segments->items[i]));
+    for (QnId k; (k = qn_box_query_next (&query)) != QN_NONE;) {
       meetings++;
       crossings += (size_t) k > i && crosses (segments->items[i], segments->items[k]);
-      most = crossings > QN_MOST_CROSSINGS || meetings > QN_MOST_LINE_MEETINGS;
+      if (crossings > QN_MOST_CROSSINGS || meetings > QN_MOST_LINE_MEETINGS)
+        return true;
     }
   }
-  qn_pool_clear (&room);
-  if (most)
-    return qn_refuse (diag, QN_PROBLEM_TOO_MANY_CROSSINGS, QN_ENTITY_MODEL, QN_NONE);
-  return done ? QN_OK : qn_diag_no_memory (diag);
-}
-
-static GEOSGeometry *
-lines_geometry (QnGeos *geos, const QnSegments *segments)
-{
-  GEOSGeometry **lines = qn_alloc (segments->count, sizeof *lines);
-  for (size_t i = 0; lines != NULL && i < segments->count; i++)
-    lines[i] = qn_geos_line (geos, &segments->items[i].a, 2); /* and b behind it */
-  return qn_geos_gather (geos, GEOS_MULTILINESTRING, lines, segments->count);
+  return false;
 }
 
 /* Polygons without holes; those with holes are counted. */
 static void
-read_faces (QnGeos *geos, const GEOSGeometry *polygons, QnRings *faces, size_t *holes)
+read_faces (const GEOSGeometry *polygons, QnRings *faces, size_t *holes)
 {
-  int count = GEOSGetNumGeometries_r (geos->handle, polygons);
+  int count = GEOSGetNumGeometries_r (qn_geos (), polygons);
   for (int i = 0; i < count; i++) {
-    const GEOSGeometry *polygon = GEOSGetGeometryN_r (geos->handle, polygons, i);
-    if (GEOSGetNumInteriorRings_r (geos->handle, polygon) == 0)
-      qn_geos_read_polygons (geos, polygon, faces, NULL);
+    const GEOSGeometry *polygon = GEOSGetGeometryN_r (qn_geos (), polygons, i);
+    if (GEOSGetNumInteriorRings_r (qn_geos (), polygon) == 0)
+      qn_geos_read_polygons (polygon, faces, NULL);
     else if (holes != NULL)
       (*holes)++;
   }
@@ -276,53 +244,44 @@ static QnStatus
 enclosed_faces (const QnSegments *segments, double tolerance, QnRings *faces,
                 size_t *holes, QnDiag *diag)
 {
-  QnGeos geos = { 0 };
-  QnStatus status = qn_geos_init (&geos, diag);
-  if (status != QN_OK)
-    return status;
-  size_t before = faces->count;
-  GEOSGeometry *lines = lines_geometry (&geos, segments);
-  GEOSGeometry *noded = lines != NULL ? GEOSUnaryUnion_r (geos.handle, lines) : NULL;
+  GEOSContextHandle_t geos = qn_geos ();
+  g_autofree GEOSGeometry **parts = g_new (GEOSGeometry *, segments->count);
+  for (size_t i = 0; i < segments->count; i++)
+    parts[i] = qn_geos_line (&segments->items[i].a, 2); /* and b behind it */
+  g_autoptr (GEOSGeometry) lines = GEOSGeom_createCollection_r (
+    geos, GEOS_MULTILINESTRING, parts, (unsigned) segments->count);
+  g_autoptr (GEOSGeometry) noded = GEOSUnaryUnion_r (geos, lines);
   const GEOSGeometry *input = noded;
-  GEOSGeometry *polygons =
-    noded != NULL ? GEOSPolygonize_r (geos.handle, &input, 1) : NULL;
-  if (polygons != NULL)
-    read_faces (&geos, polygons, faces, holes);
-  status = polygons != NULL ? qn_rings_status (faces, diag)
-           : lines == NULL  ? qn_diag_no_memory (diag)
-                            : qn_geos_failed (&geos, diag);
-  GEOSGeom_destroy_r (geos.handle, lines);
-  GEOSGeom_destroy_r (geos.handle, noded);
-  GEOSGeom_destroy_r (geos.handle, polygons);
-  qn_geos_clear (&geos);
-  for (size_t i = before; i < faces->count; i++) {
+  g_autoptr (GEOSGeometry) polygons =
+    noded != NULL ? GEOSPolygonize_r (geos, &input, 1) : NULL;
+  if (polygons == NULL)
+    return qn_geos_failed (diag);
+  read_faces (polygons, faces, holes);
+  for (size_t i = 0; i < faces->count; i++) {
     qn_ring_simplify (&faces->items[i], NEGLIGIBLE * tolerance);
     qn_ring_normalize (&faces->items[i]);
   }
-  return status;
+  return QN_OK;
 }
 
 QnStatus
 qn_linework_polygonize (QnSegments *segments, double tolerance, QnRings *faces,
                         size_t *holes, QnHealing *healing, QnDiag *diag)
 {
-  QnStatus status = segments->failed ? qn_diag_no_memory (diag)
-                                     : weld_ends (segments, tolerance, healing, diag);
+  g_auto (QnRings) found = { 0 };
+  weld_ends (segments, tolerance, healing);
   drop_needless (segments);
-  if (status != QN_OK || segments->count == 0)
-    return status;
-  status = check_crossings (segments, diag);
-  if (status == QN_OK)
-    status = close_gaps (segments, tolerance, healing, diag);
+  if (segments->count == 0)
+    return QN_OK;
+  if (cross_too_often (segments))
+    return qn_refuse (diag, QN_PROBLEM_TOO_MANY_CROSSINGS, QN_ENTITY_MODEL, QN_NONE);
+  close_gaps (segments, tolerance, healing);
   drop_needless (segments);
-  QnRings found = { 0 };
-  if (status == QN_OK)
-    status = enclosed_faces (segments, tolerance, &found, holes, diag);
+  QnStatus status = enclosed_faces (segments, tolerance, &found, holes, diag);
   qn_drop_collapsed (&found);
   if (found.count > 1)
     qsort (found.items, found.count, sizeof *found.items, compare_faces);
   for (size_t i = 0; i < found.count && status == QN_OK; i++)
     qn_rings_take (faces, &found.items[i]);
-  qn_rings_clear (&found);
-  return status == QN_OK ? qn_rings_status (faces, diag) : status;
+  return status;
 }

@@ -7,19 +7,18 @@ typedef struct QnSegment {
   QnVec2 a, b; /* m */
 } QnSegment;
 
-/* As QnRings. */
 typedef struct QnSegments {
   QnSegment *items;
   size_t count, capacity;
-  bool failed;
 } QnSegments;
 
 void qn_segments_add (QnSegments *segments, QnVec2 a, QnVec2 b);
 void qn_segments_clear (QnSegments *segments);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnSegments, qn_segments_clear)
 
-/* A tree of them, each grown by the margin, in memory of the pool; their boxes. */
-QnBox *qn_segments_tree (const QnSegments *segments, double margin, QnBoxTree *tree,
-                         QnPool *pool);
+/* A tree of them, each grown by the margin, in memory of the pool. */
+void qn_segments_tree (const QnSegments *segments, double margin, QnBoxTree *tree,
+                       QnPool *pool);
 
 /* Crossings of lines that are divided at, and pairs of lines whose boxes meet that are looked at: every
  * crossing is a corner of four faces, so that a soup of n lines may have n^2 of them. */

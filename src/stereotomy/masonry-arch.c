@@ -38,9 +38,8 @@ qn_arch_lay_ring (const QnArch *arch, QnVec2 at, const char *prefix, QnPieces *p
   qn_arch_ring_init (&ring, arch);
   int32_t rings = qn_arch_rings (arch);
   for (int32_t r = 0; r < rings; r++)
-    for (int32_t i = 0; i < arch->voussoirs && !pieces->failed; i++) {
-      QnRing voussoir;
-      qn_arch_ring_voussoir (&ring, r, i, &voussoir);
+    for (int32_t i = 0; i < arch->voussoirs; i++) {
+      QnRing voussoir = qn_arch_ring_voussoir (&ring, r, i);
       for (size_t k = 0; k < voussoir.count; k++)
         voussoir.points[k] = qn_vec2_add (at, voussoir.points[k]);
       QnPiece *piece =

@@ -1,6 +1,5 @@
 /* The makers of the kinds of masonry; each fills `pieces` in the object's own frame and reports
- * bad parameters with the key concerned; pieces that there was no memory for are told by the list. Private to
- * this layer. */
+ * bad parameters with the key concerned. Private to this layer. */
 #pragma once
 
 #include "core/base/numbers.h"
@@ -29,7 +28,7 @@ QnStatus qn_bond_lay_leaf (const QnMasonry *masonry, size_t leaf, double left,
                            QnPieces *pieces, QnDiag *diag);
 QnStatus qn_openings_cut (const QnMasonry *masonry, QnBox wall, QnPieces *pieces,
                           QnDiag *diag);
-QnStatus qn_slivers_merge (double minimum_piece, QnPieces *pieces, QnDiag *diag);
+void qn_slivers_merge (double minimum_piece, QnPieces *pieces);
 
 /* A number that breaks a rule: QN_ERROR_INVALID at `field`. The callers fill in the object's
  * index. */

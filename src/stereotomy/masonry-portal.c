@@ -1,11 +1,8 @@
 /* Piers with lintels or arches between them. */
-#include "core/base/memory.h"
 #include "stereotomy/arch-ring.h"
 #include "stereotomy/masonry-parts.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 /* A number of a bay or pier: its own, or the usual one. */
 static double
@@ -112,7 +109,7 @@ lay_pier (const QnMasonry *masonry, int32_t pier, QnPieces *pieces)
     qn_pieces_add (pieces, qn_rectangle (x0, -masonry->foundation, x1, 0), "%s.base%d",
                    masonry->name, pier + 1)
       ->fixed = true;
-  for (int32_t i = 0; i < portal->courses && !pieces->failed; i++) {
+  for (int32_t i = 0; i < portal->courses; i++) {
     double y0 = portal->pier_height * i / portal->courses;
     double y1 = portal->pier_height * (i + 1) / portal->courses;
     qn_pieces_add (pieces, qn_rectangle (x0, y0, x1, y1), "%s.pier%d.%d", masonry->name,
@@ -162,23 +159,19 @@ lay_backing (const QnMasonry *masonry, const QnArchRing rings[2], int32_t pier,
   const QnPortal *portal = &masonry->portal;
   double x[] = { pier_left (portal, pier),
                  pier_left (portal, pier) + pier_width (portal, pier) };
-  QnRing lines[2] = { { 0 } }, block;
-  bool made = qn_arch_ring_line (&rings[0], true, portal->backing, &lines[0])
-              && qn_arch_ring_line (&rings[1], true, portal->backing, &lines[1]);
-  const size_t count = lines[1].count, all = count + lines[0].count;
-  block.points = made ? qn_alloc (all + 2, sizeof *block.points) : NULL;
-  block.count = 0;
+  g_auto (QnRing) left = qn_arch_ring_line (&rings[0], true, portal->backing);
+  g_auto (QnRing) right = qn_arch_ring_line (&rings[1], true, portal->backing);
+  const size_t all = right.count + left.count;
+  QnRing block = { g_new (QnVec2, all), 0 };
   /* Right of the pier from below, then left of it from above; an end is upright. */
-  for (size_t k = 0; k < all && block.points != NULL; k++) {
-    bool right = k < count;
-    QnVec2 p = right ? lines[1].points[k] : lines[0].points[all - 1 - k];
-    if (right ? pier == portal->bays : pier == 0)
+  for (size_t k = 0; k < all; k++) {
+    bool ahead = k < right.count;
+    QnVec2 p = ahead ? right.points[k] : left.points[all - 1 - k];
+    if (ahead ? pier == portal->bays : pier == 0)
       p.x = 0;
     block.points[block.count++] =
-      qn_vec2 (right ? x[1] + p.x : x[0] - p.x, portal->pier_height + p.y);
+      qn_vec2 (ahead ? x[1] + p.x : x[0] - p.x, portal->pier_height + p.y);
   }
-  for (int side = 0; side < 2; side++)
-    qn_ring_clear (&lines[side]);
   qn_ring_simplify (&block, 1e-9 * portal->pier_width);
   qn_pieces_add (pieces, block, "%s.backing%d", masonry->name, pier + 1);
 }
@@ -187,15 +180,10 @@ static void
 lay_arch (const QnMasonry *masonry, int32_t bay, QnPieces *pieces)
 {
   const QnPortal *portal = &masonry->portal;
-  char *prefix;
-  if (asprintf (&prefix, "%s.arch%d", masonry->name, bay + 1) < 0) {
-    pieces->failed = true;
-    return;
-  }
+  g_autofree char *prefix = g_strdup_printf ("%s.arch%d", masonry->name, bay + 1);
   const QnArch arch = arch_of (portal, bay);
   QnVec2 at = { pier_left (portal, bay) + pier_width (portal, bay), portal->pier_height };
   qn_arch_lay_ring (&arch, at, prefix, pieces);
-  free (prefix);
 }
 
 QnStatus

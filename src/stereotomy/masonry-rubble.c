@@ -1,14 +1,11 @@
 /* Rubble: a seeded Voronoi tessellation, its short edges closed, within a trapezium. */
 #include "core/base/integer.h"
-#include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "stereotomy/geos.h"
 #include "stereotomy/masonry-parts.h"
 #include "stereotomy/noise.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/weld.h"
-
-#include <stdlib.h>
 
 /* Edges shorter than this part of a stone are closed: no mason leaves them, and contact
  * detection would have to tell them from points. */
@@ -92,7 +89,7 @@ site_at (const QnRubble *rubble, int32_t row, int32_t column)
   return qn_vec2 (x, y);
 }
 
-/* The sites of all stones, row by row; NULL when memory runs out. */
+/* The sites of all stones, row by row. */
 static QnVec2 *
 lay_sites (const QnRubble *rubble, size_t *count)
 {
@@ -100,8 +97,8 @@ lay_sites (const QnRubble *rubble, size_t *count)
   size_t total = 0, i = 0;
   for (int32_t row = 0; row < rows; row++)
     total += (size_t) column_count (rubble, (row + 0.5) * rubble->height / rows);
-  QnVec2 *sites = qn_alloc (total, sizeof *sites);
-  for (int32_t row = 0; sites != NULL && row < rows; row++) {
+  QnVec2 *sites = g_new (QnVec2, total);
+  for (int32_t row = 0; row < rows; row++) {
     int32_t columns = column_count (rubble, (row + 0.5) * rubble->height / rows);
     for (int32_t column = 0; column < columns; column++)
       sites[i++] = site_at (rubble, row, column);
@@ -117,28 +114,15 @@ divide (const QnVec2 *sites, size_t count, const QnRing *outline, QnRings *cells
 {
   if (count == 1) {
     qn_rings_add (cells, outline->points, outline->count);
-    return qn_rings_status (cells, diag);
+    return QN_OK;
   }
-  QnGeos geos = { 0 };
-  QnStatus status = qn_geos_init (&geos, diag);
-  if (status != QN_OK)
-    return status;
-  GEOSGeometry *line = qn_geos_line (&geos, sites, count);
-  GEOSGeometry *frame = qn_geos_polygon (&geos, outline->points, outline->count);
-  if (line == NULL || frame == NULL) {
-    status = qn_diag_no_memory (diag);
-  } else {
-    GEOSGeometry *diagram = GEOSVoronoiDiagram_r (geos.handle, line, frame, 0, 0);
-    if (diagram != NULL)
-      qn_geos_read_polygons (&geos, diagram, cells, NULL);
-    status =
-      diagram != NULL ? qn_rings_status (cells, diag) : qn_geos_failed (&geos, diag);
-    GEOSGeom_destroy_r (geos.handle, diagram);
-  }
-  GEOSGeom_destroy_r (geos.handle, line);
-  GEOSGeom_destroy_r (geos.handle, frame);
-  qn_geos_clear (&geos);
-  return status;
+  g_autoptr (GEOSGeometry) line = qn_geos_line (sites, count);
+  g_autoptr (GEOSGeometry) frame = qn_geos_polygon (outline->points, outline->count);
+  g_autoptr (GEOSGeometry) diagram = GEOSVoronoiDiagram_r (qn_geos (), line, frame, 0, 0);
+  if (diagram == NULL)
+    return qn_geos_failed (diag);
+  qn_geos_read_polygons (diagram, cells, NULL);
+  return QN_OK;
 }
 
 /* Index of the cell around a site, or QN_NONE. */
@@ -160,26 +144,21 @@ static QnStatus
 tessellate (const QnVec2 *sites, size_t count, const QnRing *outline, QnRing *stones,
             QnDiag *diag)
 {
-  QnRings cells = { 0 };
-  QnStatus status = divide (sites, count, outline, &cells, diag);
-  QnPool room = { 0 };
+  g_auto (QnRings) cells = { 0 };
+  g_auto (QnPool) room = { 0 };
   QnBoxTree tree;
+  QnStatus status = divide (sites, count, outline, &cells, diag);
   qn_rings_tree (&cells, 0, &tree, &room);
-  if (status == QN_OK && room.failed)
-    status = qn_diag_no_memory (diag);
   for (size_t i = 0; i < count && status == QN_OK; i++) {
     QnId cell = cell_of (&cells, &tree, sites[i]);
-    QnRings parts = { 0 };
+    g_auto (QnRings) parts = { 0 };
     if (cell != QN_NONE)
       status = qn_polygon_intersection (&cells.items[cell], outline, &parts, diag);
     if (status == QN_OK && parts.count > 0) {
       stones[i] = parts.items[0];
       parts.items[0] = (QnRing){ 0 };
     }
-    qn_rings_clear (&parts);
   }
-  qn_pool_clear (&room);
-  qn_rings_clear (&cells);
   return status;
 }
 
@@ -227,35 +206,30 @@ lay_stones (const QnMasonry *masonry, const QnRing *outline, QnPieces *pieces,
             QnDiag *diag)
 {
   size_t count;
-  QnVec2 *sites = lay_sites (&masonry->rubble, &count);
-  QnRing *stones = qn_alloc (count, sizeof *stones);
-  QnStatus status = sites != NULL && stones != NULL ? QN_OK : qn_diag_no_memory (diag);
-  if (status == QN_OK && masonry->rubble.relaxed)
+  g_autofree QnVec2 *sites = lay_sites (&masonry->rubble, &count);
+  g_autofree QnRing *stones = g_new0 (QnRing, count);
+  QnStatus status = QN_OK;
+  if (masonry->rubble.relaxed)
     status = relax (sites, count, outline, stones, diag);
   if (status == QN_OK)
     status = tessellate (sites, count, outline, stones, diag);
   if (status == QN_OK)
     name_stones (masonry, stones, pieces);
-  if (status == QN_OK && pieces->failed)
-    status = qn_diag_no_memory (diag);
-  if (stones != NULL)
-    clear_stones (stones, count);
-  free (stones);
-  free (sites);
+  clear_stones (stones, count);
   return status;
 }
 
 /* Closes short edges; where that would spoil a stone, closes only shorter ones. */
-static QnStatus
-close_short_edges (QnPieces *pieces, double length, const QnRing *outline, QnDiag *diag)
+static void
+close_short_edges (QnPieces *pieces, double length, const QnRing *outline)
 {
-  QnStatus status = QN_OK;
-  for (int round = 0; round < CLOSING_ROUNDS && status == QN_OK; round++, length /= 2) {
-    QnRings rings = { 0 };
+  bool sound = false;
+  for (int round = 0; round < CLOSING_ROUNDS && !sound; round++, length /= 2) {
+    g_auto (QnRings) rings = { 0 };
     for (size_t i = 0; i < pieces->count; i++)
       qn_rings_add (&rings, pieces->items[i].ring.points, pieces->items[i].ring.count);
-    status = qn_weld_vertices (&rings, 0, length, outline, NULL, diag);
-    bool sound = status == QN_OK;
+    qn_weld_vertices (&rings, 0, length, outline, NULL);
+    sound = true;
     for (size_t i = 0; i < rings.count && sound; i++)
       sound = qn_ring_check (&rings.items[i], 0, NULL) == QN_OK;
     for (size_t i = 0; i < rings.count && sound; i++) {
@@ -263,11 +237,7 @@ close_short_edges (QnPieces *pieces, double length, const QnRing *outline, QnDia
       pieces->items[i].ring = rings.items[i];
       rings.items[i] = swap;
     }
-    qn_rings_clear (&rings);
-    if (sound)
-      break;
   }
-  return status;
 }
 
 QnStatus
@@ -285,7 +255,7 @@ qn_masonry_lay_rubble (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
   const QnRing outline = { corners, 4 };
   status = lay_stones (masonry, &outline, pieces, diag);
   if (status == QN_OK)
-    status = close_short_edges (pieces, SHORT_EDGE * rubble->stone, &outline, diag);
+    close_short_edges (pieces, SHORT_EDGE * rubble->stone, &outline);
   if (status == QN_OK && masonry->foundation > 0)
     qn_pieces_add (pieces, qn_rectangle (0, -masonry->foundation, rubble->width, 0),
                    "%s.base", masonry->name)

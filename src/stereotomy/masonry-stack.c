@@ -37,7 +37,7 @@ qn_masonry_lay_column (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
                    qn_rectangle (-plinth / 2, 0, plinth / 2, column->plinth_height),
                    "%s.plinth", name);
   double foot = column->plinth_height;
-  for (int32_t i = 0; i < column->drums && !pieces->failed; i++) {
+  for (int32_t i = 0; i < column->drums; i++) {
     double s0 = (double) i / column->drums, s1 = (double) (i + 1) / column->drums;
     double w0 = column->bottom + s0 * (column->top - column->bottom);
     double w1 = column->bottom + s1 * (column->top - column->bottom);
@@ -67,7 +67,7 @@ qn_masonry_lay_buttress (const QnMasonry *masonry, QnPieces *pieces, QnDiag *dia
                  && qn_require_length (of, "width", buttress->top, QN_RANGE_POSITIVE)
                  && qn_require_pieces (of, "courses", buttress->courses, 1));
   for (int32_t i = masonry->foundation > 0 ? -1 : 0;
-       i < buttress->courses && status == QN_OK && !pieces->failed; i++) {
+       i < buttress->courses && status == QN_OK; i++) {
     double s0 = fmax (0, (double) i / buttress->courses);
     double s1 = (double) (i + 1) / buttress->courses;
     double w0 = buttress->bottom + s0 * (buttress->top - buttress->bottom);

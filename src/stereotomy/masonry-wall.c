@@ -103,11 +103,9 @@ qn_masonry_lay_wall (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
     left += wall->leaves[i].length;
   }
   lay_foundation (masonry, pieces);
-  if (status == QN_OK && pieces->failed)
-    status = qn_diag_no_memory (diag);
   if (status == QN_OK)
     status = qn_openings_cut (masonry, wall_bounds (wall, pieces), pieces, diag);
   if (status == QN_OK)
-    status = qn_slivers_merge (wall->minimum_piece, pieces, diag);
+    qn_slivers_merge (wall->minimum_piece, pieces);
   return status;
 }

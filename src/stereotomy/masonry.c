@@ -8,22 +8,18 @@
 
 #define DEFAULT_MINIMUM_PIECE 0.2
 
-QnStatus
+void
 qn_masonry_init (QnMasonry *masonry, QnMasonryKind kind, const char *name)
 {
   *masonry = (QnMasonry){ .kind = kind,
-                          .name = qn_strdup (name),
+                          .name = g_strdup (name),
                           .thickness = 1,
                           .density = -1,
                           .law = QN_NONE,
                           .ring_law = QN_NONE,
                           .perturbation_seed = 1,
                           .wall.minimum_piece = DEFAULT_MINIMUM_PIECE };
-  if ((name != NULL && masonry->name == NULL) || qn_masonry_add_leaf (masonry) == NULL) {
-    qn_masonry_clear (masonry);
-    return QN_ERROR_NO_MEMORY;
-  }
-  return QN_OK;
+  qn_masonry_add_leaf (masonry);
 }
 
 void
@@ -70,29 +66,26 @@ QnOpening *
 qn_masonry_add_opening (QnMasonry *masonry)
 {
   QnMasonryWall *wall = &masonry->wall;
-  return QN_ARRAY_PUSH (wall->openings, wall->opening_count, wall->opening_capacity,
-                        (QnOpening){ .voussoirs = 1 })
-           ? &wall->openings[wall->opening_count - 1]
-           : NULL;
+  qn_require_memory (QN_ARRAY_PUSH (wall->openings, wall->opening_count,
+                                    wall->opening_capacity,
+                                    (QnOpening){ .voussoirs = 1 }));
+  return &wall->openings[wall->opening_count - 1];
 }
 
 QnLeaf *
 qn_masonry_add_leaf (QnMasonry *masonry)
 {
   QnMasonryWall *wall = &masonry->wall;
-  return QN_ARRAY_PUSH (wall->leaves, wall->leaf_count, wall->leaf_capacity,
-                        (QnLeaf){ .lap = 0.5 })
-           ? &wall->leaves[wall->leaf_count - 1]
-           : NULL;
+  qn_require_memory (QN_ARRAY_PUSH (wall->leaves, wall->leaf_count, wall->leaf_capacity,
+                                    (QnLeaf){ .lap = 0.5 }));
+  return &wall->leaves[wall->leaf_count - 1];
 }
 
-bool
+void
 qn_masonries_take (QnMasonries *list, QnMasonry *masonry)
 {
-  if (!QN_ARRAY_PUSH (list->items, list->count, list->capacity, *masonry))
-    return false;
+  qn_require_memory (QN_ARRAY_PUSH (list->items, list->count, list->capacity, *masonry));
   *masonry = (QnMasonry){ 0 };
-  return true;
 }
 
 void
@@ -186,22 +179,18 @@ add_blocks (const QnMasonry *masonry, const QnPieces *pieces, QnModel *model,
 QnStatus
 qn_masonry_expand (const QnMasonry *masonry, QnId index, QnModel *model, QnDiag *diag)
 {
-  QnPieces pieces = { 0 };
+  g_auto (QnPieces) pieces = { 0 };
   QnStatus status = check_common (masonry, diag);
   if (status == QN_OK)
     status = lay[masonry->kind](masonry, &pieces, diag);
-  if (status == QN_OK && pieces.failed)
-    status = qn_diag_no_memory (diag);
   if (status == QN_OK && masonry->perturbation > 0)
-    status = qn_pieces_perturb (masonry->perturbation, masonry->perturbation_seed,
-                                &pieces, diag);
+    qn_pieces_perturb (masonry->perturbation, masonry->perturbation_seed, &pieces);
   if (status == QN_OK && model->block_count + pieces.count > QN_MAX_BLOCKS)
     status = qn_masonry_problem (diag, QN_PROBLEM_TOO_MANY_BLOCKS, NULL, 0);
   if (status == QN_OK && pieces.count == 0)
     status = qn_masonry_problem (diag, QN_PROBLEM_GEOMETRY_EMPTY, NULL, 0);
   if (status == QN_OK)
     status = add_blocks (masonry, &pieces, model, diag);
-  qn_pieces_clear (&pieces);
   /* An error in a polygon is an error of the object. */
   if (status != QN_OK && diag != NULL && status != QN_ERROR_NO_MEMORY) {
     diag->entity = QN_ENTITY_MASONRY;

@@ -35,6 +35,8 @@
 
 #include "core/model/model.h"
 
+#include <glib.h>
+
 typedef enum {
   QN_MASONRY_WALL,
   QN_MASONRY_ARCH,
@@ -259,20 +261,23 @@ qn_arch_fit_shape (QnArch *arch)
 
 /* An object with the defaults of the project file: one leaf, running bond, lap 1/2, minimum
  * piece 0.2, thickness 1, law QN_NONE. `masonry` is overwritten without being cleared. */
-QnStatus qn_masonry_init (QnMasonry *masonry, QnMasonryKind kind, const char *name);
+void qn_masonry_init (QnMasonry *masonry, QnMasonryKind kind, const char *name);
 void qn_masonry_clear (QnMasonry *masonry);
 
 /* A wall as a grid of so many whole cells; rubble as cells of Voronoi of so many m. */
 void qn_masonry_set_grid (QnMasonryWall *wall, QnVec2 size, QnVec2 cells);
 void qn_masonry_set_voronoi (QnRubble *rubble, QnVec2 size, double cell);
 
-/* Zeroed but for the defaults; NULL when memory runs out. */
+/* Zeroed but for the defaults. */
 QnOpening *qn_masonry_add_opening (QnMasonry *masonry);
 QnLeaf *qn_masonry_add_leaf (QnMasonry *masonry);
 
-/* Moves `masonry` to the end of the list and zeroes it; false without memory. */
-bool qn_masonries_take (QnMasonries *list, QnMasonry *masonry);
+/* Moves `masonry` to the end of the list and zeroes it. */
+void qn_masonries_take (QnMasonries *list, QnMasonry *masonry);
 void qn_masonries_clear (QnMasonries *list);
+
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnMasonry, qn_masonry_clear)
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnMasonries, qn_masonries_clear)
 
 /* Adds the blocks of one object to a model that is not prepared yet. `index` is for the
  * diagnostic (QN_ENTITY_MASONRY; `sub` the opening or `other` the leaf, `field` the key). On

@@ -1,11 +1,7 @@
 /* Openings of a wall: the hole, what spans it, and the fabric cut to fit. */
-#include "core/base/memory.h"
 #include "stereotomy/arch-ring.h"
 #include "stereotomy/masonry-parts.h"
 #include "stereotomy/polygon-ops.h"
-
-#include <stdio.h>
-#include <stdlib.h>
 
 /* Overlap or overhang below this part of an opening's size is rounding. */
 #define OPENING_TOLERANCE 1e-9
@@ -81,9 +77,8 @@ static void
 add_hole (const QnOpening *opening, QnRings *parts)
 {
   double x0 = opening->at.x, x1 = x0 + opening->width, y0 = opening->at.y;
-  QnRing line, hole = { 0 };
   if (opening->head == QN_HEAD_FLAT) {
-    hole = qn_rectangle (x0, y0, x1, y0 + opening->height);
+    QnRing hole = qn_rectangle (x0, y0, x1, y0 + opening->height);
     qn_rings_take (parts, &hole);
     return;
   }
@@ -91,16 +86,15 @@ add_hole (const QnOpening *opening, QnRings *parts)
   QnArch arch = head_arch (opening);
   QnArchRing ring;
   qn_arch_ring_init (&ring, &arch);
-  if (qn_arch_ring_line (&ring, false, INFINITY, &line))
-    hole.points = qn_alloc (line.count + 2, sizeof *hole.points);
+  g_auto (QnRing) line = qn_arch_ring_line (&ring, false, INFINITY);
+  QnRing hole = { g_new (QnVec2, line.count + 2), 0 };
   QnVec2 springing = { x0, y0 + opening->height - arch.rise };
-  if (hole.points != NULL && springing.y > y0) {
+  if (springing.y > y0) {
     hole.points[hole.count++] = qn_vec2 (x0, y0);
     hole.points[hole.count++] = qn_vec2 (x1, y0);
   }
-  for (size_t i = line.count; hole.points != NULL && i-- > 0;)
+  for (size_t i = line.count; i-- > 0;)
     hole.points[hole.count++] = qn_vec2_add (springing, line.points[i]);
-  qn_ring_clear (&line);
   qn_rings_take (parts, &hole);
 }
 
@@ -112,7 +106,7 @@ lay_flat_arch (const QnOpening *opening, const char *prefix, QnPieces *pieces)
   double lean = opening->depth * tan (opening->skew), x = opening->at.x;
   double top = opening->width + 2 * lean;
   int32_t n = opening->voussoirs;
-  for (int32_t i = 0; i < n && !pieces->failed; i++) {
+  for (int32_t i = 0; i < n; i++) {
     double s0 = (double) i / n, s1 = (double) (i + 1) / n;
     const QnVec2 corners[] = { { x + s0 * opening->width, y0 },
                                { x + s1 * opening->width, y0 },
@@ -149,18 +143,14 @@ lay_span (const QnOpening *opening, const char *prefix, QnPieces *pieces)
 }
 
 /* Fills `cutter` and adds lintel, voussoirs and sill to `pieces`. */
-static QnStatus
-make_cutter (const QnMasonry *masonry, size_t index, Cutter *cutter, QnPieces *pieces,
-             QnDiag *diag)
+static void
+make_cutter (const QnMasonry *masonry, size_t index, Cutter *cutter, QnPieces *pieces)
 {
   const QnOpening *opening = &masonry->wall.openings[index];
   const char *name = opening->name != NULL ? opening->name : "";
-  char *prefix;
-  if ((name[0] != '\0' ? asprintf (&prefix, "%s.%s", masonry->name, name)
-                       : asprintf (&prefix, "%s.o%zu", masonry->name, index + 1))
-      < 0)
-    return qn_diag_no_memory (diag);
-
+  g_autofree char *prefix = name[0] != '\0'
+                              ? g_strdup_printf ("%s.%s", masonry->name, name)
+                              : g_strdup_printf ("%s.o%zu", masonry->name, index + 1);
   size_t first = pieces->count;
   add_hole (opening, &cutter->parts);
   lay_span (opening, prefix, pieces);
@@ -175,9 +165,6 @@ make_cutter (const QnMasonry *masonry, size_t index, Cutter *cutter, QnPieces *p
     qn_rings_add (&cutter->parts, pieces->items[i].ring.points,
                   pieces->items[i].ring.count);
   cutter->bounds = qn_rings_bounds (&cutter->parts);
-  free (prefix);
-  return pieces->failed ? qn_diag_no_memory (diag)
-                        : qn_rings_status (&cutter->parts, diag);
 }
 
 /* Lintels, voussoirs and sills must lie within the wall; the hole may reach beyond it, not miss it. */
@@ -203,7 +190,7 @@ check_apart (const Cutter *a, const Cutter *b, QnDiag *diag)
   if (!qn_box_meets_within (a->bounds, b->bounds, 0))
     return QN_OK;
   double size = fmin (qn_box_size (a->bounds), qn_box_size (b->bounds));
-  QnRings common = { 0 };
+  g_auto (QnRings) common = { 0 };
   QnStatus status = QN_OK;
   for (size_t i = 0; i < a->parts.count && status == QN_OK; i++)
     for (size_t k = 0; k < b->parts.count && status == QN_OK; k++)
@@ -212,7 +199,6 @@ check_apart (const Cutter *a, const Cutter *b, QnDiag *diag)
         status =
           qn_polygon_intersection (&a->parts.items[i], &b->parts.items[k], &common, diag);
   const double area = qn_rings_area (&common);
-  qn_rings_clear (&common);
   if (status == QN_OK && area > OPENING_TOLERANCE * size * size)
     status = qn_masonry_problem (diag, QN_PROBLEM_OPENINGS_OVERLAP, "openings", area);
   return status;
@@ -243,7 +229,7 @@ cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, size_t *lef
           QnPieces *pieces, QnDiag *diag)
 {
   QnBox bounds = qn_ring_bounds (&unit->ring);
-  QnRings near = { 0 }, parts = { 0 };
+  g_auto (QnRings) near = { 0 }, parts = { 0 };
   QnStatus status = QN_OK;
   for (size_t i = 0; unit->fabric && i < cutter_count; i++) {
     if (!qn_box_meets_within (bounds, cutters[i].bounds, 0))
@@ -258,7 +244,7 @@ cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, size_t *lef
   }
   *left_parts -= status == QN_OK ? near.count : 0;
   double whole = qn_ring_area (&unit->ring), left = whole;
-  if (status == QN_OK && (near.count > 0 || near.failed)) {
+  if (status == QN_OK && near.count > 0) {
     status = qn_polygon_difference (&unit->ring, &near, &parts, diag);
     left = qn_rings_area (&parts);
   }
@@ -266,8 +252,6 @@ cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, size_t *lef
     add_remainder (unit, &parts, pieces);
   else if (status == QN_OK)
     qn_pieces_take (pieces, unit);
-  qn_rings_clear (&near);
-  qn_rings_clear (&parts);
   return status;
 }
 
@@ -277,14 +261,14 @@ qn_openings_cut (const QnMasonry *masonry, QnBox wall, QnPieces *pieces, QnDiag 
   size_t count = masonry->wall.opening_count;
   if (count == 0)
     return QN_OK;
-  Cutter *cutters = qn_alloc (count, sizeof *cutters);
-  QnPieces spans = { 0 }, cut = { 0 };
+  g_autofree Cutter *cutters = g_new0 (Cutter, count);
+  g_auto (QnPieces) spans = { 0 }, cut = { 0 };
   size_t left_parts = MOST_PARTS + PARTS_PER_UNIT * pieces->count;
-  QnStatus status = cutters != NULL ? QN_OK : qn_diag_no_memory (diag);
+  QnStatus status = QN_OK;
   for (size_t i = 0; i < count && status == QN_OK; i++) {
     status = check_opening (&masonry->wall.openings[i], diag);
     if (status == QN_OK)
-      status = make_cutter (masonry, i, &cutters[i], &spans, diag);
+      make_cutter (masonry, i, &cutters[i], &spans);
     if (status == QN_OK)
       status = check_inside (&cutters[i], wall, diag);
     for (size_t k = 0; k < i && status == QN_OK; k++)
@@ -296,17 +280,12 @@ qn_openings_cut (const QnMasonry *masonry, QnBox wall, QnPieces *pieces, QnDiag 
     status = cut_unit (&pieces->items[i], cutters, count, &left_parts, &cut, diag);
   for (size_t i = 0; i < spans.count && status == QN_OK; i++)
     qn_pieces_take (&cut, &spans.items[i]);
-  if (status == QN_OK && cut.failed)
-    status = qn_diag_no_memory (diag);
   if (status == QN_OK) {
     QnPieces swap = *pieces;
     *pieces = cut;
     cut = swap;
   }
-  qn_pieces_clear (&spans);
-  qn_pieces_clear (&cut);
-  for (size_t i = 0; cutters != NULL && i < count; i++)
+  for (size_t i = 0; i < count; i++)
     qn_rings_clear (&cutters[i].parts);
-  free (cutters);
   return status;
 }

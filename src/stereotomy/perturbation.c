@@ -1,7 +1,6 @@
 #include "stereotomy/perturbation.h"
 
 #include "core/base/box-tree.h"
-#include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "stereotomy/noise.h"
 
@@ -30,17 +29,22 @@ typedef struct Part {
 } Part;
 
 typedef struct Net {
-  QnPool pool; /* of all but the cycle */
+  QnPool pool; /* of the trees */
   Node *nodes;
   size_t node_count;
   QnId *corners; /* node of every vertex of every piece */
-  QnId *cycle;   /* nodes around the pieces, those in the middle of sides included */
-  size_t cycle_count, cycle_capacity;
-  size_t *ends; /* of every piece in the cycle */
-  Part *parts;  /* of all sides */
+  GArray
+    *cycle; /* of QnId: nodes around the pieces, those in the middle of sides included */
+  guint *ends; /* of every piece in the cycle */
   double tolerance;
   QnBoxTree tree; /* of the nodes */
 } Net;
+
+static QnId *
+cycle_of (const Net *net)
+{
+  return (QnId *) net->cycle->data;
+}
 
 static void
 hold (Node *node, QnVec2 direction)
@@ -55,19 +59,17 @@ hold (Node *node, QnVec2 direction)
 }
 
 /* Gives equal vertices one node. */
-static bool
+static void
 find_nodes (const QnPieces *pieces, Net *net)
 {
   size_t count = 0, at = 0;
   for (size_t i = 0; i < pieces->count; i++)
     count += pieces->items[i].ring.count;
   QnBoxTree vertices;
-  QnBox *boxes = qn_pool_alloc (&net->pool, count, sizeof *boxes);
-  net->nodes = qn_pool_alloc (&net->pool, count, sizeof *net->nodes);
-  net->corners = qn_pool_alloc (&net->pool, count, sizeof *net->corners);
-  net->ends = qn_pool_alloc (&net->pool, pieces->count, sizeof *net->ends);
-  if (net->pool.failed)
-    return false;
+  g_autofree QnBox *boxes = g_new (QnBox, count);
+  net->nodes = g_new (Node, count);
+  net->corners = g_new (QnId, count);
+  net->ends = g_new (guint, pieces->count);
   QnBox all = QN_BOX_EMPTY;
   for (size_t i = 0; i < pieces->count; i++)
     for (size_t k = 0; k < pieces->items[i].ring.count; k++, at++) {
@@ -77,8 +79,8 @@ find_nodes (const QnPieces *pieces, Net *net)
       net->corners[at] = QN_NONE;
     }
   net->tolerance = ROUNDING * qn_box_size (all);
-  qn_box_tree_init (&vertices, boxes, count, &net->pool);
-  for (size_t v = 0; !net->pool.failed && v < count; v++) {
+  qn_tree_of (&vertices, boxes, count, &net->pool);
+  for (size_t v = 0; v < count; v++) {
     if (net->corners[v] != QN_NONE)
       continue;
     QnBoxQuery query =
@@ -91,62 +93,54 @@ find_nodes (const QnPieces *pieces, Net *net)
   }
   for (size_t n = 0; n < net->node_count; n++)
     boxes[n] = (QnBox){ net->nodes[n].at, net->nodes[n].at };
-  qn_box_tree_init (&net->tree, boxes, net->node_count, &net->pool);
-  return !net->pool.failed;
-}
-
-static bool
-append (Net *net, QnId node)
-{
-  return QN_ARRAY_PUSH (net->cycle, net->cycle_count, net->cycle_capacity, node);
+  qn_tree_of (&net->tree, boxes, net->node_count, &net->pool);
 }
 
 /* Puts the start of a side and the nodes in its middle into the cycle, in their order; a side that
  * has such nodes stays straight. */
-static bool
+static void
 add_side (Net *net, QnId from, QnId to)
 {
   QnVec2 p = net->nodes[from].at, q = net->nodes[to].at;
   double length = qn_vec2_length (qn_vec2_sub (q, p));
   QnVec2 direction = qn_vec2_scale (1 / length, qn_vec2_sub (q, p));
-  size_t first = net->cycle_count;
+  guint first = net->cycle->len;
   QnBoxQuery query = qn_box_tree_query (
     &net->tree, qn_box_grow (qn_box_of_segment (p, q), net->tolerance));
-  if (!append (net, from))
-    return false;
+  g_array_append_val (net->cycle, from);
   for (QnId near = qn_box_query_next (&query); near != QN_NONE;
        near = qn_box_query_next (&query)) {
     double along = qn_vec2_dot (qn_vec2_sub (net->nodes[near].at, p), direction);
     if (near == from || near == to || along <= 0 || along >= length
         || qn_segment_distance (p, q, net->nodes[near].at) > net->tolerance)
       continue;
-    if (!append (net, near))
-      return false;
-    for (size_t i = net->cycle_count - 1; i > first + 1; i--) {
-      QnId before = net->cycle[i - 1];
+    g_array_append_val (net->cycle, near);
+    QnId *cycle = cycle_of (net);
+    for (guint i = net->cycle->len - 1; i > first + 1; i--) {
+      QnId before = cycle[i - 1];
       if (qn_vec2_dot (qn_vec2_sub (net->nodes[before].at, p), direction) <= along)
         break;
-      net->cycle[i] = before;
-      net->cycle[i - 1] = near;
+      cycle[i] = before;
+      cycle[i - 1] = near;
     }
   }
-  if (net->cycle_count == first + 1)
-    return true;
-  for (size_t i = first; i < net->cycle_count; i++)
-    hold (&net->nodes[net->cycle[i]], direction);
+  if (net->cycle->len == first + 1)
+    return;
+  for (guint i = first; i < net->cycle->len; i++)
+    hold (&net->nodes[cycle_of (net)[i]], direction);
   hold (&net->nodes[to], direction);
-  return true;
 }
 
 /* How far the nodes around a piece are from its other sides. */
 static void
-measure_clearance (Net *net, size_t first, size_t end)
+measure_clearance (Net *net, guint first, guint end)
 {
-  size_t count = end - first;
-  for (size_t i = 0; i < count; i++) {
-    Node *node = &net->nodes[net->cycle[first + i]];
-    for (size_t k = 0; k < count; k++) {
-      QnId a = net->cycle[first + k], b = net->cycle[first + (k + 1) % count];
+  const QnId *cycle = cycle_of (net);
+  guint count = end - first;
+  for (guint i = 0; i < count; i++) {
+    Node *node = &net->nodes[cycle[first + i]];
+    for (guint k = 0; k < count; k++) {
+      QnId a = cycle[first + k], b = cycle[first + (k + 1) % count];
       QnVec2 p = net->nodes[a].at, q = net->nodes[b].at;
       bool own = k == i || (k + 1) % count == i;
       double distance =
@@ -156,24 +150,23 @@ measure_clearance (Net *net, size_t first, size_t end)
   }
 }
 
-static bool
+static void
 walk_around (const QnPieces *pieces, Net *net)
 {
   size_t at = 0;
   for (size_t i = 0; i < pieces->count; i++) {
-    size_t count = pieces->items[i].ring.count, first = net->cycle_count;
+    size_t count = pieces->items[i].ring.count;
+    guint first = net->cycle->len;
     for (size_t k = 0; k < count; k++) {
       net->nodes[net->corners[at + k]].pieces++;
-      if (!add_side (net, net->corners[at + k], net->corners[at + (k + 1) % count]))
-        return false;
+      add_side (net, net->corners[at + k], net->corners[at + (k + 1) % count]);
     }
     at += count;
-    net->ends[i] = net->cycle_count;
-    measure_clearance (net, first, net->cycle_count);
-    for (size_t k = first; pieces->items[i].fixed && k < net->cycle_count; k++)
-      net->nodes[net->cycle[k]].freedom = FIXED;
+    net->ends[i] = net->cycle->len;
+    measure_clearance (net, first, net->cycle->len);
+    for (guint k = first; pieces->items[i].fixed && k < net->cycle->len; k++)
+      net->nodes[cycle_of (net)[k]].freedom = FIXED;
   }
-  return true;
 }
 
 static int
@@ -195,16 +188,16 @@ meet_outline (Node *node, QnVec2 direction)
 }
 
 /* Parts of sides that belong to one piece alone make the outline. */
-static bool
+static void
 find_outline (const QnPieces *pieces, Net *net)
 {
-  size_t count = 0, first = 0;
-  Part *parts = net->parts = qn_pool_alloc (&net->pool, net->cycle_count, sizeof *parts);
-  if (parts == NULL)
-    return false;
+  const QnId *cycle = cycle_of (net);
+  size_t count = 0;
+  guint first = 0;
+  g_autofree Part *parts = g_new (Part, net->cycle->len);
   for (size_t i = 0; i < pieces->count; first = net->ends[i++])
-    for (size_t k = first; k < net->ends[i]; k++) {
-      QnId a = net->cycle[k], b = net->cycle[k + 1 < net->ends[i] ? k + 1 : first];
+    for (guint k = first; k < net->ends[i]; k++) {
+      QnId a = cycle[k], b = cycle[k + 1 < net->ends[i] ? k + 1 : first];
       parts[count++] = a < b ? (Part){ a, b } : (Part){ b, a };
     }
   qsort (parts, count, sizeof *parts, compare_parts);
@@ -226,7 +219,6 @@ find_outline (const QnPieces *pieces, Net *net)
     else if (outside && node->pieces == 1)
       node->freedom = FIXED;
   }
-  return true;
 }
 
 static QnVec2
@@ -242,13 +234,14 @@ new_place (const Node *node, double size, uint32_t seed, uint32_t number)
                              way); /* no longer than reach */
 }
 
-QnStatus
-qn_pieces_perturb (double size, uint32_t seed, QnPieces *pieces, QnDiag *diag)
+void
+qn_pieces_perturb (double size, uint32_t seed, QnPieces *pieces)
 {
-  Net net = { 0 };
-  bool done = find_nodes (pieces, &net) && walk_around (pieces, &net)
-              && find_outline (pieces, &net);
-  for (size_t i = 0, at = 0; done && i < pieces->count; i++)
+  Net net = { .cycle = g_array_new (FALSE, FALSE, sizeof (QnId)) };
+  find_nodes (pieces, &net);
+  walk_around (pieces, &net);
+  find_outline (pieces, &net);
+  for (size_t i = 0, at = 0; i < pieces->count; i++)
     for (size_t k = 0; k < pieces->items[i].ring.count; k++, at++) {
       QnId n = net.corners[at];
       /* What stays keeps every digit. */
@@ -256,7 +249,9 @@ qn_pieces_perturb (double size, uint32_t seed, QnPieces *pieces, QnDiag *diag)
         pieces->items[i].ring.points[k] =
           new_place (&net.nodes[n], size, seed, (uint32_t) n);
     }
-  free (net.cycle);
+  g_array_unref (net.cycle);
+  g_free (net.nodes);
+  g_free (net.corners);
+  g_free (net.ends);
   qn_pool_clear (&net.pool);
-  return done ? QN_OK : qn_diag_no_memory (diag);
 }

@@ -17,5 +17,5 @@
 /* Greatest size: two neighbours cannot pass each other. */
 #define QN_MAX_PERTURBATION 0.4
 
-/* size: 0 to QN_MAX_PERTURBATION. Errors: no memory. */
-QnStatus qn_pieces_perturb (double size, uint32_t seed, QnPieces *pieces, QnDiag *diag);
+/* size: 0 to QN_MAX_PERTURBATION. */
+void qn_pieces_perturb (double size, uint32_t seed, QnPieces *pieces);

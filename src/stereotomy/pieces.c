@@ -1,15 +1,13 @@
 #include "stereotomy/pieces.h"
 #include "core/base/memory.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 static void
 piece_clear (QnPiece *piece)
 {
-  free (piece->name);
+  g_free (piece->name);
   qn_ring_clear (&piece->ring);
   *piece = (QnPiece){ 0 };
 }
@@ -20,24 +18,18 @@ qn_pieces_add (QnPieces *pieces, QnRing ring, const char *format, ...)
   QnPiece piece = { .ring = ring };
   va_list arguments;
   va_start (arguments, format);
-  if (vasprintf (&piece.name, format, arguments) < 0)
-    piece.name = NULL;
+  piece.name = g_strdup_vprintf (format, arguments);
   va_end (arguments);
-  if (piece.name != NULL && ring.points != NULL
-      && QN_ARRAY_PUSH (pieces->items, pieces->count, pieces->capacity, piece))
-    return &pieces->items[pieces->count - 1];
-  piece_clear (&piece);
-  pieces->failed = true;
-  return &pieces->spare;
+  qn_pieces_take (pieces, &piece);
+  return &pieces->items[pieces->count - 1];
 }
 
 void
 qn_pieces_take (QnPieces *pieces, QnPiece *piece)
 {
-  if (QN_ARRAY_PUSH (pieces->items, pieces->count, pieces->capacity, *piece))
-    *piece = (QnPiece){ 0 };
-  else
-    pieces->failed = true;
+  qn_require_memory (
+    QN_ARRAY_PUSH (pieces->items, pieces->count, pieces->capacity, *piece));
+  *piece = (QnPiece){ 0 };
 }
 
 void

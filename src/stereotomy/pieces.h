@@ -20,14 +20,11 @@ typedef struct QnPiece {
 typedef struct QnPieces {
   QnPiece *items;
   size_t count, capacity;
-  bool failed;   /* memory has run out, and pieces are missing: asked once, at the end */
-  QnPiece spare; /* what stands for such a piece */
 } QnPieces;
 
-/* A new piece with a name, printf-like, and a ring, which it takes over; one without points is one that there was
- * no memory for. */
+/* A new piece with a name, printf-like, and a ring, which it takes over. */
 QnPiece *qn_pieces_add (QnPieces *pieces, QnRing ring, const char *format, ...)
-  __attribute__ ((format (printf, 3, 4)));
+  G_GNUC_PRINTF (3, 4);
 
 /* Moves `piece` to the end of the list and zeroes it. */
 void qn_pieces_take (QnPieces *pieces, QnPiece *piece);
@@ -38,6 +35,8 @@ void qn_piece_inherit (QnPiece *piece, const QnPiece *from);
 /* Removes one and closes the gap, or all. */
 void qn_pieces_remove (QnPieces *pieces, size_t index);
 void qn_pieces_clear (QnPieces *pieces);
+
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnPieces, qn_pieces_clear)
 
 /* An axis-parallel rectangle, counter-clockwise from the lower left corner. */
 static inline QnRing

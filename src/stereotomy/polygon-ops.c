@@ -25,8 +25,7 @@ qn_ring_check (const QnRing *ring, QnId index, QnDiag *diag)
   QnPolygonFlaw flaw = qn_polygon_check (ring->points, ring->count);
   if (flaw.problem == QN_PROBLEM_NONE)
     return QN_OK;
-  if (flaw.problem == QN_PROBLEM_NO_MEMORY)
-    return qn_diag_no_memory (diag);
+  qn_require_memory (flaw.problem != QN_PROBLEM_NO_MEMORY);
   qn_refuse (diag, flaw.problem, QN_ENTITY_BLOCK, index);
   if (diag != NULL && flaw.vertex != QN_NONE) {
     diag->sub = flaw.vertex;
@@ -38,7 +37,7 @@ qn_ring_check (const QnRing *ring, QnId index, QnDiag *diag)
 static QnStatus
 check_all (const QnRings *rings, QnDiag *diag)
 {
-  QnStatus status = qn_rings_status (rings, diag);
+  QnStatus status = QN_OK;
   for (size_t i = 0; i < rings->count && status == QN_OK; i++)
     status = qn_ring_check (&rings->items[i], (QnId) i, diag);
   return status;
@@ -79,32 +78,29 @@ deliver (QnRings *found, double least_area, QnRings *out, QnDiag *diag)
     if (status == QN_OK)
       qn_rings_take (out, ring);
   }
-  if (status == QN_OK)
-    status = qn_rings_status (out, diag);
   if (status == QN_OK && out->count > before)
     qsort (out->items + before, out->count - before, sizeof *out->items, compare_rings);
   while (status != QN_OK && out->count > before)
     qn_rings_remove (out, out->count - 1);
-  qn_rings_clear (found);
   return status;
 }
 
 /* The half plane left of x (or right of it) within `bounds`, as a polygon. */
 static GEOSGeometry *
-half_of (QnGeos *geos, QnBox bounds, double x, bool right)
+half_of (QnBox bounds, double x, bool right)
 {
   double margin = 1 + qn_box_size (bounds);
   double x0 = right ? x : bounds.min.x - margin, x1 = right ? bounds.max.x + margin : x;
   double y0 = bounds.min.y - margin, y1 = bounds.max.y + margin;
   const QnVec2 corners[] = { { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } };
-  return qn_geos_polygon (geos, corners, 4);
+  return qn_geos_polygon (corners, 4);
 }
 
 /* Abscissa through the middle of the first hole of a geometry; false where there is none. */
 static bool
-first_hole (QnGeos *geos, const GEOSGeometry *geometry, double *x)
+first_hole (const GEOSGeometry *geometry, double *x)
 {
-  GEOSContextHandle_t h = geos->handle;
+  GEOSContextHandle_t h = qn_geos ();
   int parts = GEOSGetNumGeometries_r (h, geometry);
   for (int i = 0; i < parts; i++) {
     const GEOSGeometry *part = GEOSGetGeometryN_r (h, geometry, i);
@@ -121,92 +117,71 @@ first_hole (QnGeos *geos, const GEOSGeometry *geometry, double *x)
   return false;
 }
 
-/* Reads the polygons of `geometry` (consumed), parting what has holes. */
+/* Reads the polygons of `geometry`, parting what has holes. */
 static QnStatus
-collect (QnGeos *geos, GEOSGeometry *geometry, QnBox bounds, int round, QnRings *found,
+collect (const GEOSGeometry *geometry, QnBox bounds, int round, QnRings *found,
          QnDiag *diag)
 {
   double x;
   QnStatus status = QN_OK;
-  if (!first_hole (geos, geometry, &x) || round == MAX_HOLE_ROUNDS) {
+  if (!first_hole (geometry, &x) || round == MAX_HOLE_ROUNDS) {
     size_t holes = 0;
-    qn_geos_read_polygons (geos, geometry, found, &holes);
-    status = qn_rings_status (found, diag);
-    if (status == QN_OK && holes > 0)
-      status = qn_refuse (diag, QN_PROBLEM_GEOMETRY_HOLE, QN_ENTITY_MODEL, QN_NONE);
-  } else {
-    for (int side = 0; side < 2 && status == QN_OK; side++) {
-      GEOSGeometry *half = half_of (geos, bounds, x, side == 1);
-      GEOSGeometry *part =
-        half != NULL ? GEOSIntersection_r (geos->handle, geometry, half) : NULL;
-      GEOSGeom_destroy_r (geos->handle, half);
-      status = part != NULL ? collect (geos, part, bounds, round + 1, found, diag)
-                            : qn_geos_failed (geos, diag);
-    }
+    qn_geos_read_polygons (geometry, found, &holes);
+    return holes == 0
+             ? QN_OK
+             : qn_refuse (diag, QN_PROBLEM_GEOMETRY_HOLE, QN_ENTITY_MODEL, QN_NONE);
   }
-  GEOSGeom_destroy_r (geos->handle, geometry);
+  for (int side = 0; side < 2 && status == QN_OK; side++) {
+    g_autoptr (GEOSGeometry) half = half_of (bounds, x, side == 1);
+    g_autoptr (GEOSGeometry) part = GEOSIntersection_r (qn_geos (), geometry, half);
+    status = part != NULL ? collect (part, bounds, round + 1, found, diag)
+                          : qn_geos_failed (diag);
+  }
   return status;
 }
 
 typedef GEOSGeometry *(*Overlay) (GEOSContextHandle_t, const GEOSGeometry *,
                                   const GEOSGeometry *, double grid);
 
-/* out += subject (op) other, which are consumed. Where the result touches itself within rounding, as a vault whose
- * crown just reaches a joint does, it is computed again on a grid that parts it there. */
-static QnStatus
-overlay (QnGeos *geos, GEOSGeometry *subject, GEOSGeometry *other, Overlay op,
-         QnBox bounds, double least_area, QnRings *out, QnDiag *diag)
-{
-  const double grids[] = { 0, GRID * bounds_reach (bounds) };
-  const bool given = subject != NULL && other != NULL;
-  QnStatus status = given ? QN_OK : qn_diag_no_memory (diag);
-  for (size_t i = 0; given && i < QN_N_ELEMENTS (grids); i++) {
-    GEOSGeometry *result = op (geos->handle, subject, other, grids[i]);
-    QnRings found = { 0 };
-    status = result != NULL ? collect (geos, result, bounds, 0, &found, diag)
-                            : qn_geos_failed (geos, diag);
-    if (status == QN_OK)
-      status = deliver (&found, least_area, out, diag);
-    qn_rings_clear (&found);
-    if (status != QN_ERROR_INVALID)
-      break;
-  }
-  GEOSGeom_destroy_r (geos->handle, subject);
-  GEOSGeom_destroy_r (geos->handle, other);
-  return status;
-}
-
 /* Polygons that may touch or overlap, as one valid geometry; `grid` 0 keeps every digit. */
 static GEOSGeometry *
-merged (QnGeos *geos, const QnRings *rings, double grid)
+merged (const QnRings *rings, double grid)
 {
-  GEOSGeometry *parts = qn_geos_collection (geos, rings);
-  if (parts == NULL)
-    return NULL;
-  GEOSGeometry *all = grid > 0 ? GEOSUnaryUnionPrec_r (geos->handle, parts, grid)
-                               : GEOSUnaryUnion_r (geos->handle, parts);
-  GEOSGeom_destroy_r (geos->handle, parts);
-  return all;
+  g_autoptr (GEOSGeometry) parts = qn_geos_collection (rings);
+  return grid > 0 ? GEOSUnaryUnionPrec_r (qn_geos (), parts, grid)
+                  : GEOSUnaryUnion_r (qn_geos (), parts);
 }
 
-/* The same of rings; several others, which may touch, are merged first. */
+/* out += subject (op) others, which are merged first where they are several and may touch. Where the result touches
+ * itself within rounding, as a vault whose crown just reaches a joint does, it is computed again on a grid that
+ * parts it there. */
 static QnStatus
 combine (const QnRing *subject, const QnRings *others, bool merge, Overlay op,
          double least_area, QnRings *out, QnDiag *diag)
 {
-  QnGeos geos = { 0 };
+  const QnBox bounds = qn_ring_bounds (subject);
+  const double grids[] = { 0, GRID * bounds_reach (bounds) };
   QnStatus status = qn_ring_check (subject, 0, diag);
   if (status == QN_OK)
     status = check_all (others, diag);
-  if (status == QN_OK)
-    status = qn_geos_init (&geos, diag);
-  if (status == QN_OK)
-    status = overlay (
-      &geos, qn_geos_polygon (&geos, subject->points, subject->count),
-      merge ? merged (&geos, others, 0)
-            : qn_geos_polygon (&geos, others->items->points, others->items->count),
-      op, qn_ring_bounds (subject), NOTHING * least_area, out, diag);
-  qn_geos_clear (&geos);
+  if (status != QN_OK)
+    return status;
+  g_autoptr (GEOSGeometry) one = qn_geos_polygon (subject->points, subject->count);
+  g_autoptr (GEOSGeometry) other =
+    merge ? merged (others, 0)
+          : qn_geos_polygon (others->items->points, others->items->count);
+  if (other == NULL)
+    return qn_geos_failed (diag);
+  for (size_t i = 0; i < QN_N_ELEMENTS (grids); i++) {
+    g_autoptr (GEOSGeometry) result = op (qn_geos (), one, other, grids[i]);
+    g_auto (QnRings) found = { 0 };
+    status =
+      result != NULL ? collect (result, bounds, 0, &found, diag) : qn_geos_failed (diag);
+    if (status == QN_OK)
+      status = deliver (&found, NOTHING * least_area, out, diag);
+    if (status != QN_ERROR_INVALID)
+      break;
+  }
   return status;
 }
 
@@ -236,20 +211,15 @@ union_problem (QnDiag *diag, QnProblem problem)
 static QnStatus
 union_on_grid (const QnRings *rings, double grid, QnRing *out, QnDiag *diag)
 {
-  QnGeos geos = { 0 };
-  QnStatus status = qn_geos_init (&geos, diag);
-  if (status != QN_OK)
-    return status;
-  GEOSGeometry *all = merged (&geos, rings, grid);
-  QnRings found = { 0 }, joined = { 0 };
+  g_autoptr (GEOSGeometry) all = merged (rings, grid);
+  g_auto (QnRings) found = { 0 }, joined = { 0 };
   size_t holes = 0;
-  if (all != NULL)
-    qn_geos_read_polygons (&geos, all, &found, &holes);
-  status = all == NULL ? qn_geos_failed (&geos, diag)
-           : holes > 0 ? union_problem (diag, QN_PROBLEM_GEOMETRY_HOLE)
-                       : qn_rings_status (&found, diag);
-  if (status == QN_OK)
-    status = deliver (&found, 0, &joined, diag);
+  if (all == NULL)
+    return qn_geos_failed (diag);
+  qn_geos_read_polygons (all, &found, &holes);
+  if (holes > 0)
+    return union_problem (diag, QN_PROBLEM_GEOMETRY_HOLE);
+  QnStatus status = deliver (&found, 0, &joined, diag);
   if (status == QN_OK && joined.count != 1)
     status = union_problem (diag, joined.count == 0 ? QN_PROBLEM_GEOMETRY_EMPTY
                                                     : QN_PROBLEM_GEOMETRY_SEVERAL);
@@ -257,10 +227,6 @@ union_on_grid (const QnRings *rings, double grid, QnRing *out, QnDiag *diag)
     *out = joined.items[0];
     joined.items[0] = (QnRing){ 0 };
   }
-  qn_rings_clear (&found);
-  qn_rings_clear (&joined);
-  GEOSGeom_destroy_r (geos.handle, all);
-  qn_geos_clear (&geos);
   return status;
 }
 

@@ -8,17 +8,13 @@
 QnRing
 qn_ring_of (const QnVec2 *points, size_t count)
 {
-  QnRing ring = { .points = qn_alloc (count, sizeof *ring.points) };
-  ring.count = ring.points != NULL ? count : 0;
-  if (ring.count > 0)
-    memcpy (ring.points, points, count * sizeof *points);
-  return ring;
+  return (QnRing){ g_memdup2 (points, count * sizeof *points), count };
 }
 
 void
 qn_ring_clear (QnRing *ring)
 {
-  free (ring->points);
+  g_free (ring->points);
   *ring = (QnRing){ 0 };
 }
 
@@ -153,18 +149,8 @@ qn_rings_add (QnRings *rings, const QnVec2 *points, size_t count)
 void
 qn_rings_take (QnRings *rings, QnRing *ring)
 {
-  bool taken = ring->points != NULL
-               && QN_ARRAY_PUSH (rings->items, rings->count, rings->capacity, *ring);
-  if (!taken)
-    free (ring->points);
-  rings->failed |= !taken;
+  qn_require_memory (QN_ARRAY_PUSH (rings->items, rings->count, rings->capacity, *ring));
   *ring = (QnRing){ 0 };
-}
-
-QnStatus
-qn_rings_status (const QnRings *rings, QnDiag *diag)
-{
-  return rings->failed ? qn_diag_no_memory (diag) : QN_OK;
 }
 
 void
@@ -196,14 +182,21 @@ qn_rings_area (const QnRings *rings)
 }
 
 void
+qn_tree_of (QnBoxTree *tree, const QnBox *boxes, size_t count, QnPool *pool)
+{
+  qn_box_tree_init (tree, boxes, count, pool);
+  qn_require_memory (!pool->failed);
+}
+
+void
 qn_rings_tree (const QnRings *rings, double margin, QnBoxTree *tree, QnPool *pool)
 {
-  QnBox *boxes = qn_pool_alloc (pool, rings->count, sizeof *boxes);
-  for (size_t i = 0; boxes != NULL && i < rings->count; i++)
+  g_autofree QnBox *boxes = g_new0 (QnBox, rings->count);
+  for (size_t i = 0; i < rings->count; i++)
     boxes[i] = qn_box_grow (rings->items[i].count > 0 ? qn_ring_bounds (&rings->items[i])
                                                       : (QnBox){ { 0, 0 }, { 0, 0 } },
                             margin);
-  qn_box_tree_init (tree, boxes, rings->count, pool);
+  qn_tree_of (tree, boxes, rings->count, pool);
 }
 
 QnRingSide *
@@ -212,15 +205,16 @@ qn_rings_side_tree (const QnRings *rings, double margin, QnBoxTree *tree, QnPool
   size_t count = 0, n = 0;
   for (size_t i = 0; i < rings->count; i++)
     count += rings->items[i].count;
-  QnBox *boxes = qn_pool_alloc (pool, count, sizeof *boxes);
+  g_autofree QnBox *boxes = g_new0 (QnBox, count);
   QnRingSide *sides = qn_pool_alloc (pool, count, sizeof *sides);
-  for (size_t i = 0; boxes != NULL && sides != NULL && i < rings->count; i++)
+  qn_require_memory (sides != NULL);
+  for (size_t i = 0; i < rings->count; i++)
     for (size_t k = 0; k < rings->items[i].count; k++, n++) {
       const QnRing *ring = &rings->items[i];
       sides[n] = (QnRingSide){ i, k };
       boxes[n] = qn_box_grow (
         qn_box_of_segment (ring->points[k], ring->points[(k + 1) % ring->count]), margin);
     }
-  qn_box_tree_init (tree, boxes, count, pool);
+  qn_tree_of (tree, boxes, count, pool);
   return sides;
 }

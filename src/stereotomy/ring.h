@@ -10,19 +10,27 @@
 #include "core/base/box-tree.h"
 #include "core/base/status.h"
 
+#include <glib.h>
+
+/* Ends the program where there was no memory, as GLib does wherever this layer asks it for some. */
+static inline void
+qn_require_memory (bool there)
+{
+  if (!there)
+    g_error ("not enough memory");
+}
+
 typedef struct QnRing {
   QnVec2 *points; /* owned */
   size_t count;
 } QnRing;
 
-/* A list remembers that memory ran out: what it is given to refuses it then. */
 typedef struct QnRings {
   QnRing *items;
   size_t count, capacity;
-  bool failed; /* rings are missing */
 } QnRings;
 
-/* Of a copy of the points; without points when memory runs out. */
+/* Of a copy of the points. */
 QnRing qn_ring_of (const QnVec2 *points, size_t count);
 void qn_ring_clear (QnRing *ring);
 
@@ -47,15 +55,17 @@ void qn_ring_normalize (QnRing *ring);
 /* Appends a copy of the points. */
 void qn_rings_add (QnRings *rings, const QnVec2 *points, size_t count);
 
-/* Moves `ring` to the end of the list and zeroes it. One without points is one that there was no memory for. */
+/* Moves `ring` to the end of the list and zeroes it. */
 void qn_rings_take (QnRings *rings, QnRing *ring);
-
-/* QN_OK, or no memory. */
-QnStatus qn_rings_status (const QnRings *rings, QnDiag *diag);
 
 /* Removes one and closes the gap, or all. */
 void qn_rings_remove (QnRings *rings, size_t index);
 void qn_rings_clear (QnRings *rings);
+
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnRing, qn_ring_clear)
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnRings, qn_rings_clear)
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnPool, qn_pool_clear)
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnBoxPairs, qn_box_pairs_clear)
 
 /* Extents and area of all of them. */
 QnBox qn_rings_bounds (const QnRings *rings);
@@ -65,6 +75,9 @@ double qn_rings_area (const QnRings *rings);
 typedef struct QnRingSide {
   size_t ring, edge;
 } QnRingSide;
+
+/* A tree of boxes in memory of the pool. */
+void qn_tree_of (QnBoxTree *tree, const QnBox *boxes, size_t count, QnPool *pool);
 
 /* A tree of the rings, each grown by the margin, and one of all their sides in order, which are returned, in
  * memory of the pool. */

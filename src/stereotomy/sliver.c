@@ -1,11 +1,8 @@
 /* The minimum piece rule; see masonry.h. */
-#include "core/base/memory.h"
 #include "core/base/polygon.h"
 #include "stereotomy/masonry-parts.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/weld.h"
-
-#include <stdlib.h>
 
 /* Edges nearer than this part of a unit's width lie on one line. */
 #define JOINT_TOLERANCE 1e-9
@@ -37,62 +34,49 @@ compare_neighbours (const void *left, const void *right)
   return a->index < b->index ? -1 : 1;
 }
 
-/* Pieces of the same leaf that share a joint with `index`, best first; SIZE_MAX without memory. */
-static size_t
-find_neighbours (const QnPieces *pieces, size_t index, Neighbour **neighbours)
+/* Pieces of the same leaf that share a joint with `index`, best first: of Neighbour. */
+static GArray *
+find_neighbours (const QnPieces *pieces, size_t index)
 {
   const QnPiece *sliver = &pieces->items[index];
   double tolerance = JOINT_TOLERANCE * sliver->whole_width;
-  size_t count = 0, capacity = 0;
-  *neighbours = NULL;
+  GArray *neighbours = g_array_new (FALSE, FALSE, sizeof (Neighbour));
   for (size_t i = 0; i < pieces->count; i++) {
     const QnPiece *other = &pieces->items[i];
     if (i == index || !other->fabric || other->leaf != sliver->leaf)
       continue;
-    double joint = qn_joint_length (&sliver->ring, &other->ring, tolerance);
-    if (joint == 0)
-      continue;
-    if (!QN_ARRAY_PUSH (*neighbours, count, capacity,
-                        (Neighbour){ i, other->course == sliver->course, joint }))
-      return SIZE_MAX;
+    const Neighbour neighbour = { i, other->course == sliver->course,
+                                  qn_joint_length (&sliver->ring, &other->ring,
+                                                   tolerance) };
+    if (neighbour.joint != 0)
+      g_array_append_val (neighbours, neighbour);
   }
-  if (count > 1)
-    qsort (*neighbours, count, sizeof **neighbours, compare_neighbours);
-  return count;
+  g_array_sort (neighbours, compare_neighbours);
+  return neighbours;
 }
 
-/* Merges the sliver with the first neighbour that gives a simple polygon; `merged` tells. */
-static QnStatus
-merge_sliver (QnPieces *pieces, size_t index, bool *merged, QnDiag *diag)
+/* Merges the sliver with the first neighbour that gives a simple polygon; false where none does. */
+static bool
+merge_sliver (QnPieces *pieces, size_t index)
 {
-  *merged = false;
-  Neighbour *neighbours;
-  size_t count = find_neighbours (pieces, index, &neighbours);
-  QnStatus status = count == SIZE_MAX ? qn_diag_no_memory (diag) : QN_OK;
-  for (size_t i = 0; status == QN_OK && i < count && !*merged; i++) {
-    QnPiece *neighbour = &pieces->items[neighbours[i].index];
+  g_autoptr (GArray) neighbours = find_neighbours (pieces, index);
+  for (guint i = 0; i < neighbours->len; i++) {
+    QnPiece *neighbour = &pieces->items[g_array_index (neighbours, Neighbour, i).index];
     QnRing pair[] = { neighbour->ring, pieces->items[index].ring }, joined;
-    QnDiag ignored;
-    status =
-      qn_polygons_union (&(QnRings){ .items = pair, .count = 2 }, &joined, &ignored);
-    if (status == QN_OK) {
-      qn_ring_clear (&neighbour->ring);
-      neighbour->ring = joined;
-      neighbour->cut = true;
-      qn_pieces_remove (pieces, index);
-      *merged = true;
-    } else if (status == QN_ERROR_NO_MEMORY) {
-      qn_diag_no_memory (diag);
-    } else {
-      status = QN_OK;
-    }
+    if (qn_polygons_union (&(QnRings){ .items = pair, .count = 2 }, &joined, NULL)
+        != QN_OK)
+      continue;
+    qn_ring_clear (&neighbour->ring);
+    neighbour->ring = joined;
+    neighbour->cut = true;
+    qn_pieces_remove (pieces, index);
+    return true;
   }
-  free (neighbours);
-  return status;
+  return false;
 }
 
-QnStatus
-qn_slivers_merge (double minimum_piece, QnPieces *pieces, QnDiag *diag)
+void
+qn_slivers_merge (double minimum_piece, QnPieces *pieces)
 {
   /* The smallest first: what is merged away can no longer tempt its neighbours. */
   while (minimum_piece > 0) {
@@ -108,13 +92,8 @@ qn_slivers_merge (double minimum_piece, QnPieces *pieces, QnDiag *diag)
       }
     }
     if (smallest == SIZE_MAX)
-      return QN_OK;
-    bool merged;
-    QnStatus status = merge_sliver (pieces, smallest, &merged, diag);
-    if (status != QN_OK)
-      return status;
-    if (!merged)
+      return;
+    if (!merge_sliver (pieces, smallest))
       pieces->items[smallest].lone = true;
   }
-  return QN_OK;
 }

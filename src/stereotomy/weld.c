@@ -1,5 +1,4 @@
 #include "stereotomy/weld.h"
-#include "core/base/memory.h"
 
 #include <stdlib.h>
 
@@ -98,54 +97,48 @@ collect_places (const QnRings *rings, Place *places, size_t *place_of)
 }
 
 /* Every place, strongest claim first, takes the untaken ones around it. */
-static bool
+static void
 choose_targets (Place *places, size_t count, double tolerance)
 {
-  QnPool room = { 0 };
-  Place **order = qn_pool_alloc (&room, count, sizeof *order);
-  QnBox *boxes = qn_pool_alloc (&room, count, sizeof *boxes);
+  g_auto (QnPool) room = { 0 };
+  g_autofree Place **order = g_new (Place *, count);
+  g_autofree QnBox *boxes = g_new (QnBox, count);
   QnBoxTree tree;
-  for (size_t i = 0; !room.failed && i < count; i++) {
+  for (size_t i = 0; i < count; i++) {
     order[i] = &places[i];
     places[i].target = SIZE_MAX;
     boxes[i] = (QnBox){ places[i].at, places[i].at };
   }
-  qn_box_tree_init (&tree, boxes, count, &room);
-  const bool done = !room.failed;
-  if (done) {
-    qsort (order, count, sizeof (Place *), compare_claims);
-    for (size_t i = 0; i < count; i++) {
-      if (order[i]->target != SIZE_MAX)
-        continue;
-      QnBox around = qn_box_grow ((QnBox){ order[i]->at, order[i]->at }, tolerance);
-      QnBoxQuery query = qn_box_tree_query (&tree, around);
-      for (QnId k; (k = qn_box_query_next (&query)) != QN_NONE;)
-        if (places[k].target == SIZE_MAX
-            && qn_vec2_length (qn_vec2_sub (places[k].at, order[i]->at)) <= tolerance)
-          places[k].target = (size_t) (order[i] - places);
-    }
+  qn_tree_of (&tree, boxes, count, &room);
+  qsort (order, count, sizeof (Place *), compare_claims);
+  for (size_t i = 0; i < count; i++) {
+    if (order[i]->target != SIZE_MAX)
+      continue;
+    QnBox around = qn_box_grow ((QnBox){ order[i]->at, order[i]->at }, tolerance);
+    QnBoxQuery query = qn_box_tree_query (&tree, around);
+    for (QnId k; (k = qn_box_query_next (&query)) != QN_NONE;)
+      if (places[k].target == SIZE_MAX
+          && qn_vec2_length (qn_vec2_sub (places[k].at, order[i]->at)) <= tolerance)
+        places[k].target = (size_t) (order[i] - places);
   }
-  qn_pool_clear (&room);
-  return done;
 }
 
-QnStatus
+void
 qn_weld_vertices (QnRings *rings, double least, double tolerance, const QnRing *frame,
-                  QnHealing *healing, QnDiag *diag)
+                  QnHealing *healing)
 {
   size_t total = 0, n = 0;
   for (size_t i = 0; i < rings->count; i++)
     total += rings->items[i].count;
-  if (total == 0 || rings->failed)
-    return qn_rings_status (rings, diag);
-  QnPool room = { 0 };
-  Place *places = qn_pool_alloc (&room, total, sizeof *places);
-  size_t *place_of = qn_pool_alloc (&room, total, sizeof *place_of);
-  size_t count = room.failed ? 0 : collect_places (rings, places, place_of);
+  if (total == 0)
+    return;
+  g_autofree Place *places = g_new (Place, total);
+  g_autofree size_t *place_of = g_new (size_t, total);
+  size_t count = collect_places (rings, places, place_of);
   for (size_t i = 0; i < count; i++)
     places[i].rank = rank_of (places[i].at, frame, NEGLIGIBLE * tolerance);
-  bool done = !room.failed && choose_targets (places, count, tolerance);
-  for (size_t i = 0; done && i < rings->count; i++) {
+  choose_targets (places, count, tolerance);
+  for (size_t i = 0; i < rings->count; i++) {
     QnRing *ring = &rings->items[i];
     bool moved = false;
     for (size_t k = 0; k < ring->count; k++) {
@@ -161,8 +154,6 @@ qn_weld_vertices (QnRings *rings, double least, double tolerance, const QnRing *
     if (moved && ring->count > 2)
       qn_ring_simplify (ring, NEGLIGIBLE * tolerance);
   }
-  qn_pool_clear (&room);
-  return done ? QN_OK : qn_diag_no_memory (diag);
 }
 
 /* Notes by 1 + index the rings that come near to a side of ring `index`. */
@@ -233,22 +224,18 @@ fit_vertices (QnRings *rings, size_t index, const QnBoxTree *tree, const size_t 
   }
 }
 
-static bool
+static void
 insert_vertex (QnRing *ring, size_t after, QnVec2 p)
 {
-  QnVec2 *grown = realloc (ring->points, (ring->count + 1) * sizeof *grown);
-  if (grown == NULL)
-    return false;
-  ring->points = grown;
+  ring->points = g_renew (QnVec2, ring->points, ring->count + 1);
   for (size_t i = ring->count; i > after + 1; i--)
-    grown[i] = grown[i - 1];
-  grown[after + 1] = p;
+    ring->points[i] = ring->points[i - 1];
+  ring->points[after + 1] = p;
   ring->count++;
-  return true;
 }
 
 /* Lets the edges of ring `index` run through the vertices of earlier rings beside them. */
-static bool
+static void
 fit_edges (QnRings *rings, size_t index, const QnBoxTree *tree, const size_t *near,
            double tolerance, QnHealing *healing)
 {
@@ -270,40 +257,33 @@ fit_edges (QnRings *rings, size_t index, const QnBoxTree *tree, const size_t *ne
             || qn_vec2_length (qn_vec2_sub (p, a)) <= tolerance
             || qn_vec2_length (qn_vec2_sub (p, b)) <= tolerance)
           continue;
-        if (!insert_vertex (ring, k, p))
-          return false;
+        insert_vertex (ring, k, p);
         qn_healing_note (healing, foot, p);
         break;
       }
     }
   }
-  return true;
 }
 
-QnStatus
-qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing, QnDiag *diag)
+void
+qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing)
 {
-  if (rings->count == 0 || rings->failed)
-    return qn_rings_status (rings, diag);
-  QnPool room = { 0 };
+  g_auto (QnPool) room = { 0 };
   QnBoxTree tree, side_tree;
   QnHealing own = { 0 };
   QnHealing *told = healing != NULL ? healing : &own;
-  size_t *near = qn_pool_alloc (&room, rings->count, sizeof *near); /* see find_near() */
+  g_autofree size_t *near = g_new0 (size_t, rings->count); /* see find_near() */
   /* Rings, and sides of both, move by up to the tolerance while others look for them. */
   QnRingSide *sides = qn_rings_side_tree (rings, 4 * tolerance, &side_tree, &room);
   qn_rings_tree (rings, 2 * tolerance, &tree, &room);
-  bool done = !room.failed;
-  for (size_t i = 0; i < rings->count && done; i++) {
+  for (size_t i = 0; i < rings->count; i++) {
     const size_t before = told->count;
     find_near (&rings->items[i], i, &side_tree, sides, near);
     fit_vertices (rings, i, &tree, near, tolerance, told);
-    done = fit_edges (rings, i, &tree, near, tolerance, told);
+    fit_edges (rings, i, &tree, near, tolerance, told);
     if (told->count > before)
       qn_ring_simplify (&rings->items[i], NEGLIGIBLE * tolerance);
   }
-  qn_pool_clear (&room);
-  return done ? QN_OK : qn_diag_no_memory (diag);
 }
 
 /* Length over which the edges ab and cd lie on each other in opposite directions. */

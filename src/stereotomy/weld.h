@@ -6,7 +6,6 @@
  */
 #pragma once
 
-#include "core/base/status.h"
 #include "stereotomy/ring.h"
 
 typedef struct QnHealing {
@@ -23,14 +22,13 @@ void qn_healing_note (QnHealing *healing, QnVec2 from, QnVec2 to);
  * not the other way round. Corners and then points on the boundary of `frame` (nullable) win over
  * all others. Differences up to `least` are rounding and stay. `healing` (nullable) is added
  * to. */
-QnStatus qn_weld_vertices (QnRings *rings, double least, double tolerance,
-                           const QnRing *frame, QnHealing *healing, QnDiag *diag);
+void qn_weld_vertices (QnRings *rings, double least, double tolerance,
+                       const QnRing *frame, QnHealing *healing);
 
 /* Closes gaps and small overlaps: every ring is fitted to those before it in the list. Its
  * vertices move to a vertex, else onto an edge of theirs, within the tolerance; where one of
  * their vertices lies beside an edge of its own, that edge gets it as a vertex. */
-QnStatus qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing,
-                             QnDiag *diag);
+void qn_snap_neighbours (QnRings *rings, double tolerance, QnHealing *healing);
 
 /* Removes rings with fewer than three points. */
 void qn_drop_collapsed (QnRings *rings);

@@ -8,7 +8,7 @@
 #include "doc/edit/edit-masonry.h"
 #include "doc/text/law-text.h"
 #include "io/project/project-masonry.h"
-#include "support/auto-clear-stereotomy.h"
+#include "stereotomy/masonry.h"
 #include "support/edit-model.h"
 #include "support/room.h"
 

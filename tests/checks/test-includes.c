@@ -21,7 +21,7 @@ static const Layer layers[] = {
     { "core/" },
     { "klu.h", "cholmod.h", "amd.h", "colamd.h", "SuiteSparse_config.h" } },
   { "disk", { NULL }, { "disk/" }, { "glib" } },
-  { "stereotomy", { NULL }, { "core/", "stereotomy/" }, { "geos_c.h" } },
+  { "stereotomy", { NULL }, { "core/", "stereotomy/" }, { "geos_c.h", "glib" } },
   { "io",
     { "text", "json", "project", "result", "exchange" },
     { "core/", "stereotomy/", "disk/", "io/" },

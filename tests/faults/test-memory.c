@@ -2,7 +2,6 @@
  * refusal for lack of memory or the same answer as ever, no crash, and no leak (the sanitizers
  * look). What counts is our own code with SuiteSparse and cJSON; see failing-memory.h. */
 #include "faults/fault-case.h"
-#include "io/exchange/drawing-import.h"
 #include "io/text/io-error.h"
 #include "render/figure/figure.h"
 #include "support/failing-memory.h"
@@ -125,19 +124,6 @@ read_project (gconstpointer path)
                                                         : refusal (error);
 }
 
-static char *
-import (gconstpointer path)
-{
-  QnProject project;
-  QnImportReport report;
-  GError *error = NULL;
-  gboolean done = qn_import_file (path, &QN_IMPORT_DEFAULTS, &project, &report, &error);
-  qn_import_report_clear (&report);
-  if (!done)
-    return refusal (error);
-  return digest_of_project (&project);
-}
-
 /* Blocks to faces and findings. */
 static char *
 detect (gconstpointer path)
@@ -169,20 +155,12 @@ typedef struct Reading {
 } Reading;
 
 static const Reading readings[] = {
-  { read_project, "QUOIN_EXAMPLES", "13-aqueduct.quoin" },
-  { read_project, "QUOIN_EXAMPLES", "15-rubble-pier.quoin" },
+  { read_project, "QUOIN_EXAMPLES", "38-tied-walls.quoin" },
+  { read_project, "QUOIN_EXAMPLES", "16-load-stages.quoin" },
   { read_project, "QUOIN_EXAMPLES", "34-frame-hybrid.quoin" },
   { read_project, "QUOIN_CORPUS", "project/every-key" },
-  { read_project, "QUOIN_CORPUS", "project/masonry-leaves" },
-  { read_project, "QUOIN_CORPUS", "project/masonry-wall" },
-  { read_project, "QUOIN_CORPUS", "project/masonry-others" },
   /* A gap, an overlap, a touching corner, a floating block, an exception without a face. */
   { detect, "QUOIN_CORPUS", "project/findings" },
-  { import, "QUOIN_EXAMPLES", "dxf/wall-lines.dxf" },
-  { import, "QUOIN_EXAMPLES", "dxf/wall-inserts.dxf" },
-  { import, "QUOIN_CORPUS", "svg/shapes.svg" },
-  { import, "QUOIN_CORPUS", "compas/model.json" },
-  { import, "QUOIN_CORPUS", "hybridfem/two-boxes.txt" },
 };
 
 static void

@@ -2,7 +2,6 @@
 #include "core/contact/contacts.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/weld.h"
-#include "support/auto-clear-stereotomy.h"
 #include "support/auto-clear.h"
 
 #include <glib.h>

@@ -4,7 +4,6 @@
 #include "stereotomy/masonry.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/sound.h"
-#include "support/auto-clear-stereotomy.h"
 #include "support/room.h"
 
 #include <glib.h>
@@ -195,8 +194,8 @@ close_and_compare (const char *name, const QnMasonry *masonry, const Joints *joi
   lay (masonry, &built);
   draw (&built, joints, rand, &drawn);
   double before = area_of (&drawn);
-  g_assert_cmpint (qn_gaps_find (&drawn, 0.0005, 0.025, &gaps, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_gaps_close (&drawn, 0.0005, 0.025, &closing, NULL), ==, QN_OK);
+  qn_gaps_find (&drawn, 0.0005, 0.025, &gaps);
+  qn_gaps_close (&drawn, 0.0005, 0.025, &closing);
   touch (&drawn, &closed);
   size_t missing = count_missing (&built.contacts, &closed.contacts, SHORT);
   double turned =
@@ -228,7 +227,7 @@ close_and_compare (const char *name, const QnMasonry *masonry, const Joints *joi
 static void
 make_wall (QnMasonry *masonry, QnBond bond, double rotation)
 {
-  g_assert_cmpint (qn_masonry_init (masonry, QN_MASONRY_WALL, "m"), ==, QN_OK);
+  qn_masonry_init (masonry, QN_MASONRY_WALL, "m");
   QnLeaf *leaf = masonry->wall.leaves;
   leaf->bond = bond;
   leaf->length = 3;
@@ -265,7 +264,7 @@ test_walls (void)
 static void
 make_other (QnMasonry *masonry, QnMasonryKind kind)
 {
-  g_assert_cmpint (qn_masonry_init (masonry, kind, "m"), ==, QN_OK);
+  qn_masonry_init (masonry, kind, "m");
   masonry->law = 0;
   masonry->foundation = 0.3;
   masonry->arch =
@@ -362,7 +361,7 @@ test_wedges (void)
     for (size_t i = 0; i < rings.count; i++)
       qn_rings_add (&drawn, rings.items[i].points, 4);
     g_assert_cmpfloat (common_area (&rings), ==, 0);
-    g_assert_cmpint (qn_gaps_close (&rings, 0.0003, 0.03, NULL, NULL), ==, QN_OK);
+    qn_gaps_close (&rings, 0.0003, 0.03, NULL);
     g_assert_cmpfloat (common_area (&rings), <, 1e-7);
     g_assert_cmpfloat (area_of (&rings), >, area_of (&drawn));
   }
@@ -381,7 +380,7 @@ test_clean_stays (void)
     }
   for (size_t i = 0; i < rings.count; i++)
     qn_rings_add (&before, rings.items[i].points, rings.items[i].count);
-  g_assert_cmpint (qn_gaps_close (&rings, 1e-4, 0.015, &closing, NULL), ==, QN_OK);
+  qn_gaps_close (&rings, 1e-4, 0.015, &closing);
   g_assert_cmpuint (closing.left, ==, 0);
   for (size_t i = 0; i < rings.count; i++)
     g_assert_cmpmem (rings.items[i].points, rings.items[i].count * sizeof (QnVec2),
@@ -399,7 +398,7 @@ test_slate (void)
   add_box (&rings, 0, 0, 0.5, 0.2);
   add_box (&rings, 0, 0.202, 0.5, 0.214);
   add_box (&rings, 0, 0.216, 0.5, 0.4);
-  g_assert_cmpint (qn_gaps_find (&rings, 1e-4, 0.03, &gaps, NULL), ==, QN_OK);
+  qn_gaps_find (&rings, 1e-4, 0.03, &gaps);
   g_assert_cmpuint (gaps.count, ==, 2);
   for (size_t i = 0; i < gaps.count; i++)
     g_assert_cmpfloat_with_epsilon (gaps.items[i].width, 0.002, 1e-9);
@@ -416,7 +415,7 @@ test_fill (void)
   add_box (&rings, 0, 0, 0.5, 0.2);
   add_box (&rings, 0.51, 0, 1, 0.2);
   add_box (&rings, 0.2, 0.212, 0.7, 0.4);
-  g_assert_cmpint (qn_gaps_find (&rings, 1e-4, 0.02, &gaps, NULL), ==, QN_OK);
+  qn_gaps_find (&rings, 1e-4, 0.02, &gaps);
   g_assert_cmpuint (gaps.count, ==, 3);
   qn_gaps_fill (&gaps, &rings);
   g_assert_cmpuint (rings.count, ==, 6);

@@ -1,5 +1,4 @@
 #include "stereotomy/linework.h"
-#include "support/auto-clear-stereotomy.h"
 #include "support/room.h"
 
 #include <glib.h>

@@ -1,5 +1,4 @@
 #include "stereotomy/ring.h"
-#include "support/auto-clear-stereotomy.h"
 #include "support/room.h"
 
 #include <glib.h>

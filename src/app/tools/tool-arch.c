@@ -44,12 +44,11 @@ add (QnCanvas *canvas, Arch arch)
   QnCanvasDraft draft;
   QnMasonry masonry;
   qn_canvas_set_in_gesture (canvas, FALSE);
-  if (qn_canvas_begin_edit (canvas, &draft))
-    qn_canvas_end_edit (
-      canvas, &draft, _ ("Add Arch"), NULL,
-      qn_plan_arch (&masonry, &arch.style, arch.left, arch.right, arch.rise)
-        ? qn_edit_add_masonry (&draft.project, &masonry, &draft.error)
-        : qn_edit_no_memory (&draft.error));
+  if (!qn_canvas_begin_edit (canvas, &draft))
+    return;
+  qn_plan_arch (&masonry, &arch.style, arch.left, arch.right, arch.rise);
+  qn_canvas_end_edit (canvas, &draft, _ ("Add Arch"), NULL,
+                      qn_edit_add_masonry (&draft.project, &masonry, &draft.error));
 }
 
 /* The span is known: on to the rise; or all is. */
@@ -123,8 +122,8 @@ draw (QnCanvas *canvas, cairo_t *cr)
 {
   Arch arch = arch_of_gesture (canvas);
   QnMasonry masonry;
-  if (qn_vec2_length (qn_vec2_sub (arch.right, arch.left)) > 0.0
-      && qn_plan_arch (&masonry, &arch.style, arch.left, arch.right, arch.rise)) {
+  if (qn_vec2_length (qn_vec2_sub (arch.right, arch.left)) > 0.0) {
+    qn_plan_arch (&masonry, &arch.style, arch.left, arch.right, arch.rise);
     qn_gesture_draw_masonry (canvas, cr, &masonry);
     qn_masonry_clear (&masonry);
   }

@@ -5,15 +5,14 @@
 #include "doc/edit/edit-masonry.h"
 #include <glib/gi18n.h>
 
-/* What the gesture would lay, by the current tool; FALSE where memory runs out. */
-static gboolean
+/* What the gesture would lay, by the current tool. */
+static void
 make_plan (QnCanvas *canvas, QnMasonry *masonry)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   const QnMasonryStyle *style = &qn_canvas_get_tool_settings (canvas)->masonry;
-  return qn_canvas_get_tool (canvas) == &qn_tool_wall
-           ? qn_plan_wall (masonry, style, gesture->from, gesture->to)
-           : qn_plan_in_box (masonry, style, gesture->from, gesture->to);
+  (qn_canvas_get_tool (canvas) == &qn_tool_wall ? qn_plan_wall : qn_plan_in_box) (
+    masonry, style, gesture->from, gesture->to);
 }
 
 static gboolean
@@ -32,9 +31,8 @@ edit (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
   draft->step = steps[qn_canvas_get_tool (canvas) == &qn_tool_wall
                         ? QN_MASONRY_WALL
                         : qn_canvas_get_tool_settings (canvas)->masonry.kind];
-  return make_plan (canvas, &masonry)
-           ? qn_edit_add_masonry (&draft->project, &masonry, &draft->error)
-           : qn_edit_no_memory (&draft->error);
+  make_plan (canvas, &masonry);
+  return qn_edit_add_masonry (&draft->project, &masonry, &draft->error);
 }
 
 /* The frame is that of whole blocks where a wall has rounded it. */
@@ -43,8 +41,7 @@ draw (QnCanvas *canvas, cairo_t *cr)
 {
   const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnMasonry masonry;
-  if (!make_plan (canvas, &masonry))
-    return;
+  make_plan (canvas, &masonry);
   QnVec2 from = gesture->from, to = gesture->to;
   if (masonry.kind == QN_MASONRY_WALL) {
     from = masonry.origin;

@@ -52,10 +52,7 @@ add_opening (QnMasonry *masonry, gpointer data, GError **error)
   if (!plan_opening (o->canvas, masonry, &plan))
     return qn_edit_refuse (
       error, _ ("The opening is smaller than half a block or outside the wall"));
-  QnOpening *opening = qn_masonry_add_opening (masonry);
-  if (opening == NULL)
-    return qn_edit_no_memory (error);
-  *opening = plan;
+  *qn_masonry_add_opening (masonry) = plan;
   o->number = (int) masonry->wall.opening_count - 1;
   return TRUE;
 }

@@ -133,8 +133,9 @@ update_gaps (Panel *panel, const QnModel *model)
   double width = panel->chosen_width > 0.0 ? panel->chosen_width : usual;
   gboolean shown = model->block_count > 1 && width > 0.0;
   QnGaps gaps = { 0 }, usual_gaps = { 0 };
-  if (shown && qn_model_find_gaps (model, width, &gaps) && gaps.count == 0
-      && width < usual)
+  if (shown)
+    qn_model_find_gaps (model, width, &gaps);
+  if (shown && gaps.count == 0 && width < usual)
     qn_model_find_gaps (model, usual, &usual_gaps);
   gboolean any = gaps.count > 0, apart = any || usual_gaps.count > 0;
   gtk_widget_set_visible (qn_part (panel->form, "gap_box"), shown);

@@ -152,15 +152,13 @@ print_ground (const QnModel *model)
 static void
 print_gaps (const QnModel *model)
 {
-  QnGaps gaps;
-  if (!qn_model_find_gaps (model, 0, &gaps))
-    return;
+  g_auto (QnGaps) gaps;
+  qn_model_find_gaps (model, 0, &gaps);
   g_autofree char *text = qn_gaps_dup_text (&gaps);
   if (text != NULL)
     qn_print (_ ("%s, open: the blocks beside them do not touch; import the drawing with "
                  "--close-joints\n"),
               text);
-  qn_gaps_clear (&gaps);
 }
 
 static void

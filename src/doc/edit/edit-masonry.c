@@ -105,28 +105,24 @@ dup_free_object_name (const QnModel *model, const QnMasonries *list, QnMasonryKi
   }
 }
 
-static gboolean
-take (const QnModel *model, QnMasonries *list, QnMasonry *masonry, GError **error)
+static void
+take (const QnModel *model, QnMasonries *list, QnMasonry *masonry)
 {
-  if (masonry->name == NULL) {
-    g_autofree char *name = dup_free_object_name (model, list, masonry->kind);
-    masonry->name = qn_strdup (name);
-  }
-  return (masonry->name != NULL && qn_masonries_take (list, masonry))
-         || qn_edit_no_memory (error);
+  if (masonry->name == NULL)
+    masonry->name = dup_free_object_name (model, list, masonry->kind);
+  qn_masonries_take (list, masonry);
 }
 
 gboolean
 qn_edit_add_masonry (QnProject *draft, QnMasonry *masonry, GError **error)
 {
   QnMasonries list;
-  gboolean opened = open_list (draft, &list, error);
-  if (opened && take (&draft->model, &list, masonry, error))
-    return close_list (draft, &list, error);
-  if (opened)
-    qn_masonries_clear (&list);
-  qn_masonry_clear (masonry);
-  return FALSE;
+  if (!open_list (draft, &list, error)) {
+    qn_masonry_clear (masonry);
+    return FALSE;
+  }
+  take (&draft->model, &list, masonry);
+  return close_list (draft, &list, error);
 }
 
 /* ---- openings ---- */
@@ -261,17 +257,16 @@ copy_objects (const QnProject *draft, const gboolean *whole, QnTransform step,
   QnMasonries originals;
   if (!open_list (draft, &originals, error))
     return FALSE;
-  gboolean done = TRUE;
-  for (gsize i = 0; i < originals.count && done; i++) {
+  for (gsize i = 0; i < originals.count; i++) {
     if (!whole[i])
       continue;
     QnMasonry *copy = &originals.items[i];
     g_clear_pointer (&copy->name, free);
     move_object (copy, step);
-    done = take (&draft->model, list, copy, error);
+    take (&draft->model, list, copy);
   }
   qn_masonries_clear (&originals);
-  return done;
+  return TRUE;
 }
 
 gboolean

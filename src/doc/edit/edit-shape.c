@@ -11,12 +11,11 @@
 
 /* ---- common ---- */
 
-gboolean
-qn_block_to_ring (const QnModel *model, QnId block, QnRing *ring)
+QnRing
+qn_block_to_ring (const QnModel *model, QnId block)
 {
-  *ring = qn_ring_of (qn_model_block_vertices (model, block),
-                      (gsize) model->blocks[block].vertex_count);
-  return ring->points != NULL;
+  return qn_ring_of (qn_model_block_vertices (model, block),
+                     (gsize) model->blocks[block].vertex_count);
 }
 
 static gsize
@@ -164,20 +163,15 @@ qn_block_is_crossed (const QnModel *model, QnId block, QnVec2 a, QnVec2 b)
 static gboolean
 cut_block (QnModel *model, QnId id, QnVec2 a, QnVec2 b, gboolean *done, GError **error)
 {
-  QnRing ring;
-  QnRings parts = { 0 };
+  g_auto (QnRing) ring = qn_block_to_ring (model, id);
+  g_auto (QnRings) parts = { 0 };
   QnDiag diag = { 0 };
-  if (!qn_block_to_ring (model, id, &ring))
-    return qn_edit_no_memory (error);
-  QnStatus status = qn_polygon_cut (&ring, a, b, &parts, &diag);
-  qn_ring_clear (&ring);
-  gboolean fine = status == QN_OK || qn_edit_refuse_diag (error, model, &diag);
-  if (fine && parts.count > 1) {
-    *done = TRUE;
-    fine = qn_edit_replace_blocks (model, &id, 1, &parts, error);
-  }
-  qn_rings_clear (&parts);
-  return fine;
+  if (qn_polygon_cut (&ring, a, b, &parts, &diag) != QN_OK)
+    return qn_edit_refuse_diag (error, model, &diag);
+  if (parts.count <= 1)
+    return TRUE;
+  *done = TRUE;
+  return qn_edit_replace_blocks (model, &id, 1, &parts, error);
 }
 
 /* Blocks of the set, or all, that the segment passes through. */
@@ -217,22 +211,16 @@ qn_edit_join_blocks (QnModel *model, QnBlockSet set, GError **error)
   if (set.count < 2)
     return qn_edit_refuse (error, _ ("Select the blocks that are to become one"));
   qn_edit_take_apart (model, set);
-  QnRings rings = { 0 }, joined = { 0 };
-  QnRing whole = { 0 };
+  g_auto (QnRings) rings = { 0 };
+  g_auto (QnRing) whole = { 0 };
   QnDiag diag = { 0 };
   for (guint i = 0; i < set.count; i++)
     qn_rings_add (&rings, qn_model_block_vertices (model, set.ids[i]),
                   (gsize) model->blocks[set.ids[i]].vertex_count);
-  gboolean fine = qn_polygons_union (&rings, &whole, &diag) == QN_OK
-                  || qn_edit_refuse_diag (error, model, &diag);
-  if (fine)
-    qn_rings_take (&joined, &whole);
-  if (joined.failed)
-    fine = qn_edit_no_memory (error);
-  qn_rings_clear (&rings);
-  fine = fine && qn_edit_replace_blocks (model, set.ids, set.count, &joined, error);
-  qn_rings_clear (&joined);
-  return fine;
+  if (qn_polygons_union (&rings, &whole, &diag) != QN_OK)
+    return qn_edit_refuse_diag (error, model, &diag);
+  const QnRings joined = { .items = &whole, .count = 1 };
+  return qn_edit_replace_blocks (model, set.ids, set.count, &joined, error);
 }
 
 gboolean

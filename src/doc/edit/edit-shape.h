@@ -38,5 +38,5 @@ gboolean qn_edit_move_corner (QnModel *model, QnBlockSet set, QnVec2 from, QnVec
 gboolean qn_edit_replace_blocks (QnModel *model, const QnId *gone, guint count,
                                  const QnRings *rings, GError **error);
 
-/* The polygon of a block; clear it. FALSE without memory. */
-gboolean qn_block_to_ring (const QnModel *model, QnId block, QnRing *ring);
+/* The polygon of a block; clear it. */
+QnRing qn_block_to_ring (const QnModel *model, QnId block);

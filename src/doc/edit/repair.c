@@ -52,18 +52,10 @@ choose (const QnModel *model, const QnFinding *finding, QnId *mover, QnId *keepe
 static double
 common_area (const QnModel *model, QnId a, QnId b)
 {
-  QnRing p = { 0 }, q = { 0 };
-  QnRings common = { 0 };
-  double area = 0.0;
-  if (qn_block_to_ring (model, a, &p) && qn_block_to_ring (model, b, &q)
-      && qn_polygon_intersection (&p, &q, &common, NULL) == QN_OK) {
-    for (gsize i = 0; i < common.count; i++)
-      area += fabs (qn_ring_area (&common.items[i]));
-  }
-  qn_ring_clear (&p);
-  qn_ring_clear (&q);
-  qn_rings_clear (&common);
-  return area;
+  g_auto (QnRing) p = qn_block_to_ring (model, a), q = qn_block_to_ring (model, b);
+  g_auto (QnRings) common = { 0 };
+  qn_polygon_intersection (&p, &q, &common, NULL);
+  return qn_rings_area (&common);
 }
 
 /* ---- choices ---- */
@@ -95,16 +87,14 @@ gap_width (const QnFinding *finding)
 static gboolean
 can_grow (const QnModel *model, const QnFinding *finding)
 {
-  QnGaps gaps;
+  g_auto (QnGaps) gaps;
   gboolean found = FALSE;
-  if (!qn_model_find_gaps (model, gap_width (finding), &gaps))
-    return FALSE;
+  qn_model_find_gaps (model, gap_width (finding), &gaps);
   for (gsize i = 0; i < gaps.count && !found; i++)
     found = ((QnId) gaps.items[i].rings[0] == finding->block_a
              && (QnId) gaps.items[i].rings[1] == finding->block_b)
             || ((QnId) gaps.items[i].rings[1] == finding->block_a
                 && (QnId) gaps.items[i].rings[0] == finding->block_b);
-  qn_gaps_clear (&gaps);
   return found;
 }
 
@@ -235,31 +225,25 @@ snapped (const QnModel *model, QnId mover, QnId keeper, double gap, QnRings *lef
          QnDiag *diag)
 {
   const QnId order[] = { keeper, mover };
-  QnRings rings = { 0 };
+  g_auto (QnRings) rings = { 0 };
   for (int i = 0; i < 2; i++)
     qn_rings_add (&rings, qn_model_block_vertices (model, order[i]),
                   (gsize) model->blocks[order[i]].vertex_count);
-  QnStatus status = qn_snap_neighbours (&rings, SNAP_REACH * gap, NULL, diag);
-  if (status == QN_OK)
-    qn_rings_take (left, &rings.items[1]);
-  qn_rings_clear (&rings);
-  return status == QN_OK ? qn_rings_status (left, diag) : status;
+  (void) diag;
+  qn_snap_neighbours (&rings, SNAP_REACH * gap, NULL);
+  qn_rings_take (left, &rings.items[1]);
+  return QN_OK;
 }
 
 static QnStatus
 trimmed (const QnModel *model, QnId mover, QnId keeper, double gap, QnRings *left,
          QnDiag *diag)
 {
-  QnRing subject = { 0 };
-  QnRings cutters = { 0 };
-  qn_rings_add (&cutters, qn_model_block_vertices (model, keeper),
-                (gsize) model->blocks[keeper].vertex_count);
-  QnStatus status = qn_block_to_ring (model, mover, &subject)
-                      ? qn_polygon_difference (&subject, &cutters, left, diag)
-                      : qn_diag_no_memory (diag);
-  qn_ring_clear (&subject);
-  qn_rings_clear (&cutters);
-  return status;
+  g_auto (QnRing) subject = qn_block_to_ring (model, mover),
+                  cutter = qn_block_to_ring (model, keeper);
+  (void) gap;
+  return qn_polygon_difference (&subject, &(QnRings){ .items = &cutter, .count = 1 },
+                                left, diag);
 }
 
 /* Gives the block that gives way another shape, freed from its wall first. */
@@ -269,20 +253,14 @@ reshape (QnModel *model, const QnFinding *finding, ReshapeFunc func, GError **er
   QnId mover, keeper;
   choose (model, finding, &mover, &keeper);
   qn_edit_take_apart (model, (QnBlockSet){ &mover, 1 });
-  QnRings left = { 0 };
+  g_auto (QnRings) left = { 0 };
   QnDiag diag = { 0 };
-  gboolean done = FALSE;
-  QnStatus status = func (model, mover, keeper, finding->value, &left, &diag);
-  if (status == QN_ERROR_NO_MEMORY)
-    qn_edit_no_memory (error);
-  else if (status != QN_OK)
-    qn_edit_refuse_diag (error, model, &diag);
-  else if (left.count == 0)
-    qn_edit_refuse (error, _ ("Nothing would be left of %s"), model->blocks[mover].name);
-  else
-    done = qn_edit_replace_blocks (model, &mover, 1, &left, error);
-  qn_rings_clear (&left);
-  return done;
+  if (func (model, mover, keeper, finding->value, &left, &diag) != QN_OK)
+    return qn_edit_refuse_diag (error, model, &diag);
+  if (left.count == 0)
+    return qn_edit_refuse (error, _ ("Nothing would be left of %s"),
+                           model->blocks[mover].name);
+  return qn_edit_replace_blocks (model, &mover, 1, &left, error);
 }
 
 static gboolean
@@ -348,13 +326,11 @@ close_gaps (QnModel *model, const QnFinding *finding, GError **error)
 {
   double width = gap_width (finding);
   if (finding->problem != QN_PROBLEM_NEAR_MISS_GAP) {
-    QnGaps gaps;
-    if (!qn_model_find_gaps (model, 0.0, &gaps))
-      return qn_edit_no_memory (error);
+    g_auto (QnGaps) gaps;
+    qn_model_find_gaps (model, 0.0, &gaps);
     width = 0.0;
     for (gsize i = 0; i < gaps.count; i++)
       width = fmax (width, CLOSE_REACH * gaps.items[i].width);
-    qn_gaps_clear (&gaps);
   }
   return qn_edit_close_gaps (model, width, error);
 }
@@ -403,11 +379,9 @@ is_harmless (QnRepair repair)
 static gboolean
 has_gaps (const QnModel *model)
 {
-  QnGaps gaps;
+  g_auto (QnGaps) gaps;
   qn_model_find_gaps (model, 0.0, &gaps);
-  gboolean any = gaps.count > 0;
-  qn_gaps_clear (&gaps);
-  return any;
+  return gaps.count > 0;
 }
 
 /* Repairs the first finding that can be; FALSE where there is none. */
@@ -472,24 +446,19 @@ to_rings (const QnModel *model)
   return rings;
 }
 
-gboolean
+void
 qn_model_find_gaps (const QnModel *model, double width, QnGaps *gaps)
 {
-  QnRings rings = to_rings (model);
-  QnStatus status =
-    qn_gaps_find (&rings, least_gap (model),
-                  width > 0.0 ? width : qn_gaps_usual_width (&rings), gaps, NULL);
-  qn_rings_clear (&rings);
-  return status == QN_OK;
+  g_auto (QnRings) rings = to_rings (model);
+  qn_gaps_find (&rings, least_gap (model),
+                width > 0.0 ? width : qn_gaps_usual_width (&rings), gaps);
 }
 
 double
 qn_model_usual_gap (const QnModel *model)
 {
-  QnRings rings = to_rings (model);
-  double width = qn_gaps_usual_width (&rings);
-  qn_rings_clear (&rings);
-  return width;
+  g_auto (QnRings) rings = to_rings (model);
+  return qn_gaps_usual_width (&rings);
 }
 
 char *
@@ -518,12 +487,8 @@ same_ring (const QnModel *model, QnId block, const QnRing *ring)
 gboolean
 qn_edit_close_gaps (QnModel *model, double width, GError **error)
 {
-  QnRings rings = to_rings (model);
-  QnGapClosing closing;
-  if (qn_gaps_close (&rings, least_gap (model), width, &closing, NULL) != QN_OK) {
-    qn_rings_clear (&rings);
-    return qn_edit_no_memory (error);
-  }
+  g_auto (QnRings) rings = to_rings (model);
+  qn_gaps_close (&rings, least_gap (model), width, NULL);
   g_autoptr (GArray) changed = g_array_new (FALSE, FALSE, sizeof (QnId));
   for (QnId i = 0; i < (QnId) model->block_count; i++)
     if (!same_ring (model, i, &rings.items[i]))
@@ -543,6 +508,5 @@ qn_edit_close_gaps (QnModel *model, double width, GError **error)
     else
       done = qn_edit_replace_blocks (model, &set.ids[i], 1, &one, error);
   }
-  qn_rings_clear (&rings);
   return done;
 }

@@ -44,10 +44,10 @@ gboolean qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repa
 gboolean qn_edit_repair_all (QnModel *model, guint *count, GError **error);
 
 /* The gaps between blocks of a prepared model, wider than what contacts bridge and up to `width`, m
- * (0: the usual width). `gaps` is overwritten; rings are blocks. FALSE without memory. */
-gboolean qn_model_find_gaps (const QnModel *model, double width, QnGaps *gaps);
+ * (0: the usual width). `gaps` is overwritten; rings are blocks. */
+void qn_model_find_gaps (const QnModel *model, double width, QnGaps *gaps);
 
-/* The usual width of a model's blocks, m: qn_gaps_usual_width(); 0 without memory. */
+/* The usual width of a model's blocks, m: qn_gaps_usual_width(). */
 double qn_model_usual_gap (const QnModel *model);
 
 /* "285 joints of mortar, 9 to 12 mm wide"; NULL where there are none. The caller frees it. */

@@ -209,12 +209,10 @@ hole_above (const Courses *courses, guint course, const Piece *gap)
   return hole;
 }
 
-static gboolean
+static void
 add_opening (QnMasonry *masonry, const Hole *hole, QnVec2 unit)
 {
   QnOpening *opening = qn_masonry_add_opening (masonry);
-  if (opening == NULL)
-    return FALSE;
   opening->at = qn_vec2 (hole->left * unit.x, hole->bottom * unit.y);
   opening->width = (hole->right - hole->left) * unit.x;
   opening->height = (hole->top - hole->bottom) * unit.y;
@@ -223,11 +221,10 @@ add_opening (QnMasonry *masonry, const Hole *hole, QnVec2 unit)
     opening->depth = unit.y;
     opening->bearing = hole->bearing * unit.x;
   }
-  return TRUE;
 }
 
 /* Makes openings of the holes that can be filled; the others stay gaps of their courses. */
-static gboolean
+static void
 take_openings (Courses *courses, QnMasonry *masonry, QnVec2 unit)
 {
   for (guint course = 0; course < courses->len; course++) {
@@ -238,20 +235,17 @@ take_openings (Courses *courses, QnMasonry *masonry, QnVec2 unit)
       Hole hole = hole_above (courses, course, piece);
       if (!fill_hole (courses, &hole))
         continue;
-      if (!add_opening (masonry, &hole, unit))
-        return FALSE;
+      add_opening (masonry, &hole, unit);
       /* The course is another one now: from its beginning. */
       i = G_MAXUINT;
     }
   }
-  return TRUE;
 }
 
 static gboolean
 make_masonry (const QnWall *wall, QnMasonry *masonry)
 {
-  if (qn_masonry_init (masonry, QN_MASONRY_WALL, wall->name) != QN_OK)
-    return FALSE;
+  qn_masonry_init (masonry, QN_MASONRY_WALL, wall->name);
   masonry->origin = wall->origin;
   masonry->thickness = wall->thickness;
   masonry->unit_weight = wall->unit_weight;
@@ -260,8 +254,8 @@ make_masonry (const QnWall *wall, QnMasonry *masonry)
   masonry->wall.leaves[0].bond = QN_BOND_CUSTOM;
   masonry->wall.leaves[0].unit = wall->unit;
   g_autoptr (GPtrArray) courses = read_courses (wall);
-  return take_openings (courses, masonry, wall->unit)
-         && write_courses (courses, &masonry->wall.courses);
+  take_openings (courses, masonry, wall->unit);
+  return write_courses (courses, &masonry->wall.courses);
 }
 
 gboolean

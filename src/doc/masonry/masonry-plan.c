@@ -7,23 +7,20 @@
 /* Rise of an arch where the pointer does not define it, in parts of the span. */
 #define LEAST_RISE 0.02
 
-static gboolean
+static void
 begin (QnMasonry *masonry, const QnMasonryStyle *style, QnMasonryKind kind)
 {
-  if (qn_masonry_init (masonry, kind, NULL) != QN_OK)
-    return FALSE;
+  qn_masonry_init (masonry, kind, NULL);
   masonry->thickness = style->thickness;
   masonry->unit_weight = style->unit_weight;
   masonry->law = style->law;
   masonry->foundation = style->base ? style->unit.y : 0.0;
-  return TRUE;
 }
 
-gboolean
+void
 qn_plan_wall (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from, QnVec2 to)
 {
-  if (!begin (masonry, style, QN_MASONRY_WALL))
-    return FALSE;
+  begin (masonry, style, QN_MASONRY_WALL);
   QnLeaf *leaf = &masonry->wall.leaves[0];
   double half = 0.5 * style->unit.x;
   leaf->unit = style->unit;
@@ -34,7 +31,6 @@ qn_plan_wall (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from, QnVe
     MAX (round (fabs (to.y - from.y) / style->unit.y), 1.0) * style->unit.y;
   masonry->origin.x = to.x < from.x ? from.x - leaf->length : from.x;
   masonry->origin.y = to.y < from.y ? from.y - masonry->wall.height : from.y;
-  return TRUE;
 }
 
 gboolean
@@ -61,12 +57,11 @@ qn_plan_arch_rise (QnVec2 left, QnVec2 right, QnVec2 at)
   return span > 0.0 ? qn_vec2_cross (chord, qn_vec2_sub (at, left)) / span : 0.0;
 }
 
-gboolean
+void
 qn_plan_arch (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 left, QnVec2 right,
               double rise)
 {
-  if (!begin (masonry, style, QN_MASONRY_ARCH))
-    return FALSE;
+  begin (masonry, style, QN_MASONRY_ARCH);
   QnVec2 chord = qn_vec2_sub (right, left);
   QnArch *arch = &masonry->arch;
   arch->span = qn_vec2_length (chord);
@@ -77,7 +72,6 @@ qn_plan_arch (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 left, QnVe
   qn_arch_fit_shape (arch);
   masonry->origin = left;
   masonry->rotation = atan2 (chord.y, chord.x);
-  return TRUE;
 }
 
 /* How many parts of about such a size. */
@@ -104,13 +98,12 @@ plan_portal (QnPortal *portal, const QnMasonryStyle *style, QnVec2 size)
   portal->courses = count_courses (style, portal->pier_height);
 }
 
-gboolean
+void
 qn_plan_in_box (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from, QnVec2 to)
 {
   const QnVec2 size = qn_vec2 (fabs (to.x - from.x), fabs (to.y - from.y));
   const double top = style->top_to_foot * size.x;
-  if (!begin (masonry, style, qn_masonry_kind_of (style->kind)))
-    return FALSE;
+  begin (masonry, style, qn_masonry_kind_of (style->kind));
   masonry->origin = qn_vec2 (MIN (from.x, to.x), MIN (from.y, to.y));
   if (style->kind == QN_MASONRY_GRID)
     qn_masonry_set_grid (
@@ -141,7 +134,6 @@ qn_plan_in_box (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from, Qn
     masonry->column.top = top;
     masonry->column.drums = count_courses (style, size.y);
   }
-  return TRUE;
 }
 
 double

@@ -30,9 +30,9 @@ typedef struct QnMasonryStyle {
 } QnMasonryStyle;
 
 /* A wall in the rectangle between two corners, from the first one; at least half a block and a
- * course. FALSE without memory. */
-gboolean qn_plan_wall (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from,
-                       QnVec2 to);
+ * course. */
+void qn_plan_wall (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from,
+                   QnVec2 to);
 
 /* An opening of a wall between two corners; with `snap` by half blocks and courses. FALSE
  * where it would be empty. */
@@ -40,9 +40,9 @@ gboolean qn_plan_opening (const QnMasonry *wall, const QnMasonryStyle *style, Qn
                           QnVec2 to, gboolean snap, QnOpening *opening);
 
 /* An arch from springing to springing, left to right; where the rise does not suit the shape,
- * the shape gives way. FALSE without memory. */
-gboolean qn_plan_arch (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 left,
-                       QnVec2 right, double rise);
+ * the shape gives way. */
+void qn_plan_arch (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 left,
+                   QnVec2 right, double rise);
 
 /* How high a point lies above the chord of an arch, m, positive on the side of the crown. */
 double qn_plan_arch_rise (QnVec2 left, QnVec2 right, QnVec2 at);
@@ -51,9 +51,9 @@ double qn_plan_arch_rise (QnVec2 left, QnVec2 right, QnVec2 at);
  * piers, are about a course high, stones of rubble and cells of Voronoi a block long, those of a grid
  * about a block long and a course high. The upright face of a buttress is
  * where the gesture began. A portal has one bay under a lintel of a course, piers a third as wide as
- * their distance. FALSE without memory. */
-gboolean qn_plan_in_box (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from,
-                         QnVec2 to);
+ * their distance. */
+void qn_plan_in_box (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from,
+                     QnVec2 to);
 
 /* Blocks of an object of this size, about: to know what is quick to draw. */
 double qn_masonry_estimate_blocks (const QnMasonry *masonry);

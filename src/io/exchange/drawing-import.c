@@ -173,18 +173,14 @@ run_import (QnImportWork *work, QnProject *project, GError **error)
   qn_import_sort_paths (work);
   qn_import_drop_flawed (work);
   qn_import_drop_repeated (work);
-  QnStatus status = work->no_memory ? qn_diag_no_memory (&diag) : QN_OK;
+  QnStatus status = QN_OK;
   for (int role = 0; role < QN_ROLE_IGNORED && status == QN_OK; role++)
     status = qn_import_take_faces (work, (QnRole) role, &diag);
-  if (status == QN_OK)
-    status = qn_import_heal (work, &diag);
+  qn_import_heal (work);
   qn_import_drop_flawed (work);
-  if (status == QN_OK)
-    status = qn_import_treat_gaps (work, &diag);
+  qn_import_treat_gaps (work);
   if (status == QN_OK)
     status = qn_import_cut_openings (work, &diag);
-  if (work->no_memory)
-    status = qn_diag_no_memory (&diag);
   if (status == QN_OK && work->outlines->len == 0)
     return qn_io_fail (error, QN_IO_ERROR_INVALID,
                        _ ("%s:1: no closed outline to make a block of"), work->name);

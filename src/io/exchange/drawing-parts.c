@@ -30,40 +30,32 @@ encloses (const Part *outer, const Part *inner)
          && qn_polygon_depth (outer->ring.points, outer->ring.count, p) > 0;
 }
 
-/* What is left of a part around its holes, where that is one simple ring: *whole. FALSE without memory. */
+/* Makes a part what is left of it around its holes; false where that is not one simple ring. */
 static gboolean
-cut_holes (QnDrawingPath *path, const Part *part, gboolean *whole)
+cut_holes (QnDrawingPath *path, const Part *part)
 {
-  QnRings left = { 0 };
-  QnStatus status = qn_polygon_difference (&part->ring, &part->holes, &left, NULL);
-  *whole = status == QN_OK && left.count == 1;
-  if (*whole) {
-    path->count = 0;
-    for (gsize i = 0; i < left.items[0].count; i++)
-      qn_drawing_path_add (path, left.items[0].points[i]);
-  }
-  qn_rings_clear (&left);
-  return status != QN_ERROR_NO_MEMORY;
+  g_auto (QnRings) left = { 0 };
+  if (qn_polygon_difference (&part->ring, &part->holes, &left, NULL) != QN_OK
+      || left.count != 1)
+    return FALSE;
+  path->count = 0;
+  for (gsize i = 0; i < left.items[0].count; i++)
+    qn_drawing_path_add (path, left.items[0].points[i]);
+  return TRUE;
 }
 
-gboolean
-qn_drawing_join_parts (QnDrawing *drawing, guint first, guint end, gboolean even_odd,
-                       const char *name, GError **error)
+void
+qn_drawing_join_parts (QnDrawing *drawing, guint first, guint end, gboolean even_odd)
 {
   guint count = end - first;
   QnDrawingPath *path = &g_array_index (drawing->paths, QnDrawingPath, first);
   if (count < 2 || count > MAX_PARTS)
-    return TRUE;
+    return;
   g_autofree Part *parts = g_new0 (Part, count);
-  gboolean memory = TRUE;
   for (guint i = 0; i < count; i++) {
     if (!path[i].closed || path[i].count < 3)
       continue;
     parts[i].ring = qn_ring_of (path[i].points, path[i].count);
-    if (parts[i].ring.points == NULL) {
-      memory = FALSE;
-      continue;
-    }
     parts[i].area = qn_ring_area (&parts[i].ring);
     parts[i].box = qn_ring_bounds (&parts[i].ring);
     qn_ring_orient (&parts[i].ring);
@@ -85,10 +77,7 @@ qn_drawing_join_parts (QnDrawing *drawing, guint first, guint end, gboolean even
                        path[i].line);
   }
   for (guint i = 0; i < count; i++) {
-    gboolean whole = TRUE;
-    if (parts[i].holes.count > 0 || parts[i].holes.failed)
-      memory = cut_holes (&path[i], &parts[i], &whole) && memory;
-    if (!whole)
+    if (parts[i].holes.count > 0 && !cut_holes (&path[i], &parts[i]))
       qn_drawing_note (drawing, _ ("shapes with holes, whose blocks are solid"),
                        path[i].line);
     qn_rings_clear (&parts[i].holes);
@@ -99,7 +88,4 @@ qn_drawing_join_parts (QnDrawing *drawing, guint first, guint end, gboolean even
       g_clear_pointer (&path[i].points, g_free);
       path[i].count = 0;
     }
-  return memory
-         || qn_io_fail (error, QN_IO_ERROR_NO_MEMORY, "%s: %s", name,
-                        _ ("not enough memory"));
 }

@@ -57,9 +57,9 @@ void qn_drawing_path_add (QnDrawingPath *path, QnVec2 point);
 
 /* The paths from `first` up to `end` are the parts of one shape. Those that lie in another of them are
  * holes, or covered by it, and become empty; what lies in a hole stays. A hole that reaches the edge is
- * cut out, others are noted. FALSE without memory, with an error that names the file. */
-gboolean qn_drawing_join_parts (QnDrawing *drawing, guint first, guint end,
-                                gboolean even_odd, const char *name, GError **error);
+ * cut out, others are noted. */
+void qn_drawing_join_parts (QnDrawing *drawing, guint first, guint end,
+                            gboolean even_odd);
 
 /* Takes out empty paths, and those with a coordinate that is not finite or beyond QN_DRAWING_LARGEST, which the
  * arithmetic of curves and transformations can bring about, and notes them. */

@@ -432,19 +432,17 @@ choose_view (Importer *importer)
 }
 
 /* The boundaries of each hatch, which have its line, are parts of one shape. Nothing else is there. */
-static gboolean
-join_boundaries (QnDrawing *drawing, const char *name, GError **error)
+static void
+join_boundaries (QnDrawing *drawing)
 {
-  gboolean done = TRUE;
-  for (guint first = 0, end; done && first < drawing->paths->len; first = end) {
+  for (guint first = 0, end; first < drawing->paths->len; first = end) {
     guint line = g_array_index (drawing->paths, QnDrawingPath, first).line;
     for (end = first + 1;
          end < drawing->paths->len
          && g_array_index (drawing->paths, QnDrawingPath, end).line == line;)
       end++;
-    done = qn_drawing_join_parts (drawing, first, end, TRUE, name, error);
+    qn_drawing_join_parts (drawing, first, end, TRUE);
   }
-  return done;
 }
 
 gboolean
@@ -467,7 +465,8 @@ qn_dxf_import (const char *bytes, gsize size, const char *name, QnDrawing *drawi
     add_rank (&importer, (Rank) rank);
   }
   gboolean full = is_full (&importer), seen = !full && choose_view (&importer);
-  gboolean done = seen && (!alone || join_boundaries (drawing, name, error));
+  if (seen && alone)
+    join_boundaries (drawing);
   if (full && importer.points->len >= MAX_POINTS)
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                  _ ("%s:1: outlines of more than %d corners"), name, MAX_POINTS);
@@ -481,5 +480,5 @@ qn_dxf_import (const char *bytes, gsize size, const char *name, QnDrawing *drawi
                  name);
   g_array_unref (importer.points);
   qn_dxf_scan_clear (&scan);
-  return done;
+  return seen;
 }

@@ -114,19 +114,16 @@ take_faces (QnImportWork *work, QnRole role, const QnRings *faces,
             const QnSegments *lines, guint outlines)
 {
   QnBoxTree tree;
-  QnPool room = { 0 };
+  g_auto (QnPool) room = { 0 };
   qn_segments_tree (lines, 0, &tree, &room);
-  work->no_memory |= room.failed;
-  for (gsize i = 0; i < faces->count && !room.failed; i++) {
+  for (gsize i = 0; i < faces->count; i++) {
     const QnRing *face = &faces->items[i];
     QnVec2 inner = qn_polygon_inner_point (face->points, face->count);
     if (!lies_in_outline (work, inner, outlines)
         && touches_lines (work, &tree, lines, face))
       qn_import_add_outline (work, face, &(QnOutline){ .role = role });
   }
-  if (!room.failed)
-    tell_of_idle_lines (work, &tree, lines);
-  qn_pool_clear (&room);
+  tell_of_idle_lines (work, &tree, lines);
 }
 
 QnStatus
@@ -136,7 +133,7 @@ qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag)
   if (soup->count == 0)
     return QN_OK;
   guint outlines = work->outlines->len;
-  QnSegments lines = { 0 };
+  g_auto (QnSegments) lines = { 0 };
   for (gsize i = 0; i < soup->count; i++)
     qn_segments_add (&lines, soup->items[i].a, soup->items[i].b);
   for (guint i = 0; i < outlines; i++) {
@@ -148,9 +145,7 @@ qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag)
   QnHealing healing = { 0 };
   gsize holes = 0;
   QnStatus status =
-    work->no_memory || lines.failed
-      ? qn_diag_no_memory (diag)
-      : qn_linework_polygonize (soup, work->tolerance, &faces, &holes, &healing, diag);
+    qn_linework_polygonize (soup, work->tolerance, &faces, &holes, &healing, diag);
   qn_import_tell_healing (work, _ ("ends of lines joined"), &healing);
   if (holes > 0)
     qn_import_tell (work, TRUE, _ ("faces around other faces left out: %zu"), holes);
@@ -158,6 +153,5 @@ qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag)
     take_faces (work, role, &faces, &lines, outlines);
   if (role == QN_ROLE_BLOCK && outlines == 0)
     look_for_openings (work, &faces);
-  qn_segments_clear (&lines);
   return status;
 }

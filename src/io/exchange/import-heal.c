@@ -23,16 +23,14 @@ exchange_rings (QnImportWork *work, QnRings *rings, gboolean out)
   }
 }
 
-QnStatus
-qn_import_heal (QnImportWork *work, QnDiag *diag)
+void
+qn_import_heal (QnImportWork *work)
 {
   g_auto (QnRings) rings = { 0 };
   QnHealing welded = { 0 }, snapped = { 0 };
   exchange_rings (work, &rings, TRUE);
-  QnStatus status = qn_weld_vertices (&rings, 1e-6 * work->tolerance, work->tolerance,
-                                      NULL, &welded, diag);
-  if (status == QN_OK)
-    status = qn_snap_neighbours (&rings, work->tolerance, &snapped, diag);
+  qn_weld_vertices (&rings, 1e-6 * work->tolerance, work->tolerance, NULL, &welded);
+  qn_snap_neighbours (&rings, work->tolerance, &snapped);
   exchange_rings (work, &rings, FALSE);
   qn_import_tell_healing (work, _ ("vertices merged"), &welded);
   qn_import_tell_healing (work, _ ("gaps and overlaps between neighbours closed"),
@@ -40,7 +38,6 @@ qn_import_heal (QnImportWork *work, QnDiag *diag)
   gsize slivers = qn_import_drop_empty (work);
   if (slivers > 0)
     qn_import_tell (work, FALSE, _ ("slivers left out: %zu"), slivers);
-  return status;
 }
 
 /* How many, how wide, and what was done with them. */
@@ -81,8 +78,8 @@ tell_gaps (QnImportWork *work, const QnGapClosing *closing)
   }
 }
 
-QnStatus
-qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
+void
+qn_import_treat_gaps (QnImportWork *work)
 {
   g_auto (QnRings) rings = { 0 };
   QnGapClosing closing = { 0 };
@@ -91,13 +88,12 @@ qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
   double width = work->settings->gap_width;
   if (!(width > 0))
     width = qn_gaps_usual_width (&rings);
-  QnStatus status =
-    qn_gaps_find (&rings, work->tolerance, width, &work->report->gaps, diag);
-  gboolean any = status == QN_OK && work->report->gaps.count > 0;
+  qn_gaps_find (&rings, work->tolerance, width, &work->report->gaps);
+  gboolean any = work->report->gaps.count > 0;
   if (any && treatment == QN_GAPS_CLOSED)
-    status = qn_gaps_close (&rings, work->tolerance, width, &closing, diag);
+    qn_gaps_close (&rings, work->tolerance, width, &closing);
   exchange_rings (work, &rings, FALSE);
-  if (any && status == QN_OK && treatment == QN_GAPS_FILLED) {
+  if (any && treatment == QN_GAPS_FILLED) {
     /* A block for every gap; openings are no blocks. */
     g_auto (QnRings) bodies = { 0 };
     QnOutline mortar = { .role = QN_ROLE_BLOCK };
@@ -105,15 +101,12 @@ qn_import_treat_gaps (QnImportWork *work, QnDiag *diag)
       mortar.thickness =
         fmax (mortar.thickness, g_array_index (work->outlines, QnOutline, i).thickness);
     qn_gaps_fill (&work->report->gaps, &bodies);
-    work->no_memory |= bodies.failed;
     for (gsize i = 0; i < bodies.count; i++)
       qn_import_add_outline (work, &bodies.items[i], &mortar);
     work->has_mortar = TRUE;
-    status = work->no_memory ? qn_diag_no_memory (diag) : QN_OK;
   }
-  if (any && status == QN_OK)
+  if (any)
     tell_gaps (work, &closing);
-  return status;
 }
 
 QnStatus
@@ -128,7 +121,7 @@ qn_import_cut_openings (QnImportWork *work, QnDiag *diag)
     qn_rings_add (&cutters, outline->ring.points, outline->ring.count);
     outline->ring.count = 0;
   }
-  QnStatus status = qn_rings_status (&cutters, diag);
+  QnStatus status = QN_OK;
   guint count = work->outlines->len;
   for (guint i = 0; cutters.count > 0 && i < count && status == QN_OK; i++) {
     QnOutline outline = g_array_index (work->outlines, QnOutline, i);

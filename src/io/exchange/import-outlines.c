@@ -45,11 +45,7 @@ qn_import_sort_paths (QnImportWork *work)
     QnRole role = path->support ? QN_ROLE_SUPPORT : layer->role;
     if (role == QN_ROLE_IGNORED || (path->hidden && !layer->asked))
       continue;
-    QnRing ring = qn_ring_of (path->points, path->count);
-    if (ring.points == NULL) {
-      work->no_memory = TRUE;
-      return;
-    }
+    g_auto (QnRing) ring = qn_ring_of (path->points, path->count);
     for (gsize k = 0; k < ring.count; k++)
       ring.points[k] = qn_import_to_metres (work, ring.points[k]);
     if (close_ring (work, &ring, path->closed, &ends, &overruns)) {
@@ -64,7 +60,6 @@ qn_import_sort_paths (QnImportWork *work)
       open++;
       qn_import_add_segments (work, &ring, FALSE, role);
     }
-    qn_ring_clear (&ring);
   }
   if (ends > 0)
     qn_import_tell (work, FALSE, _ ("outlines closed that end where they began: %zu"),
@@ -88,9 +83,8 @@ qn_import_drop_flawed (QnImportWork *work)
   for (guint i = 0; i < work->outlines->len; i++) {
     QnOutline *outline = &g_array_index (work->outlines, QnOutline, i);
     QnPolygonFlaw flaw = qn_polygon_check (outline->ring.points, outline->ring.count);
-    if (flaw.problem == QN_PROBLEM_NO_MEMORY)
-      work->no_memory = TRUE;
-    if (flaw.problem == QN_PROBLEM_NONE || flaw.problem == QN_PROBLEM_NO_MEMORY)
+    qn_require_memory (flaw.problem != QN_PROBLEM_NO_MEMORY);
+    if (flaw.problem == QN_PROBLEM_NONE)
       continue;
     if (flaw.problem != QN_PROBLEM_SELF_CROSSING)
       flat++;

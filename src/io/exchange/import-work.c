@@ -29,10 +29,6 @@ qn_import_add_outline (QnImportWork *work, const QnRing *ring, const QnOutline *
 {
   QnOutline outline = *like;
   outline.ring = qn_ring_of (ring->points, ring->count);
-  if (outline.ring.points == NULL) {
-    work->no_memory = TRUE;
-    return;
-  }
   qn_ring_orient (&outline.ring);
   g_array_append_val (work->outlines, outline);
 }

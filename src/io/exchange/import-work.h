@@ -1,13 +1,10 @@
 /* Private to making a project of a drawing (drawing-import.h): shared data, and the steps in the order of
- * drawing-import.c. Each changes the work and adds lines to the report. Where memory runs out they
- * set `no_memory` or return QN_ERROR_NO_MEMORY; the work must be cleared then, too.
+ * drawing-import.c. Each changes the work and adds lines to the report.
  */
 #pragma once
 
 #include "io/exchange/drawing-import.h"
 #include "stereotomy/linework.h"
-
-G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnRings, qn_rings_clear)
 
 /* One outline on its way to a block. */
 typedef struct QnOutline {
@@ -30,7 +27,6 @@ typedef struct QnImportWork {
   GArray *outlines;                /* QnOutline */
   QnSegments soups[QN_ROLE_COUNT]; /* open lines, m, by what their faces become */
   gboolean has_mortar;             /* gaps became blocks */
-  gboolean no_memory; /* outlines are lost: the next step that can fail does */
 } QnImportWork;
 
 /* ---- import-work.c: shared by several steps ---- */
@@ -95,10 +91,10 @@ void qn_import_drop_repeated (QnImportWork *work);
 QnStatus qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag);
 
 /* import-heal.c. Welds vertices, fits neighbours to each other and leaves out outlines without area. */
-QnStatus qn_import_heal (QnImportWork *work, QnDiag *diag);
+void qn_import_heal (QnImportWork *work);
 
 /* Finds joints of mortar, reports them, and closes or fills them by the settings. */
-QnStatus qn_import_treat_gaps (QnImportWork *work, QnDiag *diag);
+void qn_import_treat_gaps (QnImportWork *work);
 
 /* Cuts all openings out of the blocks and supports; no opening is left among the outlines. */
 QnStatus qn_import_cut_openings (QnImportWork *work, QnDiag *diag);

@@ -264,8 +264,8 @@ add_shape (Importer *importer, const xmlNode *node, const State *state)
       path->points[k] = qn_vec2 (p.x, -p.y);
     }
   }
-  return qn_drawing_join_parts (importer->drawing, first, paths->len, state->even_odd,
-                                importer->name, importer->error);
+  qn_drawing_join_parts (importer->drawing, first, paths->len, state->even_odd);
+  return TRUE;
 }
 
 /* The four numbers of a view box; FALSE where there is none. */

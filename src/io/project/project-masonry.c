@@ -51,11 +51,7 @@ qn_project_get_masonry (const QnProject *project, QnMasonries *list, GError **er
       qn_masonries_clear (list);
       return FALSE;
     }
-    if (!qn_masonries_take (list, &masonry)) {
-      qn_masonry_clear (&masonry);
-      qn_masonries_clear (list);
-      return qn_io_fail (error, QN_IO_ERROR_NO_MEMORY, "%s", _ ("not enough memory"));
-    }
+    qn_masonries_take (list, &masonry);
   }
   return TRUE;
 }
@@ -300,8 +296,6 @@ read_leaves (const QnJsonValue *place, QnMasonry *masonry)
   while (qn_json_value_next (&list, &element)) {
     QnLeaf *leaf =
       element.index == 0 ? &masonry->wall.leaves[0] : qn_masonry_add_leaf (masonry);
-    if (leaf == NULL)
-      return qn_json_value_no_memory (&element);
     *leaf = common;
     if (!qn_members_check (&element, leaf_members, NULL, NULL)
         || !read_leaf (&element, leaf, FALSE))
@@ -319,8 +313,6 @@ read_openings (const QnJsonValue *place, QnMasonry *masonry)
     return FALSE;
   while (qn_json_value_next (&list, &element)) {
     QnOpening *opening = qn_masonry_add_opening (masonry);
-    if (opening == NULL)
-      return qn_json_value_no_memory (&element);
     if (!qn_members_read (&element, opening_members, NULL, opening))
       return FALSE;
     const gboolean stones =
@@ -511,8 +503,7 @@ qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
                             QN_MASONRY_NAME_COUNT, &kind)
       || !qn_member_string (place, "name", QN_OPTIONAL, &name))
     return FALSE;
-  if (qn_masonry_init (masonry, qn_masonry_kind_of (kind), name) != QN_OK)
-    return qn_json_value_no_memory (place);
+  qn_masonry_init (masonry, qn_masonry_kind_of (kind), name);
   if (read_object (place, model, kind, masonry))
     return TRUE;
   qn_masonry_clear (masonry);

@@ -127,9 +127,9 @@ add_walls (QnProject *draft, gpointer data, GError **error)
                                  .base = FALSE };
   for (int i = 0; i < 2; i++) {
     QnMasonry wall;
-    if (!qn_plan_wall (&wall, &style, qn_vec2 (20.0 + 5.0 * i, 0.0),
-                       qn_vec2 (22.0 + 5.0 * i, 1.0 + i))
-        || !qn_edit_add_masonry (draft, &wall, error))
+    qn_plan_wall (&wall, &style, qn_vec2 (20.0 + 5.0 * i, 0.0),
+                  qn_vec2 (22.0 + 5.0 * i, 1.0 + i));
+    if (!qn_edit_add_masonry (draft, &wall, error))
       return FALSE;
   }
   return TRUE;

@@ -1,6 +1,6 @@
 #include "io/project/project-masonry.h"
 #include "io/text/io-error.h"
-#include "support/auto-clear-stereotomy.h"
+#include "stereotomy/masonry.h"
 #include "support/room.h"
 
 #include <math.h>
