@@ -111,7 +111,7 @@ static bool
 fit_samples (const Sample *samples, size_t count, double slack, double *slope,
              double *height)
 {
-  double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0, reach = 0;
+  double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0;
   for (size_t i = 0; i < count; i++) {
     double y = 0.5 * (samples[i].low + samples[i].high), x = samples[i].x;
     double weight = samples[i].weight;
@@ -120,7 +120,6 @@ fit_samples (const Sample *samples, size_t count, double slack, double *slope,
     wy += weight * y;
     wxx += weight * x * x;
     wxy += weight * x * y;
-    reach = fmax (reach, fabs (x));
   }
   *slope = 0;
   *height = wy / w;
