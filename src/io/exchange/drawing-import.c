@@ -1,4 +1,5 @@
 #include "io/exchange/drawing-import.h"
+#include "core/base/numbers.h"
 #include "io/exchange/drawing.h"
 #include "io/exchange/import-work.h"
 #include "io/text/file-read.h"
@@ -19,6 +20,133 @@
 /* Blocks stand in one row where their feet differ by less than this part of the least height: nobody
  * draws to a thousandth. */
 #define SAME_ROW 0.05
+
+/* Sizes of blocks, m, that a drawing may have in the unit it declares. */
+#define SMALLEST_BLOCK 0.03
+#define LARGEST_BLOCK  4.0
+
+/* ---- unit ---- */
+
+void
+qn_import_tell (QnImportWork *work, gboolean warn, const char *format, ...)
+{
+  va_list arguments;
+  va_start (arguments, format);
+  char *line = g_strdup_vprintf (format, arguments);
+  va_end (arguments);
+  g_ptr_array_add (work->report->lines, line);
+  if (warn)
+    g_ptr_array_add (work->report->warnings, g_strdup (line));
+}
+
+double
+qn_import_median (GArray *values)
+{
+  g_array_sort (values, qn_compare_doubles);
+  return values->len > 0 ? g_array_index (values, double, values->len / 2) : 0;
+}
+
+double
+qn_import_unit (const char *name)
+{
+  static const struct {
+    const char *name;
+    double metres;
+  } units[] = { { "mm", 0.001 }, { "cm", 0.01 },   { "dm", 0.1 },
+                { "m", 1 },      { "in", 0.0254 }, { "ft", 0.3048 } };
+  for (gsize i = 0; i < G_N_ELEMENTS (units); i++)
+    if (strcmp (units[i].name, name) == 0)
+      return units[i].metres;
+  return 0;
+}
+
+/* Median size of the drawing's closed outlines, or of its open paths' lengths where there are
+ * none, in the drawing's unit; 0 for an empty drawing. */
+static double
+block_size (const QnDrawing *drawing)
+{
+  g_autoptr (GArray) sizes = g_array_new (FALSE, FALSE, sizeof (double));
+  for (int pass = 0; pass < 2 && sizes->len == 0; pass++)
+    for (guint i = 0; i < drawing->paths->len; i++) {
+      const QnDrawingPath *path = &g_array_index (drawing->paths, QnDrawingPath, i);
+      if (path->hidden)
+        continue;
+      QnRing ring = { path->points, path->count };
+      double size = pass == 1 ? qn_box_size (qn_ring_bounds (&ring))
+                    : path->count >= 4 || path->closed
+                      ? sqrt (fabs (qn_ring_area (&ring)))
+                      : 0;
+      if (size > 0)
+        g_array_append_val (sizes, size);
+    }
+  return qn_import_median (sizes);
+}
+
+static gboolean
+is_plausible (double size)
+{
+  return size >= SMALLEST_BLOCK && size <= LARGEST_BLOCK;
+}
+
+/* The unit given, else the declared one if blocks have a plausible size in it, else a guess. */
+static void
+choose_unit (QnImportWork *work)
+{
+  static const double guesses[] = { 1, 0.001, 0.01 };
+  static const char *const names[] = { "m", "mm", "cm" };
+  const QnDrawing *drawing = work->drawing;
+  double size = block_size (drawing), declared = drawing->unit;
+  QnBox bounds = QN_BOX_EMPTY;
+  for (guint i = 0; i < drawing->paths->len; i++) {
+    const QnDrawingPath *path = &g_array_index (drawing->paths, QnDrawingPath, i);
+    if (!path->hidden)
+      qn_box_add_box (&bounds, qn_box_of_points (path->points, path->count));
+  }
+  double width = bounds.max.x - bounds.min.x, height = bounds.max.y - bounds.min.y;
+  work->unit = work->settings->unit;
+  if (work->unit > 0) {
+    qn_import_tell (work, FALSE, _ ("unit: %g m as given; extents %.6g x %.6g m"),
+                    work->unit, width * work->unit, height * work->unit);
+    return;
+  }
+  if (size == 0) { /* nothing to see */
+    work->unit = declared > 0 ? declared : 1;
+    return;
+  }
+  if (declared > 0 && is_plausible (size * declared)) {
+    work->unit = declared;
+    qn_import_tell (work, FALSE,
+                    _ ("unit: %g m as the file declares; extents %.6g x %.6g m"),
+                    declared, width * declared, height * declared);
+    return;
+  }
+  gsize guess = 0;
+  while (guess < G_N_ELEMENTS (guesses) && !is_plausible (size * guesses[guess]))
+    guess++;
+  gboolean fits = guess < G_N_ELEMENTS (guesses);
+  work->unit = fits ? guesses[guess] : declared > 0 ? declared : 1;
+  if (declared > 0 && fits)
+    qn_import_tell (
+      work, TRUE,
+      _ ("unit: the file declares %g m, which would make blocks of about %.3g m; "
+         "read as %s "
+         "instead, extents %.6g x %.6g m (--unit decides)"),
+      declared, size * declared, names[guess], width * work->unit, height * work->unit);
+  else if (fits)
+    qn_import_tell (
+      work, TRUE,
+      _ ("unit: not declared; read as %s from its extents, %.6g x %.6g m (--unit "
+         "decides)"),
+      names[guess], width * work->unit, height * work->unit);
+  else
+    qn_import_tell (
+      work, TRUE,
+      _ ("unit: blocks of about %.3g m are not plausible in any unit; read as %g m "
+         "(--unit decides)"),
+      size * work->unit, work->unit);
+}
+
+/* ---- supports ---- */
 
 /* An outline of the lowest row. */
 typedef struct Foot {
@@ -165,11 +293,10 @@ run_import (QnImportWork *work, QnProject *project, GError **error)
   }
   if (!qn_import_find_layers (work, error))
     return FALSE;
-  qn_import_choose_unit (work);
-  work->tolerance =
-    work->settings->tolerance > 0
-      ? work->settings->tolerance
-      : DEFAULT_TOLERANCE * qn_import_block_size (work->drawing) * work->unit;
+  choose_unit (work);
+  work->tolerance = work->settings->tolerance > 0
+                      ? work->settings->tolerance
+                      : DEFAULT_TOLERANCE * block_size (work->drawing) * work->unit;
   qn_import_sort_paths (work);
   qn_import_drop_flawed (work);
   qn_import_drop_repeated (work);

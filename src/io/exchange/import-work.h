@@ -29,34 +29,16 @@ typedef struct QnImportWork {
   gboolean has_mortar;             /* gaps became blocks */
 } QnImportWork;
 
-/* ---- import-work.c: shared by several steps ---- */
-
 /* Adds a line, translated, to the report, and to its warnings where the user must look. */
 void qn_import_tell (QnImportWork *work, gboolean warn, const char *format, ...)
   G_GNUC_PRINTF (3, 4);
 
-/* "`what`: how often, how far, where"; nothing where nothing was healed. */
-void qn_import_tell_healing (QnImportWork *work, const char *what,
-                             const QnHealing *healing);
-
-/* Adds a copy of a ring (m), turned counter-clockwise; all else is as of `like`. */
-void qn_import_add_outline (QnImportWork *work, const QnRing *ring,
-                            const QnOutline *like);
-
-/* Adds the sides of a path (m) to the line work of a role. */
-void qn_import_add_segments (QnImportWork *work, const QnRing *path, gboolean closed,
-                             QnRole role);
-
-/* Removes the outlines of fewer than three vertices, and so those whose count was set to 0; keeps the order.
- * Returns the number removed. */
-gsize qn_import_drop_empty (QnImportWork *work);
-
 /* The upper median of doubles, which are sorted by it; 0 where there are none. */
 double qn_import_median (GArray *values);
 
-/* ---- the steps ---- */
+/* ---- import-layers.c ---- */
 
-/* import-layers.c. Whether every entry of the settings' table of layers is of the form NAME=role;
+/* Whether every entry of the settings' table of layers is of the form NAME=role;
  * else FALSE with QN_IO_ERROR_OVERRIDE. The others need a table that was checked. */
 gboolean qn_import_check_layers (const QnImportSettings *settings, GError **error);
 QnRole qn_import_propose_role (const QnImportSettings *settings, const char *layer,
@@ -66,18 +48,9 @@ QnRole qn_import_propose_role (const QnImportSettings *settings, const char *lay
  * where the table names one that is not there. */
 gboolean qn_import_find_layers (QnImportWork *work, GError **error);
 
-/* import-unit.c. The unit given, else the declared one if blocks have a plausible size in it, else
- * a guess. */
-void qn_import_choose_unit (QnImportWork *work);
+/* ---- import-outlines.c ---- */
 
-/* Median size of the drawing's closed outlines, or of its open paths' lengths where there are
- * none, in the drawing's unit; 0 for an empty drawing. */
-double qn_import_block_size (const QnDrawing *drawing);
-
-/* A point of the drawing, m. */
-QnVec2 qn_import_to_metres (const QnImportWork *work, QnVec2 p);
-
-/* import-outlines.c. Sorts every path into outlines and line work. */
+/* Sorts every path into outlines and line work. */
 void qn_import_sort_paths (QnImportWork *work);
 
 /* Leaves out outlines that cross themselves or have no area. */
@@ -86,11 +59,11 @@ void qn_import_drop_flawed (QnImportWork *work);
 /* Leaves out repetitions of an outline, equal within the tolerance. Openings stay. */
 void qn_import_drop_repeated (QnImportWork *work);
 
-/* import-faces.c. Line work of one role into outlines. Outlines that are there already bound faces
+/* Line work of one role into outlines. Outlines that are there already bound faces
  * too. */
 QnStatus qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag);
 
-/* import-heal.c. Welds vertices, fits neighbours to each other and leaves out outlines without area. */
+/* Welds vertices, fits neighbours to each other and leaves out outlines without area. */
 void qn_import_heal (QnImportWork *work);
 
 /* Finds joints of mortar, reports them, and closes or fills them by the settings. */
