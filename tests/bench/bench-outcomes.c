@@ -19,7 +19,6 @@
 #include "bench/bench.h"
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
-#include "io/result/result-derived.h"
 #include "io/result/result-file.h"
 #include "io/text/fault-text.h"
 #include "stress/random-wall.h"

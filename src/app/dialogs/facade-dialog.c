@@ -8,7 +8,7 @@
 #include "app/widgets/settings.h"
 #include "doc/text/units.h"
 #include "io/project/project-generate.h"
-#include "io/text/number-text.h"
+#include "io/text/text-format.h"
 
 #include <glib/gi18n.h>
 

@@ -6,7 +6,7 @@
 #include "core/model/bar.h"
 #include "doc/edit/edit-tie.h"
 #include "doc/view/view-state.h"
-#include "io/text/tie-text.h"
+#include "io/text/mechanism-text.h"
 #include <glib/gi18n.h>
 #include <math.h>
 

@@ -7,7 +7,7 @@
 #include "app/widgets/plot-view.h"
 #include "doc/text/explain.h"
 #include "io/text/io-error.h"
-#include "study/report/column.h"
+#include "study/report/table.h"
 #include <glib/gi18n.h>
 #include <math.h>
 

@@ -4,7 +4,7 @@
 #include "app/widgets/context-menu.h"
 #include "core/base/integer.h"
 #include "doc/text/explain.h"
-#include "io/text/number-text.h"
+#include "io/text/text-format.h"
 #include <glib/gi18n.h>
 #include <string.h>
 

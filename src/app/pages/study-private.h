@@ -3,7 +3,7 @@
 
 #include "app/forms/bound-form.h"
 #include "app/pages/pages.h"
-#include "study/cases/study-job.h"
+#include "study/cases/run.h"
 #include "study/plan/draft.h"
 #include "study/report/figures.h"
 

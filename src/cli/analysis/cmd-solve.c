@@ -9,7 +9,6 @@
 #include "io/text/file-writer.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
-#include "io/text/tie-text.h"
 
 #include <glib/gi18n.h>
 #include <string.h>

@@ -6,7 +6,7 @@
 #include "doc/view/load-text.h"
 #include "io/exchange/check-json.h"
 #include "io/exchange/record.h"
-#include "io/result/result-derived.h"
+#include "io/result/result-file.h"
 #include "io/text/fault-text.h"
 #include "io/text/file-read.h"
 #include "io/text/file-writer.h"

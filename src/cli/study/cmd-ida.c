@@ -7,7 +7,7 @@
 #include "io/exchange/record.h"
 #include "io/text/file-writer.h"
 #include "io/text/json-text.h"
-#include "io/text/number-text.h"
+#include "io/text/text-format.h"
 #include "study/cases/run.h"
 #include "study/report/table.h"
 

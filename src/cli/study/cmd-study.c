@@ -6,11 +6,11 @@
 #include "core/base/integer.h"
 #include "core/base/word.h"
 #include "study/cases/folder.h"
-#include "study/cases/gather.h"
+#include "study/cases/store.h"
 #include "study/cases/worker.h"
 #include "study/cluster/slurm.h"
 #include "study/report/figures.h"
-#include "study/report/summary.h"
+#include "study/report/table.h"
 
 #include <glib/gi18n.h>
 #include <math.h>

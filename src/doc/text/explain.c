@@ -4,7 +4,6 @@
 #include "io/project/project.h"
 #include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
-#include "io/text/tie-text.h"
 #include "render/drawing/text.h"
 
 #include <glib/gi18n-lib.h>

@@ -6,8 +6,8 @@
 #include "doc/text/explain.h"
 #include "doc/view/ground-preview.h"
 #include "doc/view/sheet.h"
+#include "io/text/mechanism-text.h"
 #include "io/text/outcome-text.h"
-#include "io/text/tie-text.h"
 #include "render/drawing/text.h"
 #include "render/scene/reading.h"
 

@@ -9,7 +9,7 @@
 static const struct {
   QnRole role;
   const char *words;
-} known[] = {
+} role_words[] = {
   { QN_ROLE_SUPPORT,
     " support supports fixed base bases ground foundation foundations found footing "
     "footings terrain rock soil"
@@ -105,12 +105,12 @@ is_among (const char *word, const char *words)
   return strstr (words, between) != NULL;
 }
 
-/* Which list of known words has this one; G_N_ELEMENTS (known) where none has. */
+/* Which list of known words has this one; G_N_ELEMENTS (role_words) where none has. */
 static gsize
 find_word (const char *word)
 {
   gsize i = 0;
-  while (i < G_N_ELEMENTS (known) && !is_among (word, known[i].words))
+  while (i < G_N_ELEMENTS (role_words) && !is_among (word, role_words[i].words))
     i++;
   return i;
 }
@@ -135,14 +135,14 @@ guess_role (const char *layer, gboolean *doubtful)
     char *next = word + length + (word[length] != '\0');
     word[length] = '\0';
     gsize i = find_word (word);
-    for (gsize k = 1; i == G_N_ELEMENTS (known) && k + SHORTEST_END <= length; k++) {
+    for (gsize k = 1; i == G_N_ELEMENTS (role_words) && k + SHORTEST_END <= length; k++) {
       i = find_word (word + k);
       unknown = TRUE;
     }
-    if (i < G_N_ELEMENTS (known)) {
-      *doubtful = *doubtful || (any && known[i].role != role);
+    if (i < G_N_ELEMENTS (role_words)) {
+      *doubtful = *doubtful || (any && role_words[i].role != role);
       any = TRUE;
-      role = known[i].role;
+      role = role_words[i].role;
       support = support || is_among (word, sure_supports);
     } else if (length > 1 && !is_among (word, neutral)) {
       unknown = TRUE;

@@ -4,7 +4,7 @@
 #include "disk/file-group.h"
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"
-#include "io/text/number-text.h"
+#include "io/text/text-format.h"
 
 #include <glib/gi18n-lib.h>
 #include <string.h>

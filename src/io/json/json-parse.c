@@ -1,5 +1,3 @@
-#include "io/json/json-parse.h"
-
 #include "io/json/json-value.h"
 
 #include <glib/gi18n-lib.h>

@@ -1,6 +1,6 @@
 #include "io/json/json-path.h"
 
-#include "io/json/json-parse.h"
+#include "io/json/json-value.h"
 #include "io/text/json-text.h"
 
 #include <stdlib.h>

@@ -8,9 +8,9 @@
 
 #include "core/base/numbers.h"
 #include "core/base/status.h"
-#include "io/json/json-parse.h"
 #include "io/json/json-path.h"
 
+#include <cjson/cJSON.h>
 #include <glib.h>
 
 /* One reading of a document. */
@@ -114,6 +114,24 @@ gboolean qn_member_rows (const QnJsonValue *object, const char *key, QnNeed need
 /* One of `names`; choice: an enumeration whose values are their places. */
 gboolean qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
                            const char *const *names, int count, void *choice);
+
+/* ---- json-parse.c: a JSON text (RFC 8259), strictly, as a tree ---- */
+
+/* Deepest nesting of arrays and objects: ten times that of our formats, small enough for recursion. */
+#define QN_JSON_MAX_DEPTH 100
+
+/* `text` is NUL-terminated behind `length` bytes; a byte order mark at its start is skipped. NULL on failure
+ * with an error of the file `name`: "wall.quoin:3:9: laws[0]: …" (QN_IO_ERROR). Free the tree with
+ * cJSON_Delete(). Numbers beyond the range of a double are infinite. `valueint` of every value is the byte where
+ * it begins in the text. */
+cJSON *qn_json_parse (const char *text, gsize length, const char *name, GError **error);
+
+/* Of any text: length in bytes, with its quotes, of the string that begins at `quoted`; 0: no string.
+ * And its value with escapes resolved; free with g_free(). */
+gsize qn_json_string_length (const char *quoted);
+char *qn_json_unescape (const char *quoted);
+
+/* ---- words and overrides ---- */
 
 /* The one of `words` nearest to `word` by the number of typing errors: a letter added, missing, wrong, or
  * two exchanged (optimal string alignment, F. J. Damerau, Communications of the ACM 7 (1964) 171-176;

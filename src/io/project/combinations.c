@@ -3,7 +3,7 @@
 #include "core/model/model.h"
 #include "io/json/json-path.h"
 #include "io/text/io-error.h"
-#include "io/text/number-text.h"
+#include "io/text/text-format.h"
 
 #include <cjson/cJSON.h>
 #include <gio/gio.h>

@@ -3,7 +3,7 @@
 #include "io/json/json-value.h"
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"
-#include "io/text/number-text.h"
+#include "io/text/text-format.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -186,13 +186,13 @@ enum {
   KEY_COUNT
 };
 
-static const char *const names[KEY_COUNT] = {
+static const char *const strip_keys[KEY_COUNT] = {
   "storeys",     "thickness", "bearing",        "courses",       "width",
   "unit_weight", "floors",    "floor_friction", "floor_inertia", "held",
   "ties",        "flanks",    "thrust",         "parapet",
 };
 
-static const char usual[] =
+static const char usual_strip[] =
   "{ \"storeys\": [3, 3], \"thickness\": 0.5, \"bearing\": 0.2, \"courses\": 4, "
   "\"width\": 1, \"unit_weight\": 18000, \"floors\": 0, \"floor_friction\": 0, "
   "\"floor_inertia\": 1, \"held\": 0, \"ties\": 0, \"flanks\": 0, \"thrust\": 0, "
@@ -216,7 +216,7 @@ at (const List *list, gsize storey)
 static gboolean
 read_list (const QnJsonValue *keys, int key, List *list)
 {
-  const QnJsonValue value = qn_json_value_member (keys, names[key]);
+  const QnJsonValue value = qn_json_value_member (keys, strip_keys[key]);
   const QnRange range = key < FLOORS ? QN_RANGE_POSITIVE : QN_RANGE_NOT_NEGATIVE;
   QnJsonValue number = { 0 };
   list->count = 1;
@@ -241,7 +241,7 @@ static const gsize most_numbers[KEY_COUNT] = {
 static gboolean
 check_list (const QnJsonValue *keys, int key, const List *lists)
 {
-  const QnJsonValue value = qn_json_value_member (keys, names[key]);
+  const QnJsonValue value = qn_json_value_member (keys, strip_keys[key]);
   const List *list = &lists[key];
   const gsize most = most_numbers[key] > 0 ? most_numbers[key] : lists[STOREYS].count;
   const double *last = &list->values[list->count - 1];
@@ -260,8 +260,8 @@ check_list (const QnJsonValue *keys, int key, const List *lists)
 static gboolean
 read_keys (const QnJsonValue *keys, List *lists)
 {
-  const QnJsonValue bearing = qn_json_value_member (keys, names[BEARING]);
-  if (!qn_json_value_check_keys (keys, names, KEY_COUNT))
+  const QnJsonValue bearing = qn_json_value_member (keys, strip_keys[BEARING]);
+  if (!qn_json_value_check_keys (keys, strip_keys, KEY_COUNT))
     return FALSE;
   for (int k = 0; k < KEY_COUNT; k++)
     if (!read_list (keys, k, &lists[k]) || !check_list (keys, k, lists))
@@ -301,7 +301,7 @@ make_storeys (const List *lists, Storey *storeys)
 
 /* One block with its outer face on x = 0; what is held stays upright. */
 static void
-add_block (QnFileWriter *out, const char *name, double inner, double foot, double top,
+put_block (QnFileWriter *out, const char *name, double inner, double foot, double top,
            const List *lists, gboolean held)
 {
   qn_file_writer_json (
@@ -313,7 +313,7 @@ add_block (QnFileWriter *out, const char *name, double inner, double foot, doubl
 }
 
 static void
-add_blocks (QnFileWriter *out, const List *lists, const Storey *storeys)
+put_blocks (QnFileWriter *out, const List *lists, const Storey *storeys)
 {
   const int courses = (int) at (&lists[COURSES], 0);
   const double *parapet = lists[PARAPET].values;
@@ -321,15 +321,15 @@ add_blocks (QnFileWriter *out, const List *lists, const Storey *storeys)
     const Storey *s = &storeys[i];
     for (int c = 0; c < courses; c++) {
       g_autofree char *name = g_strdup_printf ("%zu.%d", i + 1, c + 1);
-      add_block (out, name, s->inner, s->foot + s->wall * c / courses,
+      put_block (out, name, s->inner, s->foot + s->wall * c / courses,
                  s->foot + s->wall * (c + 1) / courses, lists, FALSE);
     }
     if (s->held)
-      add_block (out, s->name, s->inner, s->foot + s->wall, s->top, lists, TRUE);
+      put_block (out, s->name, s->inner, s->foot + s->wall, s->top, lists, TRUE);
   }
   const double top = storeys[lists[STOREYS].count - 1].top;
   if (lists[PARAPET].count == 2)
-    add_block (out, "parapet", -parapet[1], top, top + parapet[0], lists, FALSE);
+    put_block (out, "parapet", -parapet[1], top, top + parapet[0], lists, FALSE);
 }
 
 /* From a block at a level to the ground. */
@@ -375,7 +375,7 @@ dup_project (const List *lists, double friction)
     "[{ \"name\": \"ground\", \"vertices\": [[%f, -0.5], [1, -0.5], [1, 0], [%f, 0]], "
     "\"thickness\": %f, \"unit_weight\": %f, \"support\": [true, true, true] }",
     friction, inner - 1, inner - 1, at (&lists[WIDTH], 0), at (&lists[UNIT_WEIGHT], 0));
-  add_blocks (out, lists, storeys);
+  put_blocks (out, lists, storeys);
   qn_file_writer_puts (out, "], \"ties\": [");
   for (gsize i = 0; i < count; i++) {
     const Storey *s = &storeys[i];
@@ -411,7 +411,7 @@ make_facade (const char *const *keys, double friction, QnProject *project, GErro
   gboolean ok = add_overrides (given, "", keys, error);
   const char *const *overrides = (const char *const *) given->pdata;
   QnReader reader = { .name = "facade-strip", .overrides = overrides };
-  cJSON *document = cJSON_Parse (usual);
+  cJSON *document = cJSON_Parse (usual_strip);
   for (; ok && *overrides != NULL; overrides++)
     ok = qn_json_override (document, *overrides, error);
   const QnJsonValue root = qn_json_value_root (&reader, document);

@@ -98,7 +98,7 @@ static const QnMember fill_members[] = {
   { 0 },
 };
 
-static const QnMember vehicle_members[] = {
+static const QnMember vehicle_load_members[] = {
   COMMON,
   QN_KNOWN ("vehicle"),
   QN_NUMBER ("position", REQUIRED, FINITE, QnLoad, position),
@@ -120,7 +120,7 @@ static const QnMember *const load_members[QN_LOAD_KIND_COUNT] = {
   [QN_LOAD_SURCHARGE] = surcharge_members,
   [QN_LOAD_BACKFILL] = backfill_members,
   [QN_LOAD_FILL] = fill_members,
-  [QN_LOAD_VEHICLE] = vehicle_members,
+  [QN_LOAD_VEHICLE] = vehicle_load_members,
   [QN_LOAD_NODE] = node_members,
 };
 

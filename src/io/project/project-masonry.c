@@ -10,52 +10,6 @@
 #include <cjson/cJSON.h>
 #include <glib/gi18n-lib.h>
 
-gboolean
-qn_read_masonry (const QnJsonValue *root, QnProject *project)
-{
-  /* Its members have been moved into the extras. */
-  QnJsonValue document = { .reader = root->reader, .json = project->extras };
-  QnJsonValue list, place = { 0 };
-  if (!qn_member_array (&document, QN_MASONRY_MEMBER, QN_OPTIONAL, &list))
-    return FALSE;
-  while (qn_json_value_next (&list, &place)) {
-    QnMasonry masonry;
-    if (!qn_read_masonry_object (&place, &project->model, &masonry))
-      return FALSE;
-    QnModel *model = &project->model;
-    size_t first = model->block_count;
-    QnDiag diag;
-    QnStatus status = qn_masonry_expand (&masonry, (QnId) place.index, model, &diag);
-    for (size_t i = first; i < model->block_count; i++)
-      model->blocks[i].masonry = (QnId) place.index;
-    qn_masonry_clear (&masonry);
-    if (status != QN_OK) {
-      qn_project_set_error (project, &diag, &root->reader->error);
-      return FALSE;
-    }
-  }
-  return TRUE;
-}
-
-gboolean
-qn_project_get_masonry (const QnProject *project, QnMasonries *list, GError **error)
-{
-  *list = (QnMasonries){ 0 };
-  QnReader reader = { .name = project->name };
-  QnJsonValue root = qn_json_value_root (&reader, project->extras);
-  QnJsonValue place = qn_json_value_member (&root, QN_MASONRY_MEMBER), element = { 0 };
-  while (qn_json_value_next (&place, &element)) {
-    QnMasonry masonry;
-    if (!qn_read_masonry_object (&element, &project->model, &masonry)) {
-      g_propagate_error (error, reader.error);
-      qn_masonries_clear (list);
-      return FALSE;
-    }
-    qn_masonries_take (list, &masonry);
-  }
-  return TRUE;
-}
-
 void
 qn_project_detach_masonry (QnProject *project)
 {
@@ -490,9 +444,9 @@ read_object (const QnJsonValue *place, const QnModel *model, int kind, QnMasonry
          && (kind != QN_MASONRY_VORONOI || read_voronoi (place, &masonry->rubble));
 }
 
-gboolean
-qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
-                        QnMasonry *masonry)
+/* `masonry` is overwritten without being cleared and holds nothing on failure. */
+static gboolean
+read_masonry (const QnJsonValue *place, const QnModel *model, QnMasonry *masonry)
 {
   g_autofree char *numbered = g_strdup_printf ("m%zu", place->index + 1);
   const char *name = numbered;
@@ -508,6 +462,52 @@ qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
     return TRUE;
   qn_masonry_clear (masonry);
   return FALSE;
+}
+
+gboolean
+qn_read_masonry (const QnJsonValue *root, QnProject *project)
+{
+  /* Its members have been moved into the extras. */
+  QnJsonValue document = { .reader = root->reader, .json = project->extras };
+  QnJsonValue list, place = { 0 };
+  if (!qn_member_array (&document, QN_MASONRY_MEMBER, QN_OPTIONAL, &list))
+    return FALSE;
+  while (qn_json_value_next (&list, &place)) {
+    QnMasonry masonry;
+    if (!read_masonry (&place, &project->model, &masonry))
+      return FALSE;
+    QnModel *model = &project->model;
+    size_t first = model->block_count;
+    QnDiag diag;
+    QnStatus status = qn_masonry_expand (&masonry, (QnId) place.index, model, &diag);
+    for (size_t i = first; i < model->block_count; i++)
+      model->blocks[i].masonry = (QnId) place.index;
+    qn_masonry_clear (&masonry);
+    if (status != QN_OK) {
+      qn_project_set_error (project, &diag, &root->reader->error);
+      return FALSE;
+    }
+  }
+  return TRUE;
+}
+
+gboolean
+qn_project_get_masonry (const QnProject *project, QnMasonries *list, GError **error)
+{
+  *list = (QnMasonries){ 0 };
+  QnReader reader = { .name = project->name };
+  QnJsonValue root = qn_json_value_root (&reader, project->extras);
+  QnJsonValue place = qn_json_value_member (&root, QN_MASONRY_MEMBER), element = { 0 };
+  while (qn_json_value_next (&place, &element)) {
+    QnMasonry masonry;
+    if (!read_masonry (&element, &project->model, &masonry)) {
+      g_propagate_error (error, reader.error);
+      qn_masonries_clear (list);
+      return FALSE;
+    }
+    qn_masonries_take (list, &masonry);
+  }
+  return TRUE;
 }
 
 /* ---- writing ---- */

@@ -17,10 +17,6 @@
  * behind those that it has. FALSE with the reader's error set. */
 gboolean qn_read_masonry (const QnJsonValue *root, QnProject *project);
 
-/* Reads one object. `masonry` is overwritten without being cleared and holds nothing on failure. */
-gboolean qn_read_masonry_object (const QnJsonValue *place, const QnModel *model,
-                                 QnMasonry *masonry);
-
 /* Appends one object as JSON, defaults left out. */
 void qn_masonry_append_json (GString *json, const QnMasonry *masonry,
                              const QnModel *model);

@@ -22,9 +22,6 @@ int32_t qn_read_note (const QnJsonValue *place);
  * is one of. */
 void qn_project_keep_inner (QnProject *project, QnReader *reader);
 
-/* Of a project, by owner; NULL where there are none. Free with g_hash_table_unref(). */
-GHashTable *qn_project_index_inner (const QnProject *project);
-
 /* Adds the unknown members of an owner ("contact", "analysis", …), or of the entity with this note,
  * to its object, the end of which was just written. */
 void qn_json_append_inner (GString *json, GHashTable *inner, const char *owner);
@@ -71,8 +68,7 @@ gboolean qn_read_list (const QnJsonValue *owner, const QnList *list, QnNeed need
 void qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
                           const QnList *list);
 
-/* An entity, and its note. */
-char *qn_list_entity (const QnModel *model, const QnList *list, size_t index);
+/* The note of an entity. */
 int32_t *qn_list_note (const QnModel *model, const QnList *list, size_t index);
 
 /* In project-contact.c; the walls must be expanded, so that their blocks have names. */

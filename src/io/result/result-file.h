@@ -7,7 +7,6 @@
 #include "core/check/result-check.h"
 #include "core/result/result.h"
 #include "io/project/project.h"
-#include "io/result/result-file.h"
 
 /* Which contact pair it is. */
 typedef struct QnResultContact {
@@ -67,3 +66,15 @@ gboolean qn_result_file_match (const QnResultFile *file, const char *name,
 gboolean qn_result_file_find_faults (const QnResultFile *file, const char *name,
                                      const QnProject *project, const QnContacts *contacts,
                                      QnResultFaults *faults, GError **error);
+
+/* ---- what follows from the rest ---- */
+
+/* Compares the text that `file` was read from with what the program writes for the same numbers;
+ * `name` is the name of the file in messages. False with an error that names the place
+ * (QN_IO_ERROR) where they differ. Adds to `unproved` (of char *, which it owns) the members that
+ * nothing in the file or the project proves, each once: "generator", "steps[].iterations". A member
+ * that is left out states nothing. */
+gboolean qn_result_text_agrees (const char *text, gsize length, const char *name,
+                                const QnResultFile *file, const QnProject *project,
+                                const QnContacts *contacts, GPtrArray *unproved,
+                                GError **error);

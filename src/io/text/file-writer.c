@@ -3,7 +3,6 @@
 #include "disk/whole-file.h"
 #include "io/text/io-error.h"
 #include "io/text/json-text.h"
-#include "io/text/number-text.h"
 #include "io/text/text-format.h"
 
 #include <errno.h>

@@ -1,6 +1,5 @@
 #include "io/text/json-text.h"
 
-#include "io/text/number-text.h"
 #include "io/text/text-format.h"
 
 #include <cjson/cJSON.h>

@@ -1,4 +1,5 @@
-/* printf() for messages, safe against NaN, infinities and line breaks in names. */
+/* printf() for messages, safe against NaN, infinities and line breaks in names; numbers as text, the same in
+ * every locale. */
 #pragma once
 
 #include <glib.h>
@@ -32,3 +33,13 @@ qn_is_plain_character (gunichar c)
   return !g_unichar_iscntrl (c) && !(c >= 0x2028 && c <= 0x202e)
          && !(c >= 0x2066 && c <= 0x2069);
 }
+
+/* ---- numbers ---- */
+
+/* Room for any number with its NUL. */
+#define QN_NUMBER_TEXT_SIZE 40
+
+/* The shortest text with 17 or fewer significant digits that reads back as the same double:
+ * "0.1", "10000000", "1e-6". Not for infinities and NaN, which JSON cannot hold: they give
+ * "null". Minus zero gives "0". Returns `text`. */
+const char *qn_number_text (double number, char text[QN_NUMBER_TEXT_SIZE]);

@@ -8,7 +8,7 @@
 #include "io/exchange/record.h"
 #include "io/result/result-file.h"
 #include "io/text/io-error.h"
-#include "io/text/number-text.h"
+#include "io/text/text-format.h"
 #include "render/scene/reading.h"
 #include "study/cases/shape.h"
 

@@ -2,7 +2,7 @@
 
 #include "core/base/clock.h"
 #include "io/text/io-error.h"
-#include "io/text/number-text.h"
+#include "io/text/text-format.h"
 #include "study/cases/folder.h"
 
 #include <errno.h>

@@ -2,7 +2,6 @@
 
 #include "io/text/file-writer.h"
 #include "io/text/io-error.h"
-#include "study/cases/gather.h"
 #include "study/cases/store.h"
 
 #include <glib/gi18n-lib.h>

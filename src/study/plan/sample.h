@@ -8,7 +8,25 @@
 
 #include "study/plan/study.h"
 
+#include <glib.h>
+#include <gsl/gsl_rng.h>
+
 /* A row of values for every case (qn_study_case_count()), one for each parameter. Cases of a plan "sobol" come in
  * blocks of as many as parameters and two: the point a, the point b, and for every parameter the point a with
  * this one coordinate of b. Free with g_free(). */
 double *qn_sample_dup (const QnStudy *study);
+
+/* ---- correlated points ---- */
+
+/* Whether any variables have these rank correlations (width x width, diagonal 1). */
+gboolean qn_correlation_is_possible (const double *correlation, gsize width);
+
+/* Independent points (count x width, in and out) moved so that each two coordinates follow the
+ * normal copula: every point by itself. */
+void qn_correlation_copula (const double *correlation, gsize width, double *points,
+                            gsize count);
+
+/* Exchanges values within each coordinate only, so that layers stay occupied. Iman and Conover,
+ * Communications in Statistics B11 (1982) 311-334. `count` must be larger than 2 x width. */
+void qn_correlation_reorder (const double *correlation, gsize width, double *points,
+                             gsize count, gsl_rng *random);

@@ -5,8 +5,8 @@
 #include "io/json/json-value.h"
 #include "io/project/project-members.h"
 #include "io/text/file-read.h"
-#include "io/text/number-text.h"
-#include "study/plan/correlation.h"
+#include "io/text/text-format.h"
+#include "study/plan/sample.h"
 #include "study/plan/study.h"
 
 #include <glib/gi18n-lib.h>

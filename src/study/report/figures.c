@@ -6,7 +6,7 @@
 #include "render/drawing/text.h"
 #include "render/figure/compare-sheet.h"
 #include "render/figure/plot.h"
-#include "study/report/column.h"
+#include "study/report/table.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

@@ -1,8 +1,6 @@
-#include "study/report/summary.h"
-
 #include "io/text/outcome-text.h"
 #include "io/text/text-format.h"
-#include "study/report/column.h"
+#include "study/report/table.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

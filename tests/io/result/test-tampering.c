@@ -8,7 +8,6 @@
  * element of every list, of others one of ten changes of the last; with `-m slow` all changes of all
  * results. */
 #include "core/path/analysis.h"
-#include "io/result/result-derived.h"
 #include "io/result/result-file.h"
 #include "support/auto-clear.h"
 #include "support/room.h"

@@ -1,4 +1,4 @@
-#include "io/text/tie-text.h"
+#include "io/text/mechanism-text.h"
 
 #include "io/project/project.h"
 #include "io/text/fault-text.h"

@@ -1,4 +1,4 @@
-#include "io/text/number-text.h"
+#include "io/text/text-format.h"
 #include "support/room.h"
 
 #include <glib.h>

@@ -2,7 +2,7 @@
 #include "study/cases/case.h"
 
 #include "core/limit/limit.h"
-#include "io/text/number-text.h"
+#include "io/text/text-format.h"
 #include "study/fixture.h"
 #include "support/auto-clear.h"
 #include "support/room.h"

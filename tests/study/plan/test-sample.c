@@ -1,7 +1,6 @@
 /* Plans: which points they have, and that they are the same everywhere. */
 #include "core/base/integer.h"
 #include "study/fixture.h"
-#include "study/plan/correlation.h"
 #include "study/plan/sample.h"
 #include "support/room.h"
 

@@ -1,12 +1,11 @@
 /* From a plan through the database to statistics: a function with known answers in place of an
  * analysis. */
-#include "study/report/column.h"
+#include "study/report/table.h"
 
 #include "study/cases/folder.h"
 #include "study/fixture.h"
 #include "study/plan/sample.h"
 #include "study/report/figures.h"
-#include "study/report/summary.h"
 #include "support/room.h"
 
 #include <math.h>
