@@ -32,7 +32,7 @@ void qn_file_writer_puts (QnFileWriter *writer, const char *text);
 void qn_file_writer_printf (QnFileWriter *writer, const char *format, ...)
   G_GNUC_PRINTF (2, 3);
 
-/* The shortest decimal text that reads back as the same double; see number-text.h. Or rounded by a printf
+/* The shortest decimal text that reads back as the same double; see text-format.h. Or rounded by a printf
  * format. A number that is not finite is an error, EDOM: the file is not written. */
 void qn_file_writer_number (QnFileWriter *writer, double number);
 void qn_file_writer_rounded (QnFileWriter *writer, double number, const char *format);

@@ -8,7 +8,7 @@ struct cJSON;
 /* Appends `text` (UTF-8) as a JSON string with its quotes. */
 void qn_json_append_string (GString *json, const char *text);
 
-/* Appends the shortest text of a number; see number-text.h. */
+/* Appends the shortest text of a number; see text-format.h. */
 void qn_json_append_number (GString *json, double number);
 
 /* Appends a tree: arrays and objects on one line where they fit, otherwise a line per value,
