@@ -2,7 +2,7 @@
 #include "app/forms/bound-form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
-#include "doc/edit/edit-face.h"
+#include "doc/edit/edit.h"
 #include "doc/text/explain.h"
 #include "doc/view/pair-text.h"
 #include <glib/gi18n.h>

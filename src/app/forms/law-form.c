@@ -3,7 +3,7 @@
 #include "app/forms/panel.h"
 #include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"
-#include "doc/edit/edit-face.h"
+#include "doc/edit/edit.h"
 #include "doc/text/law-text.h"
 #include "doc/view/pair-text.h"
 #include "io/project/typical-joint.h"

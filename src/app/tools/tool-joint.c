@@ -2,7 +2,7 @@
 #include "app/canvas/gesture.h"
 #include "app/tools/tools.h"
 
-#include "doc/edit/edit-face.h"
+#include "doc/edit/edit.h"
 #include <glib/gi18n.h>
 
 void

@@ -1,7 +1,7 @@
 #include "app/window/window-private.h"
 
 #include "app/widgets/dialog.h"
-#include "doc/view/carry-files.h"
+#include "doc/view/figures.h"
 #include <glib/gi18n.h>
 
 static const char *const project_suffixes[] = { "quoin", NULL };

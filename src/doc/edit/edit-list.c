@@ -1,5 +1,5 @@
 /* Names and lists of a model, whatever is in them. */
-#include "doc/edit/edit-tie.h"
+#include "doc/edit/edit.h"
 
 #include <glib/gi18n-lib.h>
 #include <stdlib.h>
@@ -94,23 +94,4 @@ qn_edit_remove_item (QnModel *model, QnPickKind kind, QnId item, GError **error)
                 &G_STRUCT_MEMBER (size_t, model, lists[kind].count), lists[kind].size,
                 (gsize) item);
   return TRUE;
-}
-
-QnId
-qn_edit_duplicate_item (QnModel *model, QnPickKind kind, QnId item, GError **error)
-{
-  const gboolean live = kind == QN_PICK_LIVE_LOAD;
-  if (!qn_edit_has_item (model, kind, item, error))
-    return QN_NONE;
-  if (kind == QN_PICK_BAR || kind == QN_PICK_TIE)
-    return (kind == QN_PICK_BAR ? qn_edit_copy_bar : qn_edit_copy_tie) (model, item,
-                                                                        error)
-             ? (QnId) qn_model_count_items (model, kind) - 1
-             : QN_NONE;
-  if (qn_edit_new_load (model, live, error) == NULL)
-    return QN_NONE;
-  QnLoad *original = qn_model_loads (model, live, NULL) + item;
-  memmove (original + 1, original,
-           (qn_model_count_items (model, kind) - 1 - (gsize) item) * sizeof *original);
-  return item + 1;
 }

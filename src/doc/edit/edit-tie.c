@@ -72,8 +72,8 @@ qn_edit_draw_tie (QnModel *model, QnVec2 from, QnVec2 to, GError **error)
   return ties_something (tie, error);
 }
 
-gboolean
-qn_edit_copy_tie (QnModel *model, QnId tie, GError **error)
+static gboolean
+copy_tie (QnModel *model, QnId tie, GError **error)
 {
   QnTie *added = add_tie (model);
   if (added == NULL)
@@ -280,8 +280,8 @@ qn_edit_add_bar (QnModel *model, QnBlockSet set, GError **error)
                            error);
 }
 
-gboolean
-qn_edit_copy_bar (QnModel *model, QnId bar, GError **error)
+static gboolean
+copy_bar (QnModel *model, QnId bar, GError **error)
 {
   QnBar *added = qn_model_add_bar (model);
   if (added == NULL)
@@ -295,12 +295,22 @@ qn_edit_copy_bar (QnModel *model, QnId bar, GError **error)
   return TRUE;
 }
 
-static char *
-dup_place (QnUnits units, QnVec2 at)
+QnId
+qn_edit_duplicate_item (QnModel *model, QnPickKind kind, QnId item, GError **error)
 {
-  g_autofree char *x = qn_units_format (units, QN_QUANTITY_LENGTH, at.x, 4);
-  g_autofree char *y = qn_units_format_full (units, QN_QUANTITY_LENGTH, at.y, 4);
-  return g_strdup_printf ("%s; %s", x, y);
+  const gboolean live = kind == QN_PICK_LIVE_LOAD;
+  if (!qn_edit_has_item (model, kind, item, error))
+    return QN_NONE;
+  if (kind == QN_PICK_BAR || kind == QN_PICK_TIE)
+    return (kind == QN_PICK_BAR ? copy_bar : copy_tie) (model, item, error)
+             ? (QnId) qn_model_count_items (model, kind) - 1
+             : QN_NONE;
+  if (qn_edit_new_load (model, live, error) == NULL)
+    return QN_NONE;
+  QnLoad *original = qn_model_loads (model, live, NULL) + item;
+  memmove (original + 1, original,
+           (qn_model_count_items (model, kind) - 1 - (gsize) item) * sizeof *original);
+  return item + 1;
 }
 
 char *
@@ -308,8 +318,9 @@ qn_bar_dup_text (const QnModel *model, const QnBar *bar, QnUnits units)
 {
   g_autofree char *diameter = qn_units_format_full (units, QN_QUANTITY_DIAMETER,
                                                     qn_bar_get_diameter (bar->area), 3);
-  g_autofree char *start = dup_place (units, bar->start);
-  g_autofree char *end = dup_place (units, bar->end);
+  g_autofree char *start =
+    qn_units_format_pair (units, QN_QUANTITY_LENGTH, bar->start, 4);
+  g_autofree char *end = qn_units_format_pair (units, QN_QUANTITY_LENGTH, bar->end, 4);
   return g_strdup_printf ("%s, Ø %s: %s – %s", model->laws[bar->law].name, diameter,
                           start, end);
 }

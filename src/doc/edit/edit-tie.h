@@ -23,10 +23,6 @@ extern const double qn_tie_diameters[QN_TIE_DIAMETERS];
  * end on a block is fixed to it, elsewhere to the ground. */
 gboolean qn_edit_draw_tie (QnModel *model, QnVec2 from, QnVec2 to, GError **error);
 
-/* What qn_edit_duplicate_item() does with a tie and a bar; a tie has a name of its own. */
-gboolean qn_edit_copy_tie (QnModel *model, QnId tie, GError **error);
-gboolean qn_edit_copy_bar (QnModel *model, QnId bar, GError **error);
-
 /* A strip that is glued to the blocks along its line: a tie from each of them to the next, from middle to
  * middle of what it covers, in place of the tie. */
 gboolean qn_edit_glue_tie (QnModel *model, QnId tie, GError **error);

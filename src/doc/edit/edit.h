@@ -7,6 +7,7 @@
  */
 #pragma once
 
+#include "core/contact/contacts.h"
 #include "core/model/model.h"
 #include "render/drawing/scene.h"
 #include "stereotomy/masonry.h"
@@ -129,6 +130,30 @@ guint qn_edit_count_law_uses (const QnModel *model, QnId law);
 /* Removes a law; what has it gets `by`, or, where that is QN_NONE, the law of the contacts. Refused
  * where nothing can stand in its place. */
 gboolean qn_edit_delete_law (QnModel *model, QnId law, QnId by, GError **error);
+
+/* ---- contact faces (edit-load.c): exceptions from the general law and placement of pairs ----
+ *
+ * A face is told by its two blocks; an exception holds for all faces between them. Exceptions
+ * that say nothing any more are removed. */
+
+/* A set of faces by their blocks; numbers that the contacts do not have are passed over. */
+typedef struct QnFaceSet {
+  const QnContacts *contacts;
+  const QnId *ids;
+  guint count;
+} QnFaceSet;
+
+/* The exception for a face, or NULL. */
+const QnFaceOverride *qn_model_find_override (const QnModel *model,
+                                              const QnContactFace *face);
+
+/* Whether an exception is for these two blocks. */
+gboolean qn_override_concerns (const QnFaceOverride *override, QnId a, QnId b);
+
+/* The law where one is given, QN_NONE for that of the blocks or of all contacts; else the pairs, NULL for
+ * those of all contacts. */
+gboolean qn_edit_set_faces (QnModel *model, QnFaceSet set, const QnId *law,
+                            const QnPairRule *rule, GError **error);
 
 /* ---- lists of loads, bars and ties (edit-list.c) ---- */
 

@@ -2,8 +2,8 @@
 
 #include "core/base/polygon.h"
 #include "core/contact/plausible.h"
-#include "doc/edit/edit-face.h"
 #include "doc/edit/edit-shape.h"
+#include "doc/edit/edit.h"
 #include "io/text/text-format.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/weld.h"

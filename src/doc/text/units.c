@@ -13,8 +13,10 @@ typedef struct UnitRow {
   double factor; /* SI value of one */
 } UnitRow;
 
-/* Every unit that is understood. The ones in which quantities are shown are found by symbol. */
+/* Every unit that is understood; of each quantity those come first in which it can be shown, in the order of
+ * QnUnits. */
 static const UnitRow unit_rows[] = {
+  { QN_QUANTITY_NUMBER, "", 1.0 },
   { QN_QUANTITY_LENGTH, "m", 1.0 },
   { QN_QUANTITY_LENGTH, "cm", 1e-2 },
   { QN_QUANTITY_LENGTH, "mm", 1e-3 },
@@ -67,23 +69,20 @@ static const UnitRow unit_rows[] = {
   { QN_QUANTITY_SURFACE_ENERGY, "J/m2", 1.0 },
 };
 
-static const char *const length_symbols[] = { "m", "cm", "mm" };
-static const char *const force_symbols[] = { "N", "kN" };
-static const char *const moment_symbols[] = { "N·m", "kN·m" };
-static const char *const stress_symbols[] = { "Pa", "kPa", "MPa" };
-static const char *const pressure_symbols[] = { "Pa", "kPa" };
-static const char *const stiffness_symbols[] = { "N/m", "kN/m" };
-static const char *const surface_symbols[] = { "Pa/m", "kPa/m", "MPa/m" };
-static const char *const unit_weight_symbols[] = { "N/m³", "kN/m³" };
-
+/* The unit in which a quantity is shown. */
 static const UnitRow *
-find_row (QnQuantity quantity, const char *symbol)
+shown_unit (QnUnits units, QnQuantity quantity)
 {
-  for (gsize i = 0; i < G_N_ELEMENTS (unit_rows); i++) {
-    if (unit_rows[i].quantity == quantity && strcmp (unit_rows[i].symbol, symbol) == 0)
-      return &unit_rows[i];
-  }
-  return NULL;
+  const unsigned chosen[QN_QUANTITY_COUNT] = {
+    [QN_QUANTITY_LENGTH] = units.length,   [QN_QUANTITY_FORCE] = units.force,
+    [QN_QUANTITY_MOMENT] = units.force,    [QN_QUANTITY_PRESSURE] = units.force,
+    [QN_QUANTITY_STIFFNESS] = units.force, [QN_QUANTITY_UNIT_WEIGHT] = units.force,
+    [QN_QUANTITY_STRESS] = units.stress,   [QN_QUANTITY_SURFACE_STIFFNESS] = units.stress,
+  };
+  const UnitRow *row = unit_rows;
+  while (row->quantity != quantity)
+    row++;
+  return row + chosen[quantity];
 }
 
 QnUnits
@@ -96,32 +95,13 @@ qn_units_of_motion (QnUnits units)
 const char *
 qn_units_symbol (QnUnits units, QnQuantity quantity)
 {
-  const char *const symbols[QN_QUANTITY_COUNT] = {
-    [QN_QUANTITY_LENGTH] = length_symbols[units.length],
-    [QN_QUANTITY_DIAMETER] = "mm",
-    [QN_QUANTITY_ANGLE] = "°",
-    [QN_QUANTITY_ROTATION] = "mrad",
-    [QN_QUANTITY_FORCE] = force_symbols[units.force],
-    [QN_QUANTITY_MOMENT] = moment_symbols[units.force],
-    [QN_QUANTITY_STRESS] = stress_symbols[units.stress],
-    [QN_QUANTITY_PRESSURE] = pressure_symbols[units.force],
-    [QN_QUANTITY_STIFFNESS] = stiffness_symbols[units.force],
-    [QN_QUANTITY_SURFACE_STIFFNESS] = surface_symbols[units.stress],
-    [QN_QUANTITY_UNIT_WEIGHT] = unit_weight_symbols[units.force],
-    [QN_QUANTITY_DENSITY] = "kg/m³",
-    [QN_QUANTITY_TIME] = "s",
-    [QN_QUANTITY_ENERGY] = "J",
-    [QN_QUANTITY_SURFACE_ENERGY] = "J/m²",
-    [QN_QUANTITY_NUMBER] = "",
-  };
-  return symbols[quantity];
+  return shown_unit (units, quantity)->symbol;
 }
 
 double
 qn_units_factor (QnUnits units, QnQuantity quantity)
 {
-  const UnitRow *row = find_row (quantity, qn_units_symbol (units, quantity));
-  return row != NULL ? row->factor : 1.0;
+  return shown_unit (units, quantity)->factor;
 }
 
 /* From here on numbers that are longer than their digits have a power of ten. */
@@ -333,10 +313,10 @@ is_infinity (QnQuantity quantity, const char *text)
   gboolean word = g_ascii_strncasecmp (text, "inf", 3) == 0;
   if (!word && !g_str_has_prefix (text, "∞"))
     return FALSE;
-  const char *rest = text + (word ? strlen ("inf") : strlen ("∞"));
-  while (*rest != '\0' && g_unichar_isspace (g_utf8_get_char (rest)))
-    rest = g_utf8_next_char (rest);
-  return *rest == '\0' || find_row (quantity, rest) != NULL;
+  Reader r = { .quantity = quantity,
+               .at = text + (word ? strlen ("inf") : strlen ("∞")) };
+  take_unit (&r);
+  return *r.at == '\0';
 }
 
 gboolean
@@ -367,6 +347,14 @@ qn_units_parse (QnUnits units, QnQuantity quantity, const char *text, double *va
     return qn_io_fail (error, QN_IO_ERROR_INVALID, _ ("“%s” is too large"), text);
   *value = term.value;
   return TRUE;
+}
+
+char *
+qn_units_format_pair (QnUnits units, QnQuantity quantity, QnVec2 pair, int digits)
+{
+  g_autofree char *first = qn_units_format (units, quantity, pair.x, digits);
+  g_autofree char *second = qn_units_format_full (units, quantity, pair.y, digits);
+  return g_strdup_printf ("%s; %s", first, second);
 }
 
 char *

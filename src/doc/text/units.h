@@ -6,6 +6,8 @@
  */
 #pragma once
 
+#include "core/base/vec2.h"
+
 #include <glib.h>
 
 typedef enum {
@@ -55,6 +57,9 @@ char *qn_units_format (QnUnits units, QnQuantity quantity, double value, int dig
 
 /* The number with its unit after a no-break space. The caller frees it. */
 char *qn_units_format_full (QnUnits units, QnQuantity quantity, double value, int digits);
+
+/* Two of them, as "0.2; 3 m". The caller frees it. */
+char *qn_units_format_pair (QnUnits units, QnQuantity quantity, QnVec2 pair, int digits);
 
 /* Reads a number with or without a unit; without one the displayed unit is meant. Sums, differences,
  * products, quotients and brackets are worked out: "0.4*3+0.01", "2*(40 cm + 1 cm)". "∞" and

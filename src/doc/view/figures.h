@@ -42,3 +42,9 @@ gboolean qn_view_state_export_as (QnViewState *state, const QnRecipe *recipe,
 
 /* Metadata of pictures of a document; borrows from it. */
 void qn_document_get_metadata (QnDocument *document, QnMetadata *metadata);
+
+/* Before the document is saved as `path`: copies records of ground motion and results of figures
+ * into the new folder, and the picture of a document that was opened as a copy; other pictures are
+ * named as seen from there. FALSE with an error where a file of the name is there that says
+ * something else: nothing is written over. */
+gboolean qn_document_carry_files (QnDocument *document, const char *path, GError **error);

@@ -123,11 +123,8 @@ static void
 add_pair (Lines *lines, QnUnits units, const char *name, QnQuantity quantity, double a,
           double b)
 {
-  g_autofree char *first =
-    qn_units_format (units, quantity, quiet (lines, quantity, a), DIGITS);
-  g_autofree char *second =
-    qn_units_format_full (units, quantity, quiet (lines, quantity, b), DIGITS);
-  g_autofree char *both = g_strdup_printf ("%s; %s", first, second);
+  const QnVec2 pair = { quiet (lines, quantity, a), quiet (lines, quantity, b) };
+  g_autofree char *both = qn_units_format_pair (units, quantity, pair, DIGITS);
   add_text (lines, name, both);
 }
 

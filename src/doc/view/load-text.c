@@ -22,14 +22,6 @@ in_full (QnUnits units, QnQuantity quantity, double value)
   return qn_units_format_full (units, quantity, value, 4);
 }
 
-static char *
-dup_vector (QnUnits units, QnQuantity quantity, QnVec2 v)
-{
-  g_autofree char *x = qn_units_format (units, quantity, v.x, 4);
-  g_autofree char *y = in_full (units, quantity, v.y);
-  return g_strdup_printf ("%s; %s", x, y);
-}
-
 /* "2 to 5 kN/m", or one number where both are the same. */
 static char *
 dup_range (QnUnits units, QnQuantity quantity, const double ends[2])
@@ -56,9 +48,9 @@ dup_edge_text (const QnModel *model, const QnLoad *load, QnUnits units)
     : load->edge_count == 1
       ? g_strdup_printf (_ ("edge %d"), load->edge)
       : g_strdup_printf (_ ("%d edges from %d"), load->edge_count, load->edge);
-  g_autofree char *direction = load->normal
-                                 ? g_strdup (_ ("normal"))
-                                 : dup_vector (units, QN_QUANTITY_NUMBER, load->vector);
+  g_autofree char *direction =
+    load->normal ? g_strdup (_ ("normal"))
+                 : qn_units_format_pair (units, QN_QUANTITY_NUMBER, load->vector, 4);
   return g_strdup_printf (_ ("Edge load on %s, %s: %s (%s)"), block, where, intensity,
                           direction);
 }
@@ -147,10 +139,12 @@ dup_vehicle_text (const QnModel *model, const QnLoad *load, QnUnits units)
 char *
 qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units)
 {
-  g_autofree char *force = dup_vector (units, QN_QUANTITY_FORCE, load->vector);
+  g_autofree char *force =
+    qn_units_format_pair (units, QN_QUANTITY_FORCE, load->vector, 4);
   switch (load->kind) {
   case QN_LOAD_WEIGHT: {
-    g_autofree char *direction = dup_vector (units, QN_QUANTITY_NUMBER, load->vector);
+    g_autofree char *direction =
+      qn_units_format_pair (units, QN_QUANTITY_NUMBER, load->vector, 4);
     return g_strdup_printf (_ ("Own weight × (%s)"), direction);
   }
   case QN_LOAD_FORCE:
@@ -160,7 +154,8 @@ qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units)
     return g_strdup_printf (_ ("Force on node %s: %s"), model->nodes[load->node].name,
                             force);
   case QN_LOAD_LINE: {
-    g_autofree char *line = dup_vector (units, QN_QUANTITY_STIFFNESS, load->vector);
+    g_autofree char *line =
+      qn_units_format_pair (units, QN_QUANTITY_STIFFNESS, load->vector, 4);
     return g_strdup_printf (_ ("Along %s: %s"), model->beams[load->beam].name, line);
   }
   case QN_LOAD_SETTLEMENT: {

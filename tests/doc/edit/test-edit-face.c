@@ -1,4 +1,4 @@
-#include "doc/edit/edit-face.h"
+#include "doc/edit/edit.h"
 
 #include "doc/fixture.h"
 #include "support/edit-model.h"

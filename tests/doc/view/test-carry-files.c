@@ -1,4 +1,4 @@
-#include "doc/view/carry-files.h"
+#include "doc/view/figures.h"
 #include "io/project/project.h"
 
 #include "doc/view/view-state.h"
