@@ -715,7 +715,7 @@ qn_compare_page_new (QnDocument *document, QnDocumentsFunc list_others)
     .document = document,
     .list_others = list_others,
     .shown = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref),
-    .batch = qn_batch_new (),
+    .batch = g_object_new (QN_TYPE_BATCH, NULL),
     .known = g_hash_table_new_full (NULL, NULL, (GDestroyNotify) qn_run_unref, NULL),
     .cells = g_ptr_array_new (),
     .zoom = 1.0,

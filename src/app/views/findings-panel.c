@@ -32,7 +32,7 @@ on_fix (GtkButton *button, Panel *panel)
   QnCanvasDraft draft;
   if (qn_canvas_begin_edit (panel->canvas, &draft))
     qn_canvas_end_edit (
-      panel->canvas, &draft, qn_repair_get_step_name (fix->repair), NULL,
+      panel->canvas, &draft, _ (qn_repair_words[fix->repair].step), NULL,
       qn_edit_repair (draft.model, &fix->finding, fix->repair, &draft.error));
 }
 
@@ -64,7 +64,7 @@ add_fixes (Panel *panel, GtkWidget *box, const QnModel *model, const QnFinding *
   QnRepair choices[QN_REPAIR_COUNT];
   guint count = qn_repair_get_choices (model, finding, gaps, choices);
   for (guint i = 0; i < count; i++) {
-    GtkWidget *button = gtk_button_new_with_label (qn_repair_get_label (choices[i]));
+    GtkWidget *button = gtk_button_new_with_label (_ (qn_repair_words[choices[i]].label));
     Fix *fix = g_new (Fix, 1);
     *fix = (Fix){ *finding, choices[i] };
     g_autofree char *what = qn_repair_explain (model, finding, choices[i]);

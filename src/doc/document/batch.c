@@ -190,9 +190,3 @@ qn_batch_init (QnBatch *self)
   self->documents = g_ptr_array_new_with_free_func (g_object_unref);
   self->messages = g_ptr_array_new_with_free_func (g_free);
 }
-
-QnBatch *
-qn_batch_new (void)
-{
-  return g_object_new (QN_TYPE_BATCH, NULL);
-}

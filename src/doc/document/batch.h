@@ -18,8 +18,6 @@ struct _QnBatch {
   gboolean cancelled;
 };
 
-QnBatch *qn_batch_new (void);
-
 /* Opens a file, or every project and result of a folder. A result belongs to the project of the name
  * that it tells, in the same folder. A project that is there already is not opened again. Returns
  * how many projects and results came; what cannot be opened is told by the messages. */

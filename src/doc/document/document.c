@@ -128,7 +128,7 @@ qn_document_init (QnDocument *self)
 {
   qn_project_init (&self->project);
   self->history = qn_history_new ();
-  self->selection = qn_selection_new ();
+  self->selection = g_object_new (QN_TYPE_SELECTION, NULL);
   g_signal_connect_object (self->selection, "changed", G_CALLBACK (on_selection_changed),
                            self, G_CONNECT_SWAPPED);
   self->runs = g_ptr_array_new_with_free_func ((GDestroyNotify) qn_run_unref);

@@ -11,7 +11,7 @@
 
 #define PROGRESS_INTERVAL_MS 50
 
-/* Points of the live curve of an analysis in time; when it has more, every other one goes. */
+/* Points of the live curve of an analysis in time, at most. */
 #define LIVE_POINTS 2000
 
 /* Running time before the end of an analysis in time is estimated, s. */
@@ -35,7 +35,6 @@ struct _QnJob {
   gboolean fresh;
   QnProgress progress;
   GArray *curve;                   /* of QnVec2 */
-  double apart;                    /* s between points of a history */
   gint64 started, paused_at, idle; /* us: when, and how long it has been paused */
 };
 
@@ -87,20 +86,11 @@ qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
 
 /* Every point of a history that lies far enough from the last one. */
 static void
-add_moment (QnJob *self, QnVec2 point)
+add_moment (GArray *curve, QnVec2 point, double apart)
 {
-  GArray *curve = self->curve;
-  double last =
-    curve->len > 0 ? g_array_index (curve, QnVec2, curve->len - 1).x : -INFINITY;
-  if (!(point.x > last) || point.x - last < self->apart)
-    return;
-  g_array_append_val (curve, point);
-  if (curve->len <= LIVE_POINTS)
-    return;
-  self->apart = 2.0 * point.x / LIVE_POINTS;
-  for (guint i = 0; i < curve->len / 2; i++)
-    g_array_index (curve, QnVec2, i) = g_array_index (curve, QnVec2, 2 * i);
-  g_array_set_size (curve, curve->len / 2);
+  if (curve->len == 0
+      || point.x - g_array_index (curve, QnVec2, curve->len - 1).x >= apart)
+    g_array_append_val (curve, point);
 }
 
 /* In the thread, at least once per iteration. */
@@ -115,7 +105,8 @@ on_solver_progress (const QnProgress *progress, void *user_data)
   self->fresh = TRUE;
   /* One point for every step that converged; in time for every one that lies apart. */
   if (progress->end > 0)
-    add_moment (self, qn_vec2 (progress->time, progress->displacement));
+    add_moment (self->curve, qn_vec2 (progress->time, progress->displacement),
+                progress->end / LIVE_POINTS);
   else
     while (self->curve->len < (guint) MAX (progress->steps, 0)) {
       QnVec2 point = qn_vec2 (self->curve->len, progress->multiplier);

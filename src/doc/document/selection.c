@@ -44,12 +44,6 @@ qn_selection_init (QnSelection *self)
   self->object = QN_NONE;
 }
 
-QnSelection *
-qn_selection_new (void)
-{
-  return g_object_new (QN_TYPE_SELECTION, NULL);
-}
-
 gboolean
 qn_selection_has (QnSelection *self, QnPickKind kind, QnId id)
 {

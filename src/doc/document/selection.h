@@ -21,9 +21,6 @@ struct _QnSelection {
   int opening;
 };
 
-/* Nothing selected. */
-QnSelection *qn_selection_new (void);
-
 gboolean qn_selection_is_empty (QnSelection *selection);
 void qn_selection_clear (QnSelection *selection);
 gboolean qn_selection_has (QnSelection *selection, QnPickKind kind, QnId id);

@@ -129,10 +129,7 @@ qn_repair_get_choices (const QnModel *model, const QnFinding *finding, gboolean 
   return count;
 }
 
-/* For a button, in the history, and for who wants to know what it does. */
-static const struct {
-  const char *label, *step, *sentence;
-} words[QN_REPAIR_COUNT] = {
+const QnRepairWords qn_repair_words[QN_REPAIR_COUNT] = {
   [QN_REPAIR_CLOSE] = { N_ ("Close"), N_ ("Close Gaps"),
                         N_ ("Extends all blocks beside gaps like this one to the "
                             "middle") },
@@ -150,18 +147,6 @@ static const struct {
                          N_ ("Removes the exception for %s and %s") },
 };
 
-const char *
-qn_repair_get_label (QnRepair repair)
-{
-  return _ (words[repair].label);
-}
-
-const char *
-qn_repair_get_step_name (QnRepair repair)
-{
-  return _ (words[repair].step);
-}
-
 char *
 qn_repair_explain (const QnModel *model, const QnFinding *finding, QnRepair repair)
 {
@@ -174,7 +159,7 @@ qn_repair_explain (const QnModel *model, const QnFinding *finding, QnRepair repa
   choose (model, finding, &mover, &keeper);
   const char *first = model->blocks[mover].name;
   const char *second = keeper != QN_NONE ? model->blocks[keeper].name : "";
-  g_auto (GStrv) parts = g_strsplit (_ (words[repair].sentence), "%s", -1);
+  g_auto (GStrv) parts = g_strsplit (_ (qn_repair_words[repair].sentence), "%s", -1);
   GString *text = g_string_new (parts[0]);
   for (guint i = 1; parts[i] != NULL; i++)
     g_string_append_printf (text, "%s%s", i == 1 ? first : second, parts[i]);

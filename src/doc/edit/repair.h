@@ -28,9 +28,11 @@ typedef enum {
 guint qn_repair_get_choices (const QnModel *model, const QnFinding *finding,
                              gboolean gaps, QnRepair choices[QN_REPAIR_COUNT]);
 
-/* "Snap", "Move" …, for a button; and the name of the step in the history. Static. */
-const char *qn_repair_get_label (QnRepair repair);
-const char *qn_repair_get_step_name (QnRepair repair);
+/* "Snap", "Move" …, for a button; the name of the step in the history; what it does. To be translated. */
+typedef struct QnRepairWords {
+  const char *label, *step, *sentence;
+} QnRepairWords;
+extern const QnRepairWords qn_repair_words[QN_REPAIR_COUNT];
 
 /* Description of the repair with the block's name. The caller frees it. */
 char *qn_repair_explain (const QnModel *model, const QnFinding *finding, QnRepair repair);

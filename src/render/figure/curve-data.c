@@ -183,8 +183,12 @@ qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult *resu
 /* Of a motion in linear geometry that exceeds the structure so many of its sizes are drawn. */
 #define SHOWN_SIZE 0.25
 
-bool
-qn_curve_get_end (const QnCurve *curve, double *end)
+/* End of the informative part of a curve: a displacement a little beyond the peak, if from there on the
+ * multiplier is constant while the displacement grows many times; a part of the size of the structure, if
+ * a motion in linear geometry exceeds it. False: show the whole curve, for example one that descends from
+ * its peak. */
+static bool
+find_end (const QnCurve *curve, double *end)
 {
   double peak = 0, before = 0, at_peak = 0, farthest = 0;
   size_t first = 0;
@@ -248,7 +252,7 @@ void
 qn_curve_cut_runaway (QnCurve *curve)
 {
   double end = 0;
-  if (!qn_curve_get_end (curve, &end))
+  if (!find_end (curve, &end))
     return;
   size_t i = 1;
   while (fabs (curve->x[i] - curve->x[0]) <= fabs (end - curve->x[0]))

@@ -54,16 +54,11 @@ void qn_curve_from_result (QnCurve *curve, const QnModel *model, const QnResult 
  * same bodies, whatever the names of their sets. */
 bool qn_curve_shares_axes (const QnCurve *a, const QnCurve *b);
 
-/* End of the informative part of a curve: a displacement a little beyond the peak, if from there on the
- * multiplier is constant while the displacement grows many times; a part of the size of the structure, if
- * a motion in linear geometry exceeds it. False: show the whole curve, for example one that descends from
- * its peak. */
-bool qn_curve_get_end (const QnCurve *curve, double *end);
-
 /* Ends the curve where it first leaves -until .. until; marks beyond are left out. */
 void qn_curve_cut (QnCurve *curve, double until);
 
-/* Ends the curve at the end above and marks it as running on; marks beyond move there. */
+/* Ends a curve whose motion grows without limit a little beyond its peak and marks it as running on; marks
+ * beyond move there. */
 void qn_curve_cut_runaway (QnCurve *curve);
 
 void qn_curve_clear (QnCurve *curve);

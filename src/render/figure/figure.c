@@ -49,8 +49,9 @@ shows_result (const QnFigure *figure)
   return figure->result != NULL && qn_view_needs_result (figure->options.view);
 }
 
-double
-qn_figure_multiplier (const QnFigure *figure)
+/* Of the shown result; not-a-number: no result. */
+static double
+shown_multiplier (const QnFigure *figure)
 {
   const QnResult *result = figure->result;
   if (!shows_result (figure) || result->history.width > 0)
@@ -91,7 +92,7 @@ append_time (GString *text, const QnFigure *figure)
 static void
 append_multiplier (GString *text, const QnFigure *figure, bool brief)
 {
-  double multiplier = qn_figure_multiplier (figure);
+  double multiplier = shown_multiplier (figure);
   const QnResult *result = figure->result;
   if (isnan (multiplier))
     return;
@@ -331,12 +332,6 @@ qn_figure_layout_draw (const QnFigureLayout *layout, const QnFigure *figure,
   return true;
 }
 
-void
-qn_figure_layout_clear (QnFigureLayout *layout)
-{
-  qn_furniture_clear (&layout->furniture);
-}
-
 bool
 qn_figure_draw (const QnFigure *figure, cairo_t *cr, const QnPage *page,
                 const QnFrame *frame, QnCamera *camera, GError **error)
@@ -350,7 +345,7 @@ qn_figure_draw (const QnFigure *figure, cairo_t *cr, const QnPage *page,
   bool done = qn_figure_layout_draw (&layout, figure, scene, cr, page, error);
   if (camera != NULL)
     *camera = layout.camera;
-  qn_figure_layout_clear (&layout);
+  qn_furniture_clear (&layout.furniture);
   return done;
 }
 
@@ -363,7 +358,7 @@ scale_in (const QnFigure *figure, const QnScene *scene, cairo_t *cr, const QnPag
   frame.height = height;
   qn_figure_layout_init (&layout, figure, scene, cr, page, &frame);
   double scale = layout.camera.scale;
-  qn_figure_layout_clear (&layout);
+  qn_furniture_clear (&layout.furniture);
   return scale;
 }
 
@@ -409,7 +404,7 @@ qn_figure_metadata (const QnFigure *figure, const QnMetadata *metadata)
   if (full.title == NULL)
     full.title = qn_figure_title (figure);
   if (isnan (full.multiplier))
-    full.multiplier = qn_figure_multiplier (figure);
+    full.multiplier = shown_multiplier (figure);
   return full;
 }
 

@@ -33,9 +33,6 @@ const char *qn_figure_title (const QnFigure *figure);
 /* The metadata, with the title and the multiplier of the figure where they have none. */
 QnMetadata qn_figure_metadata (const QnFigure *figure, const QnMetadata *metadata);
 
-/* Multiplier of the shown result; not-a-number: no result. */
-double qn_figure_multiplier (const QnFigure *figure);
-
 /* The second line of a figure as it would stand there by itself, or shorter for sheets; newly
  * allocated. */
 char *qn_figure_dup_caption (const QnFigure *figure, const QnScene *scene, bool brief);
@@ -83,5 +80,3 @@ void qn_figure_layout_init (QnFigureLayout *layout, const QnFigure *figure,
 bool qn_figure_layout_draw (const QnFigureLayout *layout, const QnFigure *figure,
                             const QnScene *scene, cairo_t *cr, const QnPage *page,
                             GError **error);
-
-void qn_figure_layout_clear (QnFigureLayout *layout);

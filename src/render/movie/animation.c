@@ -211,7 +211,7 @@ player_init (Player *player, const QnAnimation *animation, const QnPage *page,
 static void
 player_clear (Player *player)
 {
-  qn_figure_layout_clear (&player->layout);
+  qn_furniture_clear (&player->layout.furniture);
   qn_scene_free (player->reference);
   qn_curve_clear (&player->curve);
   g_free (player->steps);

@@ -106,8 +106,10 @@ qn_motion_auto_scale (const QnMotion *motion)
   return floor (scale / power) * power;
 }
 
-size_t
-qn_motion_farthest_step (const QnModel *model, const QnResult *result)
+/* The step of a result (of at least one) whose blocks and nodes have moved farthest: a factor that
+ * fits it fits all steps, so that they can be compared. */
+static size_t
+farthest_step (const QnModel *model, const QnResult *result)
 {
   size_t rows = qn_result_body_count (result), farthest = 0;
   double largest = -1;
@@ -142,7 +144,7 @@ qn_motion_result_scale (const QnModel *model, const QnResult *result)
 {
   if (result->step_count == 0)
     return 1;
-  size_t step = qn_motion_farthest_step (model, result);
+  size_t step = farthest_step (model, result);
   bool linear = model->analysis.geometry == QN_GEOMETRY_LINEAR;
   const QnMotion motion = qn_step_motion (model, result, step);
   double scale = qn_motion_auto_scale (&motion);

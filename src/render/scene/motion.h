@@ -28,10 +28,6 @@ QnVec2 qn_motion_place (const QnMotion *motion, QnId block, QnVec2 p, double sca
  * two digits. */
 double qn_motion_auto_scale (const QnMotion *motion);
 
-/* The step of a result (of at least one) whose blocks and nodes have moved farthest: a factor that
- * fits it fits all steps, so that they can be compared. */
-size_t qn_motion_farthest_step (const QnModel *model, const QnResult *result);
-
 /* The displacements of a step, at factor 1; `displacements` is NULL where the result has no
  * steps. */
 QnMotion qn_step_motion (const QnModel *model, const QnResult *result, size_t step);

@@ -69,7 +69,7 @@ test_folder (void)
   g_autofree char *result = g_build_filename (folder, "a.json", NULL);
   g_assert_true (g_file_set_contents (broken, "{ \"format\": ", -1, NULL));
 
-  g_autoptr (QnBatch) batch = qn_batch_new ();
+  g_autoptr (QnBatch) batch = g_object_new (QN_TYPE_BATCH, NULL);
   guint changes = 0;
   g_signal_connect (batch, "changed", G_CALLBACK (count), &changes);
   g_assert_cmpuint (qn_batch_add (batch, folder), ==, 2);
@@ -90,7 +90,7 @@ test_folder (void)
   g_assert_true (qn_document_write_result (solved, solved->run, result, NULL));
 
   /* A result comes with its project and is not solved again; neither comes twice. */
-  g_autoptr (QnBatch) again = qn_batch_new ();
+  g_autoptr (QnBatch) again = g_object_new (QN_TYPE_BATCH, NULL);
   g_assert_cmpuint (qn_batch_add (again, result), ==, 1);
   g_assert_false (is_busy (again));
   g_assert_cmpuint (qn_batch_add (again, first), ==, 1);

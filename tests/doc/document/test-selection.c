@@ -11,7 +11,7 @@ on_changed (gpointer counter)
 static void
 test_sets (void)
 {
-  g_autoptr (QnSelection) selection = qn_selection_new ();
+  g_autoptr (QnSelection) selection = g_object_new (QN_TYPE_SELECTION, NULL);
   int changes = 0;
   g_signal_connect_swapped (selection, "changed", G_CALLBACK (on_changed), &changes);
   const QnId ids[] = { 5, 2, 2, 9 };
@@ -80,7 +80,7 @@ test_follow_load (void)
   after.live_load_count = 2;
   static const QnId now[] = { QN_NONE, 0, 1 };
   for (QnId old = 0; old < 3; old++) {
-    g_autoptr (QnSelection) selection = qn_selection_new ();
+    g_autoptr (QnSelection) selection = g_object_new (QN_TYPE_SELECTION, NULL);
     qn_selection_set_one (selection, QN_PICK_LIVE_LOAD, old);
     qn_selection_follow (selection, &before, &contacts, &after, &contacts);
     g_assert_cmpint (qn_selection_get_one (selection, QN_PICK_LIVE_LOAD), ==, now[old]);

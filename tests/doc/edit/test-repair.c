@@ -73,8 +73,7 @@ check_every_choice (QnDocument *opened, QnProblem problem, guint expected)
                    || strstr (what, "these 2 blocks") != NULL);
     Fix fix = { finding, choices[i] };
     g_autoptr (GError) error = NULL;
-    edit_model (document, qn_repair_get_step_name (choices[i]), NULL, repair, &fix,
-                &error);
+    edit_model (document, qn_repair_words[choices[i]].step, NULL, repair, &fix, &error);
     g_assert_no_error (error);
     const QnContacts *contacts = &document->contacts;
     for (gsize k = 0; k < contacts->findings.count; k++)
