@@ -1,11 +1,11 @@
 /* What leaves a window: figures with style and preview, figures that the project keeps and makes
  * again, comparison sheets, printed pages. */
-#include "driver.h"
-
 #include "app/pages/pages.h"
 #include "app/window/window-private.h"
 #include "doc/view/figures.h"
 #include "doc/view/report-template.h"
+#include "doc/view/sheet.h"
+#include "driver.h"
 #include "support/room.h"
 
 #include <glib/gstdio.h>
@@ -154,7 +154,16 @@ test_sheet (void)
   const GPtrArray *runs = qn_window_get_document (window)->runs;
   g_assert_cmpuint (runs->len, ==, 2);
   g_autoptr (GError) error = NULL;
-  qn_compare_export (runs, NULL, path, &error);
+  QnProject projects[2] = { 0 };
+  QnSheetRun sheet[2];
+  QnOutput output;
+  for (guint i = 0; i < 2; i++) {
+    const QnRun *run = runs->pdata[i];
+    projects[i].model = run->model;
+    sheet[i] = (QnSheetRun){ &projects[i], &run->contacts, &run->result, run->name };
+  }
+  qn_output_init (&output);
+  qn_comparison_export (sheet, 2, 0, NULL, FALSE, path, &output, &error);
   g_assert_no_error (error);
   expect_pdf (path);
 

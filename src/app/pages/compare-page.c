@@ -645,32 +645,24 @@ zoom (GSimpleAction *action, GVariant *parameter, gpointer data)
 
 /* ---- the sheet as a file ---- */
 
-gboolean
-qn_compare_export (const GPtrArray *runs, const char *const *titles, const char *path,
-                   GError **error)
-{
-  g_autofree QnProject *projects = g_new0 (QnProject, runs->len + 1);
-  g_autofree QnSheetRun *sheet = g_new0 (QnSheetRun, runs->len + 1);
-  for (guint i = 0; i < runs->len; i++) {
-    const QnRun *run = g_ptr_array_index (runs, i);
-    projects[i].model = run->model;
-    projects[i].model.title = (char *) (titles != NULL ? titles[i] : run->name);
-    sheet[i] = (QnSheetRun){ &projects[i], &run->contacts, &run->result, run->name };
-  }
-  QnOutput output;
-  qn_output_init (&output);
-  return qn_comparison_export (sheet, runs->len, 0, NULL, FALSE, path, &output, error);
-}
-
 static gboolean
 write_sheet (gpointer data, const char *path, GError **error)
 {
   Compare *compare = data;
+  const guint count = compare->shown->len;
   g_autoptr (GPtrArray) titles = g_ptr_array_new_with_free_func (g_free);
-  for (guint i = 0; i < compare->shown->len; i++)
-    g_ptr_array_add (titles, qn_compare_dup_title (compare, compare->shown->pdata[i]));
-  return qn_compare_export (compare->shown, (const char *const *) titles->pdata, path,
-                            error);
+  g_autofree QnProject *projects = g_new0 (QnProject, count + 1);
+  g_autofree QnSheetRun *sheet = g_new0 (QnSheetRun, count + 1);
+  for (guint i = 0; i < count; i++) {
+    QnRun *run = compare->shown->pdata[i];
+    g_ptr_array_add (titles, qn_compare_dup_title (compare, run));
+    projects[i].model = run->model;
+    projects[i].model.title = titles->pdata[i];
+    sheet[i] = (QnSheetRun){ &projects[i], &run->contacts, &run->result, run->name };
+  }
+  QnOutput output;
+  qn_output_init (&output);
+  return qn_comparison_export (sheet, count, 0, NULL, FALSE, path, &output, error);
 }
 
 static void

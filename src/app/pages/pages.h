@@ -19,9 +19,6 @@ GtkWidget *qn_figures_page_new (QnDocument *document);
  * caller) that `list_others` finds whenever the choice is listed anew. */
 typedef GPtrArray *(*QnDocumentsFunc) (QnDocument *document);
 GtkWidget *qn_compare_page_new (QnDocument *document, QnDocumentsFunc list_others);
-/* Writes runs (of QnRun) as one sheet; `titles`: one for each, or NULL for the names of the runs. */
-gboolean qn_compare_export (const GPtrArray *runs, const char *const *titles,
-                            const char *path, GError **error);
 
 /* The study of a project: what varies in it, its plan, and its cases as they come in. The study file lies
  * beside the project and is written whenever the study is run; every state of it has results of its own, so

@@ -58,14 +58,12 @@ bool qn_report_write_result (QnPages *pages, const QnReportRun *run, QnUnits uni
 void qn_report_write_certificate (QnPages *pages, const QnReport *report);
 bool qn_report_write_comparison (QnPages *pages, const QnReport *report, GError **error);
 
-/* ---- report-combinations.c ---- */
+/* ---- report-code.c ---- */
 
 /* Every combination of load cases, analysed; nothing where the project has no code for them. False where it
  * is cancelled. */
 bool qn_report_write_combinations (QnPages *pages, const QnReport *report,
                                    GError **error);
-
-/* ---- report-mechanism.c ---- */
 
 /* The kinematic check of a result's mechanism; nothing where the project does not ask for it. */
 bool qn_report_write_mechanism (QnPages *pages, const QnReportRun *run, QnUnits units,

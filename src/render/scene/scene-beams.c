@@ -1,5 +1,5 @@
 /* Beams: their depth to scale, axis, nodes, hinges and supports, as they lie or as they bend. */
-#include "render/scene/scene-beams.h"
+#include "render/scene/scene-builder.h"
 
 #include <glib/gi18n-lib.h>
 

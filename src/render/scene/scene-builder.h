@@ -1,6 +1,7 @@
 /* Shared by the builders of a scene; private to the scene-*.c files. */
 #pragma once
 
+#include "core/assembly/assembly.h"
 #include "render/scene/motion.h"
 #include "render/scene/reading.h"
 #include "render/scene/scene-build.h"
@@ -73,10 +74,6 @@ void qn_build_numbers (QnSceneBuilder *builder);
 /* scene-supports.c */
 void qn_build_supports (QnSceneBuilder *builder);
 
-/* scene-soil.c; and what the soil presses beyond its active pressure, of all ties of a step. */
-void qn_build_soil (QnSceneBuilder *builder);
-void qn_build_soil_forces (QnSceneBuilder *builder, const QnTieResult *ties);
-
 /* scene-loads.c */
 void qn_build_loads (QnSceneBuilder *builder);
 void qn_build_dimensions (QnSceneBuilder *builder);
@@ -98,7 +95,8 @@ void qn_build_beams (QnSceneBuilder *builder);
 /* scene-bars.c */
 void qn_build_bars (QnSceneBuilder *builder);
 
-/* scene-ties.c */
+/* scene-ties.c; and fills of soil */
+void qn_build_soil (QnSceneBuilder *builder);
 void qn_build_ties (QnSceneBuilder *builder);
 
 /* scene-diagrams.c */
@@ -107,3 +105,23 @@ void qn_build_diagrams (QnSceneBuilder *builder);
 /* scene-field.c: one colour per block, newly allocated, or NULL where the field is not one of
  * blocks; fields of joints are added as lines. */
 QnColor *qn_build_field (QnSceneBuilder *builder);
+
+/* ---- beams (scene-beams.c) ---- */
+
+typedef struct QnBeamDrawing {
+  const QnSceneBuilder *builder;
+  const QnBeamForces
+    *forces;     /* of the step, by element; NULL: not known, or not wanted */
+  QnVec2 *loads; /* on elements at the step, N/m; with forces */
+  bool bent;     /* drawn with the deflection by these forces; a mechanism is not */
+} QnBeamDrawing;
+
+void qn_beam_drawing_init (QnBeamDrawing *drawing, const QnSceneBuilder *builder);
+void qn_beam_drawing_clear (QnBeamDrawing *drawing);
+
+/* The point at x = s L of an element as drawn, bent by its forces; and the direction of y. */
+QnVec2 qn_beam_drawing_place (const QnBeamDrawing *drawing, QnId element, double s,
+                              QnVec2 *across);
+
+/* A node as drawn. */
+QnVec2 qn_builder_place_node (const QnSceneBuilder *builder, QnId node);

@@ -1,7 +1,7 @@
 /* Diagrams of section forces along beams, drawn across their axes: moments on the side in
  * tension, normal and shear forces to the side of y where they are positive. */
 #include "render/drawing/text.h"
-#include "render/scene/scene-beams.h"
+#include "render/scene/scene-builder.h"
 
 #include <glib/gi18n-lib.h>
 

@@ -2,7 +2,7 @@
 #include "core/base/integer.h"
 #include "core/model/outline.h"
 #include "render/drawing/text.h"
-#include "render/scene/scene-beams.h"
+#include "render/scene/scene-builder.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
