@@ -16,7 +16,7 @@ qn_chooser_begin_beside (const char *path)
   folder = g_file_get_parent (file);
 }
 
-/* What was asked, and whom; `widget` is NULL once nobody waits for the answer. */
+/* What was asked, and whom. */
 typedef struct Asked {
   QnFileQuestion question;
   GtkWidget *widget;
@@ -87,18 +87,17 @@ drop (GtkWidget *widget)
   g_object_set_data (G_OBJECT (widget), QN_CHOOSER, NULL);
 }
 
-/* A chooser in place of the one that the widget had. */
-static void
-keep (GtkWidget *widget, gpointer chooser)
-{
-  g_signal_connect_object (widget, "destroy", G_CALLBACK (drop), chooser, 0);
-  g_object_set_data_full (G_OBJECT (widget), QN_CHOOSER, chooser, g_object_unref);
-}
+/* GTK 4.10 has GtkFileDialog in its place, which GTK 4.8 has not; this one is there in all of GTK 4. */
+G_GNUC_BEGIN_IGNORE_DEPRECATIONS
 
-/* NULL: nothing was chosen. The chooser is gone before anybody hears of it. */
+/* The chooser is gone before anybody hears of what was chosen. */
 static void
-answer (const Asked *asked, GListModel *files)
+on_response (GtkNativeDialog *chooser, int response, const Asked *asked)
 {
+  g_autoptr (GListModel) files =
+    response == GTK_RESPONSE_ACCEPT
+      ? gtk_file_chooser_get_files (GTK_FILE_CHOOSER (chooser))
+      : NULL;
   const guint count = files != NULL ? g_list_model_get_n_items (files) : 0;
   drop (asked->widget);
   for (guint i = 0; i < count; i++) {
@@ -109,117 +108,6 @@ answer (const Asked *asked, GListModel *files)
   }
   if (count == 0 && asked->question.left != NULL)
     asked->question.left (asked->data);
-}
-
-static GtkFileFilter *
-make_filter (const QnFileKind *kind)
-{
-  GtkFileFilter *filter = gtk_file_filter_new ();
-  gtk_file_filter_set_name (filter, _ (kind->name));
-  for (gsize i = 0; kind->suffixes[i] != NULL; i++)
-    gtk_file_filter_add_suffix (filter, kind->suffixes[i]);
-  return filter;
-}
-
-#if GTK_CHECK_VERSION(4, 10, 0)
-
-typedef enum { SAVE, OPEN, OPEN_MANY, FOLDER, FOLDERS } Way;
-
-static Way
-way_of (const QnFileQuestion *question)
-{
-  return question->name != NULL ? SAVE
-         : question->folder     ? (question->many ? FOLDERS : FOLDER)
-         : question->many       ? OPEN_MANY
-                                : OPEN;
-}
-
-static void
-on_done (GObject *source, GAsyncResult *result, gpointer data)
-{
-  static GFile *(*const one[]) (GtkFileDialog *, GAsyncResult *, GError **) = {
-    [SAVE] = gtk_file_dialog_save_finish,
-    [OPEN] = gtk_file_dialog_open_finish,
-    [FOLDER] = gtk_file_dialog_select_folder_finish,
-  };
-  g_autofree Asked *asked = data;
-  g_autoptr (GListModel) files = NULL;
-  GtkFileDialog *dialog = GTK_FILE_DIALOG (source);
-  const Way way = way_of (&asked->question);
-  if (way == OPEN_MANY)
-    files = gtk_file_dialog_open_multiple_finish (dialog, result, NULL);
-  else if (way == FOLDERS)
-    files = gtk_file_dialog_select_multiple_folders_finish (dialog, result, NULL);
-  else {
-    g_autoptr (GFile) file = one[way](dialog, result, NULL);
-    GListStore *store = g_list_store_new (G_TYPE_FILE);
-    if (file != NULL)
-      g_list_store_append (store, file);
-    files = G_LIST_MODEL (store);
-  }
-  if (asked->widget != NULL)
-    answer (asked, files);
-}
-
-/* What the widget kept is gone: the dialog goes, too, and tells nobody. */
-static void
-forget (gpointer data, GObject *gone)
-{
-  GCancellable *cancellable = data;
-  Asked *asked = g_object_get_data (G_OBJECT (cancellable), "qn-asked");
-  if (asked != NULL)
-    asked->widget = NULL;
-  g_cancellable_cancel (cancellable);
-  g_object_unref (cancellable);
-}
-
-static void
-show (GtkWidget *widget, const QnFileQuestion *question, gpointer data)
-{
-  static void (*const begin[]) (GtkFileDialog *, GtkWindow *, GCancellable *,
-                                GAsyncReadyCallback, gpointer) = {
-    [SAVE] = gtk_file_dialog_save,
-    [OPEN] = gtk_file_dialog_open,
-    [OPEN_MANY] = gtk_file_dialog_open_multiple,
-    [FOLDER] = gtk_file_dialog_select_folder,
-    [FOLDERS] = gtk_file_dialog_select_multiple_folders,
-  };
-  g_autoptr (GtkFileDialog) dialog = gtk_file_dialog_new ();
-  GObject *holder = g_object_new (G_TYPE_OBJECT, NULL);
-  GCancellable *cancellable = g_cancellable_new ();
-  gtk_file_dialog_set_title (dialog, question->title);
-  gtk_file_dialog_set_accept_label (dialog, question->accept);
-  if (folder != NULL)
-    gtk_file_dialog_set_initial_folder (dialog, folder);
-  if (question->path != NULL) {
-    g_autoptr (GFile) file = g_file_new_for_path (question->path);
-    gtk_file_dialog_set_initial_file (dialog, file);
-  } else if (question->name != NULL)
-    gtk_file_dialog_set_initial_name (dialog, question->name);
-  if (question->kind != NULL) {
-    g_autoptr (GtkFileFilter) filter = make_filter (question->kind);
-    g_autoptr (GListStore) filters = g_list_store_new (GTK_TYPE_FILE_FILTER);
-    g_list_store_append (filters, filter);
-    gtk_file_dialog_set_filters (dialog, G_LIST_MODEL (filters));
-  }
-  Asked *asked = new_asked (widget, question, data);
-  g_object_set_data (G_OBJECT (cancellable), "qn-asked", asked);
-  g_object_weak_ref (holder, forget, cancellable);
-  keep (widget, holder);
-  begin[way_of (question)](dialog, GTK_WINDOW (gtk_widget_get_root (widget)), cancellable,
-                           on_done, asked);
-}
-
-#else
-
-static void
-on_response (GtkNativeDialog *chooser, int response, const Asked *asked)
-{
-  g_autoptr (GListModel) files =
-    response == GTK_RESPONSE_ACCEPT
-      ? gtk_file_chooser_get_files (GTK_FILE_CHOOSER (chooser))
-      : NULL;
-  answer (asked, files);
 }
 
 static void
@@ -245,17 +133,21 @@ show (GtkWidget *widget, const QnFileQuestion *question, gpointer data)
     gtk_file_chooser_set_current_name (chooser,
                                        question->path != NULL ? name : question->name);
   if (question->kind != NULL) {
-    g_autoptr (GtkFileFilter) filter = make_filter (question->kind);
+    g_autoptr (GtkFileFilter) filter = gtk_file_filter_new ();
+    gtk_file_filter_set_name (filter, _ (question->kind->name));
+    for (gsize i = 0; question->kind->suffixes[i] != NULL; i++)
+      gtk_file_filter_add_suffix (filter, question->kind->suffixes[i]);
     gtk_file_chooser_add_filter (chooser, filter);
   }
   g_signal_connect_data (native, "response", G_CALLBACK (on_response),
                          new_asked (widget, question, data),
                          (GClosureNotify) (void (*) (void)) g_free, 0);
-  keep (widget, native);
+  g_signal_connect_object (widget, "destroy", G_CALLBACK (drop), native, 0);
+  g_object_set_data_full (G_OBJECT (widget), QN_CHOOSER, native, g_object_unref);
   gtk_native_dialog_show (GTK_NATIVE_DIALOG (native));
 }
 
-#endif
+G_GNUC_END_IGNORE_DEPRECATIONS
 
 void
 qn_chooser_ask (GtkWidget *widget, const QnFileQuestion *question, gpointer data)
