@@ -426,7 +426,7 @@ test_turn_mirror_array (void)
   g_assert_cmpfloat_with_epsilon (c.y, 1.5, 0.02);
 
   driver_key ("v");
-  double above = 28.0 / qn_canvas_get_camera (canvas_of (window))->scale;
+  double above = 28.0 / canvas_of (window)->camera.scale;
   driver_screenshot (GTK_WIDGET (window), "turn-handle");
   driver_drag (window, c.x, 2.0 + above, c.x + 1.0, c.y);
   g_assert_cmpstr (driver_last_step (window), ==, "Rotate");
@@ -481,7 +481,7 @@ test_keyboard (void)
   /* Every tool has a key that chooses it. */
   for (int i = 0; qn_tools[i] != NULL; i++) {
     driver_key (qn_tools[i]->accel);
-    g_assert_true (qn_canvas_get_tool (canvas_of (window)) == qn_tools[i]);
+    g_assert_true (canvas_of (window)->tool == qn_tools[i]);
     for (int k = 0; k < i; k++)
       g_assert_cmpstr (qn_tools[i]->accel, !=, qn_tools[k]->accel);
   }
@@ -491,14 +491,14 @@ test_keyboard (void)
   GtkWidget *save = driver_find_widget (root, is_action_button, "win.save");
   g_assert_true (gtk_widget_grab_focus (save));
   driver_key ("r");
-  g_assert_true (qn_canvas_get_tool (canvas_of (window)) == &qn_tool_rectangle);
+  g_assert_true (canvas_of (window)->tool == &qn_tool_rectangle);
   g_assert_true (gtk_widget_grab_focus (save));
   driver_key ("Escape");
-  g_assert_true (qn_canvas_get_tool (canvas_of (window)) == &qn_tool_select);
+  g_assert_true (canvas_of (window)->tool == &qn_tool_select);
   g_assert_true (gtk_widget_grab_focus (save));
   driver_key ("ctrl+a");
   guint selected = 0;
-  QnSelection *selection = qn_canvas_get_selection (canvas_of (window));
+  QnSelection *selection = canvas_of (window)->selection;
   qn_selection_get (selection, QN_PICK_BLOCK, &selected);
   g_assert_cmpuint (selected, ==, model_of (window)->block_count);
   GtkWidget *entry = driver_find_widget (root, is_shown_entry, NULL);
@@ -506,7 +506,7 @@ test_keyboard (void)
   gtk_widget_grab_focus (entry);
   driver_key ("w");
   driver_key ("Delete");
-  g_assert_true (qn_canvas_get_tool (canvas_of (window)) == &qn_tool_select);
+  g_assert_true (canvas_of (window)->tool == &qn_tool_select);
   g_assert_cmpuint (model_of (window)->block_count, >, 4);
   driver_discard (window);
 }
@@ -530,8 +530,8 @@ test_joints (void)
   g_assert_true (edit_model (document, "Law", NULL, add_law, NULL, NULL));
   driver_key ("l");
   QnCanvas *canvas = canvas_of (window);
-  g_free (qn_canvas_get_tool_settings (canvas)->joint_law);
-  qn_canvas_get_tool_settings (canvas)->joint_law = g_strdup ("rough");
+  g_free (canvas->settings->joint_law);
+  canvas->settings->joint_law = g_strdup ("rough");
   driver_drag (window, -0.2, 0.3, 2.6, 0.4);
   const QnContacts *contacts = &document->contacts;
   g_assert_cmpuint (model_of (window)->override_count, >, 3);
@@ -652,7 +652,7 @@ words_of (QnWindow *window, const char *tool)
 {
   driver_activate_target (window, "win.tool", g_variant_new_string (tool));
   driver_settle ();
-  const QnCamera *camera = qn_canvas_get_camera (canvas_of (window));
+  const QnCamera *camera = &canvas_of (window)->camera;
   const int height = 100, width = (int) (0.7 * camera->width);
   cairo_surface_t *image =
     cairo_image_surface_create (CAIRO_FORMAT_ARGB32, width, height);

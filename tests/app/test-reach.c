@@ -205,7 +205,7 @@ test_lost_release (void)
     gtk_widget_observe_controllers (GTK_WIDGET (canvas));
   driver_point (window, 4.3, 0.3);
   driver_hold_button (TRUE);
-  g_assert_true (qn_canvas_is_in_gesture (canvas));
+  g_assert_true (canvas->in_gesture);
   for (guint i = 0; i < g_list_model_get_n_items (controllers); i++) {
     g_autoptr (GtkEventController) each = g_list_model_get_item (controllers, i);
     if (GTK_IS_GESTURE (each))
@@ -214,7 +214,7 @@ test_lost_release (void)
   driver_hold_button (FALSE);
   driver_point (window, 4.6, 0.5);
   driver_point (window, 5.6, 1.5);
-  g_assert_false (qn_canvas_is_in_gesture (canvas));
+  g_assert_false (canvas->in_gesture);
   g_assert_true (qn_selection_has (selection_of (window), QN_PICK_BLOCK, 2));
   check_corner (window, "other", 4.0, 0.0);
   driver_discard (window);
@@ -480,11 +480,11 @@ test_keys_after_buttons (void)
                    0.5 * gtk_widget_get_height (button));
   driver_press_button ("1");
   driver_key ("w");
-  g_assert_cmpstr (qn_canvas_get_tool (canvas_of (window))->name, ==, "wall");
+  g_assert_cmpstr (canvas_of (window)->tool->name, ==, "wall");
   driver_key ("F10");
   driver_key ("Escape");
   driver_key ("v");
-  g_assert_cmpstr (qn_canvas_get_tool (canvas_of (window))->name, ==, "select");
+  g_assert_cmpstr (canvas_of (window)->tool->name, ==, "select");
   driver_key ("ctrl+a");
   guint count = 0;
   qn_selection_get (selection_of (window), QN_PICK_BLOCK, &count);
@@ -660,7 +660,7 @@ test_keys_from_anywhere (void)
           || GTK_IS_EDITABLE (gtk_window_get_focus (GTK_WINDOW (window))))
         continue;
       driver_key ("m");
-      const char *tool = qn_canvas_get_tool (canvas_of (window))->name;
+      const char *tool = canvas_of (window)->tool->name;
       if (!g_str_equal (tool, "measure"))
         g_error ("with the focus on a %s the key chose no tool",
                  G_OBJECT_TYPE_NAME (widget));

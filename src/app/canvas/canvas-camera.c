@@ -172,12 +172,6 @@ qn_canvas_zoom (QnCanvas *self, double factor)
   zoom_at (self, qn_vec2 (0.5 * self->camera.width, 0.5 * self->camera.height), factor);
 }
 
-const QnCamera *
-qn_canvas_get_camera (QnCanvas *self)
-{
-  return &self->camera;
-}
-
 static gboolean
 on_place_timeout (gpointer data)
 {

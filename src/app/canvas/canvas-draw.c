@@ -229,15 +229,14 @@ draw_selected_lines (QnCanvas *self, cairo_t *cr, gboolean displaced)
 {
   const QnModel *model = qn_canvas_get_model (self);
   guint count = 0;
-  QnSelection *selection = qn_canvas_get_selection (self);
-  const QnId *ids = qn_selection_get (selection, QN_PICK_BEAM, &count);
+  const QnId *ids = qn_selection_get (self->selection, QN_PICK_BEAM, &count);
   for (guint i = 0; i < count && !displaced; i++) {
     if ((gsize) ids[i] >= model->beam_count)
       continue;
     const QnId *ends = model->beams[ids[i]].nodes;
     qn_canvas_trace_line (self, cr, model->nodes[ends[0]].at, model->nodes[ends[1]].at);
   }
-  const QnPick item = qn_selection_get_item (selection);
+  const QnPick item = qn_selection_get_item (self->selection);
   if (item.id != QN_NONE)
     trace_item (self, cr, item, displaced);
   cairo_set_line_cap (cr, CAIRO_LINE_CAP_ROUND);
@@ -253,10 +252,9 @@ draw_selected_lines (QnCanvas *self, cairo_t *cr, gboolean displaced)
 static void
 draw_selection (QnCanvas *self, cairo_t *cr)
 {
-  QnDocument *document = qn_canvas_get_document (self);
+  QnDocument *document = self->document;
   const QnModel *model = &document->project.model;
   const QnContacts *contacts = &document->contacts;
-  QnSelection *selection = qn_canvas_get_selection (self);
   const QnRun *run = document->run;
   gboolean displaced = qn_view_needs_result (self->state->options.view);
   if (displaced && (run == NULL || qn_document_is_stale (document, run)))
@@ -265,7 +263,7 @@ draw_selection (QnCanvas *self, cairo_t *cr)
   if (displaced && motion.model == NULL)
     return;
   guint count = 0;
-  const QnId *blocks = qn_selection_get (selection, QN_PICK_BLOCK, &count);
+  const QnId *blocks = qn_selection_get (self->selection, QN_PICK_BLOCK, &count);
   for (guint i = 0; i < count; i++) {
     if ((gsize) blocks[i] >= model->block_count)
       continue;
@@ -277,7 +275,7 @@ draw_selection (QnCanvas *self, cairo_t *cr)
   cairo_set_line_width (cr, 2.0);
   cairo_stroke (cr);
 
-  const QnId *faces = qn_selection_get (selection, QN_PICK_FACE, &count);
+  const QnId *faces = qn_selection_get (self->selection, QN_PICK_FACE, &count);
   for (guint i = 0; i < count; i++) {
     if ((gsize) faces[i] >= contacts->face_count)
       continue;
@@ -297,7 +295,7 @@ draw_selection (QnCanvas *self, cairo_t *cr)
 static void
 draw_findings (QnCanvas *self, cairo_t *cr)
 {
-  const QnFindings *findings = &qn_canvas_get_document (self)->contacts.findings;
+  const QnFindings *findings = &self->document->contacts.findings;
   gsize shown = MIN (findings->count, MOST_MARKS);
   for (gsize i = 0; i < shown; i++) {
     if (!qn_finding_has_place (&findings->items[i]))

@@ -139,7 +139,7 @@ void
 qn_canvas_pointer_moved (QnCanvas *self)
 {
   self->rested_view = self->state->options.view;
-  self->rested_run = qn_canvas_get_document (self)->run;
+  self->rested_run = self->document->run;
   self->has_rested = self->rested_view != QN_VIEW_MODEL;
   g_clear_handle_id (&self->inspect_timeout, g_source_remove);
   if (!self->has_rested)
@@ -150,11 +150,10 @@ qn_canvas_pointer_moved (QnCanvas *self)
 static gboolean
 is_selected (QnCanvas *self, QnPick what)
 {
-  QnSelection *selection = qn_canvas_get_selection (self);
   return what.kind == QN_PICK_FACE
-           ? qn_selection_get_one (selection, QN_PICK_FACE) == what.id
+           ? qn_selection_get_one (self->selection, QN_PICK_FACE) == what.id
          : what.kind == QN_PICK_BLOCK
-           ? qn_selection_has (selection, QN_PICK_BLOCK, what.id)
+           ? qn_selection_has (self->selection, QN_PICK_BLOCK, what.id)
            : FALSE;
 }
 
@@ -259,7 +258,7 @@ qn_canvas_draw_inspected (QnCanvas *self, cairo_t *cr)
   self->card = QN_BOX_EMPTY;
   if (!self->pointer_inside || self->in_gesture || self->tool != self->resting
       || !self->has_rested || self->rested_view != self->state->options.view
-      || self->rested_run != qn_canvas_get_document (self)->run)
+      || self->rested_run != self->document->run)
     return;
   QnPick what = find_under_pointer (self);
   QnStepView view;

@@ -84,7 +84,7 @@ move_cursor (QnCanvas *self, guint keyval, GdkModifierType modifiers)
   if (way.x == 0.0 && way.y == 0.0)
     return FALSE;
   if (self->tool == self->resting && !self->in_gesture
-      && !qn_selection_is_empty (qn_canvas_get_selection (self)))
+      && !qn_selection_is_empty (self->selection))
     return FALSE;
   if (!self->keyboard_cursor && !self->pointer_inside)
     self->pointer = qn_vec2 (0.5 * self->camera.width, 0.5 * self->camera.height);
@@ -129,7 +129,7 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
       gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s",
                                   self->resting->name);
     else
-      qn_selection_clear (qn_canvas_get_selection (self));
+      qn_selection_clear (self->selection);
   } else if (move_cursor (self, keyval, modifiers)
              || click_cursor (self, keyval, modifiers))
     return TRUE;

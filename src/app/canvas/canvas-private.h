@@ -2,53 +2,7 @@
 #pragma once
 
 #include "app/canvas/canvas.h"
-#include "app/canvas/gl-layer.h"
-#include "app/canvas/scene-cache.h"
 #include "render/scene/motion.h"
-
-struct _QnCanvas {
-  GtkWidget parent_instance;
-
-  QnViewState *state;
-  QnToolSettings *settings; /* the window's */
-  const QnTool *tool, *resting;
-
-  QnScene *scene; /* NULL: to be built */
-  GError *scene_error;
-  QnSceneCache cache;
-  QnGlLayer gl_layer; /* large scenes by OpenGL */
-  guint rest_timeout; /* runs while the camera moves */
-  QnCamera camera;
-  gboolean wants_fit; /* at the next drawing */
-  gboolean keeps_fit; /* until the user zooms or pans */
-  QnView shown_view;
-
-  QnVec2 pointer; /* px */
-  gboolean pointer_inside;
-  GdkModifierType modifiers;
-  QnMagnetHit hit;
-  gboolean *magnet_skip;
-  gboolean pressed;
-  gboolean in_gesture; /* a tool has begun something that Escape gives up */
-  QnGesture gesture;
-  GString *typed;           /* numbers typed during a gesture */
-  QnVec2 mouse;             /* where the pointing device is, px */
-  gboolean keyboard_cursor; /* the pointer was last moved by keys */
-  QnMasonries masonry;      /* of the document, read when needed */
-  gboolean has_masonry;
-  QnVec2 zoom_center;
-  QnCamera gesture_camera;
-
-  gboolean has_rested;     /* the pointer, long enough to be told what is there … */
-  QnView rested_view;      /* … in this view, … */
-  const QnRun *rested_run; /* … of this run, which may be gone */
-  guint inspect_timeout;
-  QnVec2 place; /* ringed while the timeout runs, m */
-  guint place_timeout;
-  QnBox card;        /* beside the pointer, px, as drawn last; empty: none */
-  QnGaps gaps;       /* marked */
-  GtkWidget *corner; /* weak */
-};
 
 /* The scene of the present state, built when needed; NULL where there is nothing to show. */
 const QnScene *qn_canvas_get_scene (QnCanvas *canvas);

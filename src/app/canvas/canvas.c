@@ -68,7 +68,7 @@ static void
 update_description (QnCanvas *self)
 {
   const QnModel *model = qn_canvas_get_model (self);
-  const QnContacts *contacts = &qn_canvas_get_document (self)->contacts;
+  const QnContacts *contacts = &self->document->contacts;
   const QnCount counts[] = { { QN_COUNTED_BLOCKS, model->block_count },
                              { QN_COUNTED_FACES, contacts->face_count },
                              { QN_COUNTED_BEAMS, model->beam_count } };
@@ -146,12 +146,6 @@ qn_canvas_unroot (GtkWidget *widget)
     gtk_event_controller_reset (controller);
   }
   GTK_WIDGET_CLASS (qn_canvas_parent_class)->unroot (widget);
-}
-
-void
-qn_canvas_set_corner (QnCanvas *self, GtkWidget *corner)
-{
-  g_set_weak_pointer (&self->corner, corner);
 }
 
 static void
@@ -240,47 +234,24 @@ qn_canvas_set_state (QnCanvas *self, QnViewState *state, QnToolSettings *setting
 {
   g_return_if_fail (self->state == NULL);
   self->state = g_object_ref (state);
+  self->document = state->document;
+  self->selection = state->document->selection;
   self->settings = settings;
   self->tool = self->resting = resting;
-  QnDocument *document = state->document;
   qn_watch (GTK_WIDGET (self), state, "changed", G_CALLBACK (on_state_changed), self);
-  qn_watch (GTK_WIDGET (self), document, "changed", G_CALLBACK (on_document_changed),
-            self);
-  qn_watch (GTK_WIDGET (self), document->selection, "changed",
+  qn_watch (GTK_WIDGET (self), state->document, "changed",
+            G_CALLBACK (on_document_changed), self);
+  qn_watch (GTK_WIDGET (self), state->document->selection, "changed",
             G_CALLBACK (gtk_widget_queue_draw), self);
   qn_watch (GTK_WIDGET (self), qn_settings_get (), "changed",
             G_CALLBACK (gtk_widget_queue_draw), self);
   update_description (self);
 }
 
-QnViewState *
-qn_canvas_get_state (QnCanvas *self)
-{
-  return self->state;
-}
-
-QnDocument *
-qn_canvas_get_document (QnCanvas *self)
-{
-  return self->state->document;
-}
-
 const QnModel *
 qn_canvas_get_model (QnCanvas *self)
 {
-  return &qn_canvas_get_document (self)->project.model;
-}
-
-QnSelection *
-qn_canvas_get_selection (QnCanvas *self)
-{
-  return qn_canvas_get_document (self)->selection;
-}
-
-QnToolSettings *
-qn_canvas_get_tool_settings (QnCanvas *self)
-{
-  return self->settings;
+  return &self->document->project.model;
 }
 
 void
@@ -321,25 +292,7 @@ qn_canvas_set_tool (QnCanvas *self, const QnTool *tool)
   qn_canvas_emit_status (self);
 }
 
-const QnTool *
-qn_canvas_get_tool (QnCanvas *self)
-{
-  return self->tool;
-}
-
 /* ---- for tools ---- */
-
-QnGesture *
-qn_canvas_get_gesture (QnCanvas *self)
-{
-  return &self->gesture;
-}
-
-gboolean
-qn_canvas_is_in_gesture (QnCanvas *self)
-{
-  return self->in_gesture;
-}
 
 gboolean
 qn_canvas_is_drag (QnCanvas *self, const QnToolEvent *event)
@@ -393,7 +346,7 @@ qn_canvas_beams_inside (QnCanvas *self, QnVec2 a, QnVec2 b, GArray *ids)
 void
 qn_canvas_faces_inside (QnCanvas *self, QnVec2 a, QnVec2 b, GArray *ids)
 {
-  const QnContacts *contacts = &qn_canvas_get_document (self)->contacts;
+  const QnContacts *contacts = &self->document->contacts;
   for (QnId i = 0; i < (QnId) contacts->face_count; i++) {
     QnVec2 m = qn_vec2_lerp (contacts->faces[i].start, contacts->faces[i].end, 0.5);
     if (is_between (m, a, b))
@@ -405,7 +358,7 @@ const QnMasonries *
 qn_canvas_get_masonry (QnCanvas *self)
 {
   if (!self->has_masonry) {
-    const QnProject *project = qn_document_get_project (qn_canvas_get_document (self));
+    const QnProject *project = qn_document_get_project (self->document);
     /* What the document holds was read before. */
     qn_project_get_masonry (project, &self->masonry, NULL);
     self->has_masonry = TRUE;
@@ -413,18 +366,12 @@ qn_canvas_get_masonry (QnCanvas *self)
   return &self->masonry;
 }
 
-QnPartSet
-qn_canvas_get_parts (QnCanvas *self)
-{
-  return qn_selection_get_parts (qn_canvas_get_selection (self));
-}
-
 gboolean
 qn_canvas_get_parts_box (QnCanvas *self, QnVec2 *low, QnVec2 *high)
 {
   QnExtent extent;
-  gboolean any =
-    qn_extent_find (qn_canvas_get_model (self), qn_canvas_get_parts (self), &extent);
+  gboolean any = qn_extent_find (qn_canvas_get_model (self),
+                                 qn_selection_get_parts (self->selection), &extent);
   *low = extent.box.min;
   *high = extent.box.max;
   return any;
@@ -458,7 +405,7 @@ qn_canvas_begin_edit (QnCanvas *self, QnCanvasDraft *draft)
   g_autoptr (GError) error = NULL;
   draft->model = &draft->project.model;
   draft->error = NULL;
-  if (qn_document_begin_edit (qn_canvas_get_document (self), &draft->project, &error))
+  if (qn_document_begin_edit (self->document, &draft->project, &error))
     return TRUE;
   qn_canvas_tell (self, error->message);
   return FALSE;
@@ -468,7 +415,7 @@ gboolean
 qn_canvas_end_edit (QnCanvas *self, QnCanvasDraft *draft, const char *name,
                     const char *key, gboolean done)
 {
-  QnDocument *document = qn_canvas_get_document (self);
+  QnDocument *document = self->document;
   done = qn_document_end_edit (document, &draft->project, name, key, done, &draft->error);
   if (!done)
     qn_canvas_tell (self, draft->error->message);
@@ -484,7 +431,7 @@ qn_canvas_transform (QnCanvas *self, const char *name, const char *key,
                      QnTransform transform, int copies)
 {
   QnCanvasDraft draft;
-  QnPartSet set = qn_canvas_get_parts (self);
+  QnPartSet set = qn_selection_get_parts (self->selection);
   return qn_canvas_begin_edit (self, &draft)
          && qn_canvas_end_edit (
            self, &draft, name, key,

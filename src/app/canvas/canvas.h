@@ -8,25 +8,70 @@
  */
 #pragma once
 
+#include "app/canvas/gl-layer.h"
+#include "app/canvas/scene-cache.h"
 #include "app/canvas/tool.h"
 #include "doc/edit/edit-frame.h"
 #include "doc/view/view-state.h"
 #include "render/drawing/scene.h"
 #include "stereotomy/gaps.h"
 
+/* All but `gesture` is only read outside of this room. */
+struct _QnCanvas {
+  GtkWidget parent_instance;
+
+  QnViewState *state;
+  QnDocument *document;     /* of the state */
+  QnSelection *selection;   /* of the document */
+  QnToolSettings *settings; /* the window's */
+  const QnTool *tool, *resting;
+  QnGesture gesture;   /* the one of the canvas, the current tool's to change */
+  gboolean in_gesture; /* a tool has begun something that Escape gives up */
+  QnCamera camera;     /* what part is in view */
+
+  /* The rest is of the files of the canvas alone. */
+  QnScene *scene; /* NULL: to be built */
+  GError *scene_error;
+  QnSceneCache cache;
+  QnGlLayer gl_layer; /* large scenes by OpenGL */
+  guint rest_timeout; /* runs while the camera moves */
+  gboolean wants_fit; /* at the next drawing */
+  gboolean keeps_fit; /* until the user zooms or pans */
+  QnView shown_view;
+
+  QnVec2 pointer; /* px */
+  gboolean pointer_inside;
+  GdkModifierType modifiers;
+  QnMagnetHit hit;
+  gboolean *magnet_skip;
+  gboolean pressed;
+  GString *typed;           /* numbers typed during a gesture */
+  QnVec2 mouse;             /* where the pointing device is, px */
+  gboolean keyboard_cursor; /* the pointer was last moved by keys */
+  QnMasonries masonry;      /* of the document, read when needed */
+  gboolean has_masonry;
+  QnVec2 zoom_center;
+  QnCamera gesture_camera;
+
+  gboolean has_rested;     /* the pointer, long enough to be told what is there … */
+  QnView rested_view;      /* … in this view, … */
+  const QnRun *rested_run; /* … of this run, which may be gone */
+  guint inspect_timeout;
+  QnVec2 place; /* ringed while the timeout runs, m */
+  guint place_timeout;
+  QnBox card;        /* beside the pointer, px, as drawn last; empty: none */
+  QnGaps gaps;       /* marked */
+  GtkWidget *corner; /* over which something lies: the legend gives way to it; weak */
+};
+
 /* Connects a canvas made by a template; once, before anything else. `resting` is the tool that it
  * begins with and that Escape returns to; arrow keys move what is selected with it. */
 void qn_canvas_set_state (QnCanvas *canvas, QnViewState *state, QnToolSettings *settings,
                           const QnTool *resting);
 
-QnViewState *qn_canvas_get_state (QnCanvas *canvas);
-QnDocument *qn_canvas_get_document (QnCanvas *canvas);
-QnSelection *qn_canvas_get_selection (QnCanvas *canvas);
 const QnModel *qn_canvas_get_model (QnCanvas *canvas); /* the document's */
-QnToolSettings *qn_canvas_get_tool_settings (QnCanvas *canvas);
 
 void qn_canvas_set_tool (QnCanvas *canvas, const QnTool *tool);
-const QnTool *qn_canvas_get_tool (QnCanvas *canvas);
 /* Gives up the gesture of the current tool. */
 void qn_canvas_cancel_gesture (QnCanvas *canvas);
 
@@ -43,20 +88,10 @@ void qn_canvas_show_gaps (QnCanvas *canvas, QnGaps *gaps);
 /* Brings an area into view, where it is not. */
 void qn_canvas_show_area (QnCanvas *canvas, QnVec2 low, QnVec2 high);
 
-/* What part is in view; borrowed. */
-const QnCamera *qn_canvas_get_camera (QnCanvas *canvas);
-
-/* What lies over the lower right corner, which the legend gives way to; borrowed. */
-void qn_canvas_set_corner (QnCanvas *canvas, GtkWidget *corner);
-
 /* One line on the pointer: place and what the magnet took; the caller frees it. */
 char *qn_canvas_dup_status (QnCanvas *canvas);
 
 /* ---- for tools ---- */
-
-/* The one gesture of the canvas, the current tool's to change; and whether one is under way. */
-QnGesture *qn_canvas_get_gesture (QnCanvas *canvas);
-gboolean qn_canvas_is_in_gesture (QnCanvas *canvas);
 
 /* Whether the pointer has moved too far since the press to be a click. */
 gboolean qn_canvas_is_drag (QnCanvas *canvas, const QnToolEvent *event);
@@ -81,10 +116,7 @@ void qn_canvas_beams_inside (QnCanvas *canvas, QnVec2 a, QnVec2 b, GArray *ids);
 /* The document's parametric masonry; borrowed until the next change. */
 const QnMasonries *qn_canvas_get_masonry (QnCanvas *canvas);
 
-/* The selected blocks and beams. Borrowed as long as the selection stays as it is: an edit changes it when it
- * ends. */
-QnPartSet qn_canvas_get_parts (QnCanvas *canvas);
-/* Box around them; FALSE where there are none. */
+/* Box around the selected blocks and beams; FALSE where there are none. */
 gboolean qn_canvas_get_parts_box (QnCanvas *canvas, QnVec2 *low, QnVec2 *high);
 
 /* The node of beams under the pointer, or QN_NONE. */

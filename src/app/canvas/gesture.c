@@ -19,8 +19,8 @@
 void
 qn_gesture_complete (QnCanvas *canvas)
 {
-  const QnTool *tool = qn_canvas_get_tool (canvas);
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnTool *tool = canvas->tool;
+  const QnGesture *gesture = &canvas->gesture;
   const gboolean x = gesture->from.x != gesture->to.x,
                  y = gesture->from.y != gesture->to.y;
   QnCanvasDraft draft;
@@ -43,22 +43,21 @@ qn_gesture_complete (QnCanvas *canvas)
 void
 qn_gesture_press (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (qn_canvas_is_in_gesture (canvas)) {
-    qn_canvas_get_tool (canvas)->motion (canvas, event);
+  if (canvas->in_gesture) {
+    canvas->tool->motion (canvas, event);
     qn_gesture_complete (canvas);
     return;
   }
-  gesture->from = gesture->to = event->point;
-  gesture->from_screen = event->screen;
+  canvas->gesture.from = canvas->gesture.to = event->point;
+  canvas->gesture.from_screen = event->screen;
   qn_canvas_set_in_gesture (canvas, TRUE);
 }
 
 void
 qn_gesture_motion (QnCanvas *canvas, const QnToolEvent *event)
 {
-  if (qn_canvas_is_in_gesture (canvas))
-    qn_canvas_get_gesture (canvas)->to = event->point;
+  if (canvas->in_gesture)
+    canvas->gesture.to = event->point;
 }
 
 /* Where a line ends that is level or upright but for a few px: it is so then, unless a corner, node or middle is
@@ -66,10 +65,10 @@ qn_gesture_motion (QnCanvas *canvas, const QnToolEvent *event)
 static QnVec2
 straighten (QnCanvas *canvas, const QnToolEvent *event)
 {
-  const QnVec2 from = qn_canvas_get_gesture (canvas)->from, to = event->point;
+  const QnVec2 from = canvas->gesture.from, to = event->point;
   const QnVec2 edge = qn_vec2_sub (event->hit.b, event->hit.a);
   const double x = fabs (to.x - from.x), y = fabs (to.y - from.y);
-  const double reach = STRAIGHT_PX / qn_canvas_get_camera (canvas)->scale;
+  const double reach = STRAIGHT_PX / canvas->camera.scale;
   const QnMagnetKind kind = event->hit.kind;
   if (!qn_canvas_snaps (canvas) || (kind != QN_MAGNET_NOTHING && kind < QN_MAGNET_EDGE))
     return to;
@@ -83,8 +82,8 @@ straighten (QnCanvas *canvas, const QnToolEvent *event)
 void
 qn_gesture_motion_straight (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (!qn_canvas_is_in_gesture (canvas))
+  QnGesture *gesture = &canvas->gesture;
+  if (!canvas->in_gesture)
     return;
   gesture->to = straighten (canvas, event);
   if ((event->modifiers & GDK_SHIFT_MASK) == 0)
@@ -98,16 +97,16 @@ qn_gesture_motion_straight (QnCanvas *canvas, const QnToolEvent *event)
 void
 qn_gesture_release (QnCanvas *canvas, const QnToolEvent *event)
 {
-  if (!qn_canvas_is_in_gesture (canvas) || !qn_canvas_is_drag (canvas, event))
+  if (!canvas->in_gesture || !qn_canvas_is_drag (canvas, event))
     return;
-  qn_canvas_get_tool (canvas)->motion (canvas, event);
+  canvas->tool->motion (canvas, event);
   qn_gesture_complete (canvas);
 }
 
 gboolean
 qn_gesture_rectangle_numbers (QnCanvas *canvas, const double *values, int count)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnGesture *gesture = &canvas->gesture;
   if (count != 2)
     return FALSE;
   /* Towards the side on which the pointer is. */
@@ -134,11 +133,10 @@ qn_gesture_typed_way (const QnGesture *gesture, const double *values, int count,
 gboolean
 qn_gesture_line_numbers (QnCanvas *canvas, const double *values, int count)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnVec2 way;
-  if (!qn_gesture_typed_way (gesture, values, count, &way))
+  if (!qn_gesture_typed_way (&canvas->gesture, values, count, &way))
     return FALSE;
-  gesture->to = qn_vec2_add (gesture->from, way);
+  canvas->gesture.to = qn_vec2_add (canvas->gesture.from, way);
   qn_gesture_complete (canvas);
   return TRUE;
 }
@@ -148,9 +146,8 @@ qn_gesture_line_numbers (QnCanvas *canvas, const double *values, int count)
 void
 qn_gesture_press_point (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (event->press_count == 2
-      && gesture->points->len >= qn_canvas_get_tool (canvas)->least_points)
+  QnGesture *gesture = &canvas->gesture;
+  if (event->press_count == 2 && gesture->points->len >= canvas->tool->least_points)
     qn_gesture_complete (canvas);
   else if (event->press_count == 1) {
     g_array_append_val (gesture->points, event->point);
@@ -162,8 +159,8 @@ qn_gesture_press_point (QnCanvas *canvas, const QnToolEvent *event)
 gboolean
 qn_gesture_point_numbers (QnCanvas *canvas, const double *values, int count)
 {
-  GArray *points = qn_canvas_get_gesture (canvas)->points;
-  if (count == 0 && points->len >= qn_canvas_get_tool (canvas)->least_points) {
+  GArray *points = canvas->gesture.points;
+  if (count == 0 && points->len >= canvas->tool->least_points) {
     qn_gesture_complete (canvas);
     return TRUE;
   }
@@ -178,7 +175,7 @@ qn_gesture_point_numbers (QnCanvas *canvas, const double *values, int count)
 void
 qn_gesture_trace_points (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnGesture *gesture = &canvas->gesture;
   for (guint i = 0; i <= gesture->points->len; i++) {
     QnVec2 s = qn_canvas_to_screen (canvas, i < gesture->points->len
                                               ? g_array_index (gesture->points, QnVec2, i)
@@ -258,9 +255,8 @@ void
 qn_gesture_draw_held (QnCanvas *canvas, cairo_t *cr,
                       char *(*dup_text) (const QnModel *model, QnVec2 at))
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  const QnVec2 ends[] = { gesture->from, gesture->to };
-  g_autofree char *angle = qn_gesture_dup_angle (gesture);
+  const QnVec2 ends[] = { canvas->gesture.from, canvas->gesture.to };
+  g_autofree char *angle = qn_gesture_dup_angle (&canvas->gesture);
   qn_gesture_draw_line (canvas, cr, ends[0], ends[1]);
   for (gsize i = 0; i < G_N_ELEMENTS (ends); i++) {
     g_autofree char *held = dup_text (qn_canvas_get_model (canvas), ends[i]);
@@ -309,7 +305,7 @@ void
 qn_gesture_draw_moved (QnCanvas *canvas, cairo_t *cr, QnTransform transform)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
-  const QnPartSet set = qn_canvas_get_parts (canvas);
+  const QnPartSet set = qn_selection_get_parts (canvas->selection);
   for (guint i = 0; i < set.blocks.count; i++)
     qn_gesture_trace_block (canvas, cr, set.blocks.ids[i], transform);
   qn_gesture_paint (cr);

@@ -53,7 +53,7 @@ add_turn_grip (QnCanvas *canvas, GArray *grips)
   QnVec2 low, high;
   if (!qn_canvas_get_parts_box (canvas, &low, &high))
     return;
-  double above = TURN_PX / qn_canvas_get_camera (canvas)->scale;
+  double above = TURN_PX / canvas->camera.scale;
   QnGrip grip = { .kind = QN_GRIP_TURN,
                   .at = qn_vec2 (0.5 * (low.x + high.x), high.y + above),
                   .center = qn_vec2_lerp (low, high, 0.5) };
@@ -76,7 +76,7 @@ static void
 add_node_grips (QnCanvas *canvas, GArray *grips)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
-  const QnBeamSet set = qn_canvas_get_parts (canvas).beams;
+  const QnBeamSet set = qn_selection_get_parts (canvas->selection).beams;
   g_autoptr (GHashTable) known = g_hash_table_new (NULL, NULL);
   for (guint i = 0; i < set.count && set.count <= MOST_BEAMS; i++) {
     for (int end = 0; end < 2; end++) {
@@ -93,7 +93,7 @@ static void
 add_tie_grips (QnCanvas *canvas, GArray *grips)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
-  QnId tie = qn_selection_get_one (qn_canvas_get_selection (canvas), QN_PICK_TIE);
+  QnId tie = qn_selection_get_one (canvas->selection, QN_PICK_TIE);
   for (int end = 0; end < 2 && tie != QN_NONE && (gsize) tie < model->tie_count; end++)
     add_grip (grips, (QnGrip){ .kind = QN_GRIP_TIE,
                                .at = model->ties[tie].ends[end].at,
@@ -106,10 +106,10 @@ static GArray *
 collect_all (QnCanvas *canvas)
 {
   GArray *grips = g_array_new (FALSE, FALSE, sizeof (QnGrip));
-  if (qn_view_needs_result (qn_canvas_get_state (canvas)->options.view))
+  if (qn_view_needs_result (canvas->state->options.view))
     return grips;
-  QnSelection *selection = qn_canvas_get_selection (canvas);
   const QnModel *model = qn_canvas_get_model (canvas);
+  QnSelection *selection = canvas->selection;
   if (selection->object != QN_NONE) {
     add_masonry_grips (canvas, grips, selection->object, selection->opening);
     return grips;
@@ -186,9 +186,8 @@ qn_handle_find (QnCanvas *canvas, QnVec2 screen, QnGrip *grip)
 void
 qn_handle_begin (QnCanvas *canvas, QnGrip grip)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  gesture->from = gesture->to = grip.at;
-  gesture->grip = grip;
+  canvas->gesture.from = canvas->gesture.to = grip.at;
+  canvas->gesture.grip = grip;
   qn_canvas_set_in_gesture (canvas, TRUE);
 }
 
@@ -207,10 +206,10 @@ paint_handle (cairo_t *cr)
 static void
 draw_opening_outline (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnId object = qn_canvas_get_selection (canvas)->object;
-  const int opening = qn_canvas_get_selection (canvas)->opening;
+  const QnId object = canvas->selection->object;
+  const int opening = canvas->selection->opening;
   const QnMasonries *list = qn_canvas_get_masonry (canvas);
-  if (qn_view_needs_result (qn_canvas_get_state (canvas)->options.view))
+  if (qn_view_needs_result (canvas->state->options.view))
     return;
   if (object == QN_NONE || (gsize) object >= list->count
       || (gsize) opening >= list->items[object].wall.opening_count)
@@ -252,7 +251,7 @@ qn_handle_draw_all (QnCanvas *canvas, cairo_t *cr)
 static double
 turn_angle (QnCanvas *canvas)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnGesture *gesture = &canvas->gesture;
   QnVec2 a = qn_vec2_sub (gesture->grip.at, gesture->grip.center);
   QnVec2 b = qn_vec2_sub (gesture->to, gesture->grip.center);
   double angle = atan2 (qn_vec2_cross (a, b), qn_vec2_dot (a, b));
@@ -268,7 +267,7 @@ turn_angle (QnCanvas *canvas)
 static gboolean
 drag_masonry (QnMasonry *masonry, gpointer canvas, GError **error)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnGesture *gesture = &((QnCanvas *) canvas)->gesture;
   qn_masonry_drag (masonry, gesture->grip.opening, (QnHandleKind) gesture->grip.handle,
                    gesture->from, gesture->to, qn_canvas_snaps (canvas));
   return TRUE;
@@ -306,7 +305,7 @@ end_drag (QnCanvas *canvas)
 void
 qn_handle_turn (QnCanvas *canvas, double angle)
 {
-  const QnVec2 center = qn_canvas_get_gesture (canvas)->grip.center;
+  const QnVec2 center = canvas->gesture.grip.center;
   end_drag (canvas);
   qn_canvas_transform (canvas, _ ("Rotate"), NULL, qn_transform_rotation (center, angle),
                        0);
@@ -315,7 +314,7 @@ qn_handle_turn (QnCanvas *canvas, double angle)
 void
 qn_handle_finish (QnCanvas *canvas)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnGesture *gesture = &canvas->gesture;
   const QnGrip *grip = &gesture->grip;
   QnCanvasDraft draft;
   if (grip->kind == QN_GRIP_TURN) {
@@ -332,7 +331,8 @@ qn_handle_finish (QnCanvas *canvas)
     : grip->kind == QN_GRIP_MASONRY ? qn_edit_change_masonry (
         &draft.project, grip->object, drag_masonry, canvas, &draft.error)
     : grip->kind == QN_GRIP_CORNER
-      ? qn_edit_move_corner (draft.model, qn_canvas_get_parts (canvas).blocks,
+      ? qn_edit_move_corner (draft.model,
+                             qn_selection_get_parts (canvas->selection).blocks,
                              gesture->from, gesture->to, &draft.error)
     : grip->kind == QN_GRIP_NODE
       ? qn_edit_place_node (draft.model, grip->object, gesture->to, &draft.error)
@@ -346,8 +346,8 @@ qn_handle_finish (QnCanvas *canvas)
 static void
 draw_masonry_drag (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGrip *grip = &qn_canvas_get_gesture (canvas)->grip;
-  const QnProject *project = qn_document_get_project (qn_canvas_get_document (canvas));
+  const QnGrip *grip = &canvas->gesture.grip;
+  const QnProject *project = qn_document_get_project (canvas->document);
   QnMasonries list;
   if (!qn_project_get_masonry (project, &list, NULL))
     return;
@@ -369,7 +369,7 @@ static void
 draw_corner_drag (QnCanvas *canvas, cairo_t *cr, const QnGesture *gesture)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
-  const QnBlockSet set = qn_canvas_get_parts (canvas).blocks;
+  const QnBlockSet set = qn_selection_get_parts (canvas->selection).blocks;
   if (set.count == 0)
     return;
   gsize n = (gsize) model->blocks[set.ids[0]].vertex_count;
@@ -400,7 +400,7 @@ draw_node_drag (QnCanvas *canvas, cairo_t *cr, const QnGesture *gesture)
 void
 qn_handle_draw_drag (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnGesture *gesture = &canvas->gesture;
   switch (gesture->grip.kind) {
   case QN_GRIP_MASONRY:
     draw_masonry_drag (canvas, cr);

@@ -161,16 +161,15 @@ choose_figure (Dialog *dialog)
 static void
 write_to (Dialog *dialog, const char *path)
 {
-  QnDocument *document = dialog->state->document;
-  if (document->run == NULL)
+  if (dialog->state->document->run == NULL)
     return;
   g_free (dialog->path);
   dialog->path = g_strdup (path);
   dialog->cancellable = g_cancellable_new ();
-  dialog->run = qn_run_ref (document->run);
+  dialog->run = qn_run_ref (dialog->state->document->run);
   dialog->done = 0;
   choose_figure (dialog);
-  qn_document_get_metadata (document, &dialog->metadata);
+  qn_document_get_metadata (dialog->state->document, &dialog->metadata);
   dialog->metadata.model = dialog->model = g_strdup (dialog->metadata.model);
   dialog->metadata.model_sha256 = dialog->sha256 =
     g_strdup (dialog->metadata.model_sha256);

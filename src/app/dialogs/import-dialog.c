@@ -120,9 +120,8 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
 static const QnImportLayer *
 layer_of (const Dialog *dialog)
 {
-  const GArray *layers = dialog->report.layers;
-  return layers != NULL && dialog->layer < layers->len
-           ? &g_array_index (layers, QnImportLayer, dialog->layer)
+  return dialog->report.layers != NULL && dialog->layer < dialog->report.layers->len
+           ? &g_array_index (dialog->report.layers, QnImportLayer, dialog->layer)
            : NULL;
 }
 

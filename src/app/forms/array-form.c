@@ -18,7 +18,7 @@ QN_FORM_FIELDS;
 static gboolean
 look (gpointer data)
 {
-  QnPartSet set = qn_canvas_get_parts (((QnBoundForm *) data)->canvas);
+  QnPartSet set = qn_selection_get_parts (((QnBoundForm *) data)->canvas->selection);
   return set.blocks.count + set.beams.count > 0;
 }
 

@@ -83,7 +83,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case VIA:
     return take_corners (&model->bars[form->selected], value->text, error);
   case ADD:
-    if (!qn_edit_add_bar (model, qn_canvas_get_parts (form->canvas).blocks, error))
+    if (!qn_edit_add_bar (model, qn_selection_get_parts (form->canvas->selection).blocks,
+                          error))
       return FALSE;
     form->wanted = (int) model->bar_count - 1;
     return TRUE;

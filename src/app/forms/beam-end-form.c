@@ -40,7 +40,7 @@ static gboolean
 look (gpointer data)
 {
   Form *form = data;
-  QnBeamSet set = qn_canvas_get_parts (form->base.canvas).beams;
+  QnBeamSet set = qn_selection_get_parts (form->base.canvas->selection).beams;
   if (set.count != 1)
     return FALSE;
   form->beam = set.ids[0];

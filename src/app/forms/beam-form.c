@@ -26,7 +26,8 @@ QN_FORM_FIELDS;
 static gboolean
 look (gpointer form)
 {
-  return qn_canvas_get_parts (((QnBoundForm *) form)->canvas).beams.count > 0;
+  return qn_selection_get_parts (((QnBoundForm *) form)->canvas->selection).beams.count
+         > 0;
 }
 
 static char *
@@ -49,16 +50,14 @@ dup_facts (const QnModel *model, QnBeamSet set)
 static char *
 dup_forces (const QnBoundForm *form, QnBeamSet set)
 {
-  QnDocument *document = qn_canvas_get_document (form->canvas);
-  const QnRun *run = document->run;
+  const QnRun *run = form->canvas->document->run;
   if (set.count != 1 || run == NULL || run->result.step_count == 0
-      || qn_document_get_run_age (document, run) == QN_RUN_OTHER_MODEL
+      || qn_document_get_run_age (form->canvas->document, run) == QN_RUN_OTHER_MODEL
       || (gsize) set.ids[0] >= run->model.beam_count)
     return NULL;
-  return qn_beam_dup_summary (
-    &run->model, &run->result,
-    qn_view_state_get_shown_step (qn_canvas_get_state (form->canvas)), set.ids[0],
-    qn_settings_get_units ());
+  return qn_beam_dup_summary (&run->model, &run->result,
+                              qn_view_state_get_shown_step (form->canvas->state),
+                              set.ids[0], qn_settings_get_units ());
 }
 
 static gboolean
@@ -66,7 +65,7 @@ show (gpointer data, guint field, QnValue *value)
 {
   const QnBoundForm *form = data;
   const QnModel *model = qn_canvas_get_model (form->canvas);
-  QnBeamSet set = qn_canvas_get_parts (form->canvas).beams;
+  QnBeamSet set = qn_selection_get_parts (form->canvas->selection).beams;
   const QnBeam *beam = &model->beams[set.ids[0]];
   QnVec2 load;
   switch (field) {
@@ -112,7 +111,8 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   QnModel *model = &draft->model;
-  QnBeamSet set = qn_canvas_get_parts (((QnBoundForm *) data)->canvas).beams;
+  QnBeamSet set =
+    qn_selection_get_parts (((QnBoundForm *) data)->canvas->selection).beams;
   gboolean live = field >= LOAD + 2;
   guint x = live ? LOAD + 2 : LOAD;
   switch (field) {

@@ -26,7 +26,7 @@ static gboolean
 look (gpointer data)
 {
   const QnBoundForm *form = data;
-  return qn_canvas_get_parts (form->canvas).blocks.count > 0;
+  return qn_selection_get_parts (form->canvas->selection).blocks.count > 0;
 }
 
 /* Whether not all have what the first one has. */
@@ -69,7 +69,7 @@ show (gpointer data, guint field, QnValue *value)
 {
   const QnBoundForm *form = data;
   const QnModel *model = qn_canvas_get_model (form->canvas);
-  QnBlockSet set = qn_canvas_get_parts (form->canvas).blocks;
+  QnBlockSet set = qn_selection_get_parts (form->canvas->selection).blocks;
   const QnBlock *block = &model->blocks[set.ids[0]];
   /* What masonry is made of is told by its own form. */
   gboolean masonry = TRUE;
@@ -125,7 +125,8 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   QnModel *model = &draft->model;
-  QnBlockSet set = qn_canvas_get_parts (((const QnBoundForm *) data)->canvas).blocks;
+  QnBlockSet set =
+    qn_selection_get_parts (((const QnBoundForm *) data)->canvas->selection).blocks;
   switch (field) {
   case NAME:
     return qn_edit_rename_block (model, set.ids[0], value->text, error);

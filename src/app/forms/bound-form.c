@@ -265,7 +265,7 @@ follow_list (QnBoundForm *form)
     form->wanted = -1;
     return;
   }
-  QnSelection *selection = qn_canvas_get_selection (form->canvas);
+  QnSelection *selection = form->canvas->selection;
   if (form->wanted >= 0 && form->wanted < count)
     qn_selection_set_one (selection, list->kind, form->wanted);
   form->wanted = -1;
@@ -287,7 +287,7 @@ select_item (QnBoundForm *form, int item)
 {
   const QnFormList *list = form->kind->list;
   if (list->kind != QN_PICK_NOTHING)
-    qn_selection_set_one (qn_canvas_get_selection (form->canvas), list->kind, item);
+    qn_selection_set_one (form->canvas->selection, list->kind, item);
   else
     form->selected = item;
 }
@@ -501,8 +501,8 @@ on_menu (QnQuantityEntry *entry, QnBoundForm *form)
   for (guint attempt = 0;
        path == NULL && qn_quantity_entry_get_other (entry, attempt, &other.value.number);
        attempt++)
-    path = qn_document_dup_number_path (qn_canvas_get_document (form->canvas), edit,
-                                        &same, &other, other.value.number, &number);
+    path = qn_document_dup_number_path (form->canvas->document, edit, &same, &other,
+                                        other.value.number, &number);
   if (path != NULL)
     qn_menu_add_target (
       menu, _ ("_Vary This…"), "win.vary",
@@ -535,8 +535,7 @@ on_entered (GtkWidget *widget)
     done = TRUE;
   } else if (name != NULL) {
     g_autofree char *step = dup_step (_ (name), widget);
-    done = qn_document_edit (qn_canvas_get_document (form->canvas), step, NULL, edit,
-                             &entered, &error);
+    done = qn_document_edit (form->canvas->document, step, NULL, edit, &entered, &error);
   } else {
     done = take (&entered, NULL, &error);
   }
@@ -789,13 +788,13 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
     QnFollow what;
     gpointer object;
     const char *signal;
-  } signals[] = { { QN_FOLLOW_SELECTION, qn_canvas_get_selection (canvas), "changed" },
-                  { QN_FOLLOW_RUNS, qn_canvas_get_document (canvas), "runs-changed" },
-                  { QN_FOLLOW_RUNS, qn_canvas_get_document (canvas), "job-changed" },
-                  { QN_FOLLOW_VIEW, qn_canvas_get_state (canvas), "changed" },
+  } signals[] = { { QN_FOLLOW_SELECTION, canvas->selection, "changed" },
+                  { QN_FOLLOW_RUNS, canvas->document, "runs-changed" },
+                  { QN_FOLLOW_RUNS, canvas->document, "job-changed" },
+                  { QN_FOLLOW_VIEW, canvas->state, "changed" },
                   { QN_FOLLOW_TOOL, canvas, "tool-changed" } };
   GCallback callback = G_CALLBACK (qn_bound_form_show);
-  qn_watch (form->root, qn_canvas_get_document (canvas), "changed", callback, form);
+  qn_watch (form->root, canvas->document, "changed", callback, form);
   for (gsize i = 0; i < G_N_ELEMENTS (signals); i++)
     if ((kind->follows & signals[i].what) != 0)
       qn_watch (form->root, signals[i].object, signals[i].signal, callback, form);

@@ -72,7 +72,7 @@ dup_doubt (const QnGroundMotion *motion)
 static void
 sample (Form *form)
 {
-  QnDocument *document = qn_canvas_get_document (form->base.canvas);
+  QnDocument *document = form->base.canvas->document;
   const QnModel *model = &document->project.model;
   QnProject read;
   g_autoptr (GError) error = NULL;
@@ -139,7 +139,7 @@ initial_number (QnInitialMotion *motion, guint field)
 static gboolean
 show_initial (const Form *form, const QnModel *model, guint field, QnValue *value)
 {
-  QnBlockSet set = qn_canvas_get_parts (form->base.canvas).blocks;
+  QnBlockSet set = qn_selection_get_parts (form->base.canvas->selection).blocks;
   if (set.count == 0)
     return FALSE;
   QnInitialMotion motion = qn_initial_motion_of (model, set.ids[0]);
@@ -158,7 +158,7 @@ static gboolean
 take_initial (const Form *form, QnModel *model, guint field, double number,
               GError **error)
 {
-  QnBlockSet set = qn_canvas_get_parts (form->base.canvas).blocks;
+  QnBlockSet set = qn_selection_get_parts (form->base.canvas->selection).blocks;
   for (guint i = 0; i < set.count; i++) {
     QnInitialMotion motion = qn_initial_motion_of (model, set.ids[i]);
     *initial_number (&motion, field) = number;
@@ -175,8 +175,7 @@ static QnModes
 found_modes (const Form *form)
 {
   QnModes modes = { 0 };
-  modes.omega =
-    qn_document_dup_omegas (qn_canvas_get_document (form->base.canvas), &modes.count);
+  modes.omega = qn_document_dup_omegas (form->base.canvas->document, &modes.count);
   return modes;
 }
 

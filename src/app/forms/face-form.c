@@ -26,13 +26,13 @@ QN_FORM_FIELDS;
 static const QnId *
 selected (const QnBoundForm *form, guint *count)
 {
-  return qn_selection_get (qn_canvas_get_selection (form->canvas), QN_PICK_FACE, count);
+  return qn_selection_get (form->canvas->selection, QN_PICK_FACE, count);
 }
 
 static const QnContacts *
 contacts_of (const QnBoundForm *form)
 {
-  return &qn_canvas_get_document (form->canvas)->contacts;
+  return &form->canvas->document->contacts;
 }
 
 static gboolean

@@ -154,8 +154,8 @@ show (gpointer data, guint field, QnValue *value)
 {
   const Form *form = data;
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
-  const QnContacts *contacts = &qn_canvas_get_document (form->base.canvas)->contacts;
-  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
+  const QnContacts *contacts = &form->base.canvas->document->contacts;
+  QnSelection *selection = form->base.canvas->selection;
   QnLaw law = model->laws[form->shown];
   const double *number;
   guint uses = qn_edit_count_law_uses (model, form->shown);
@@ -243,8 +243,8 @@ add (Form *form, QnModel *model, const QnValue *joint, GError **error)
 static gboolean
 apply (const Form *form, QnModel *model, GError **error)
 {
-  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
-  const QnContacts *contacts = &qn_canvas_get_document (form->base.canvas)->contacts;
+  QnSelection *selection = form->base.canvas->selection;
+  const QnContacts *contacts = &form->base.canvas->document->contacts;
   QnBlockSet blocks = { 0 };
   guint count;
   blocks.ids = qn_selection_get (selection, QN_PICK_BLOCK, &blocks.count);
@@ -260,8 +260,7 @@ static void
 select_uses (const Form *form)
 {
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
-  const QnContacts *contacts = &qn_canvas_get_document (form->base.canvas)->contacts;
-  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
+  const QnContacts *contacts = &form->base.canvas->document->contacts;
   g_autoptr (GArray) faces = g_array_new (FALSE, FALSE, sizeof (QnId));
   g_autoptr (GArray) blocks = g_array_new (FALSE, FALSE, sizeof (QnId));
   for (QnId i = 0; i < (QnId) contacts->face_count; i++)
@@ -272,10 +271,10 @@ select_uses (const Form *form)
     if (model->blocks[i].law == form->shown)
       g_array_append_val (blocks, i);
   if (faces->len > 0)
-    qn_selection_set (selection, QN_PICK_FACE, (const QnId *) (const void *) faces->data,
-                      faces->len);
+    qn_selection_set (form->base.canvas->selection, QN_PICK_FACE,
+                      (const QnId *) (const void *) faces->data, faces->len);
   else
-    qn_selection_set (selection, QN_PICK_BLOCK,
+    qn_selection_set (form->base.canvas->selection, QN_PICK_BLOCK,
                       (const QnId *) (const void *) blocks->data, blocks->len);
 }
 

@@ -103,8 +103,7 @@ selected_load (const Form *form)
 static void
 select_load (const Form *form, QnId load)
 {
-  qn_selection_set_one (qn_canvas_get_selection (form->base.canvas), kind_of (form),
-                        load);
+  qn_selection_set_one (form->base.canvas->selection, kind_of (form), load);
 }
 
 /* Whether the list has a load. */
@@ -145,7 +144,6 @@ look (gpointer data)
 {
   Form *form = data;
   const QnModel *model = qn_canvas_get_model (form->base.canvas);
-  QnSelection *selection = qn_canvas_get_selection (form->base.canvas);
   if (form->shown > (int32_t) model->load_set_count)
     form->shown = 0;
   if (form->base.wanted >= 0
@@ -154,7 +152,7 @@ look (gpointer data)
   const int before = form->base.selected;
   form->base.wanted = form->base.selected = -1;
   for (int live = 0; live < 2; live++) {
-    QnId id = qn_selection_get_one (selection, QN_PICK_LOAD (live));
+    QnId id = qn_selection_get_one (form->base.canvas->selection, QN_PICK_LOAD (live));
     gsize count;
     const QnLoad *loads = qn_model_loads (model, live, &count);
     if (id == QN_NONE || (gsize) id >= count
@@ -363,7 +361,7 @@ show (gpointer data, guint field, QnValue *value)
 static QnBlockSet
 loaded_blocks (const Form *form)
 {
-  QnBlockSet set = qn_canvas_get_parts (form->base.canvas).blocks;
+  QnBlockSet set = qn_selection_get_parts (form->base.canvas->selection).blocks;
   const QnLoad *load = selected_load (form);
   if (set.count == 0 && load != NULL && load->block != QN_NONE)
     set = (QnBlockSet){ &load->block, 1 };
@@ -375,8 +373,8 @@ static gboolean
 make_force (const Form *form, const QnModel *model, QnLoad *load, GError **error)
 {
   QnBlockSet set = loaded_blocks (form);
-  QnBeamSet beams = qn_canvas_get_parts (form->base.canvas).beams;
-  load->vector.y = -qn_canvas_get_tool_settings (form->base.canvas)->force;
+  QnBeamSet beams = qn_selection_get_parts (form->base.canvas->selection).beams;
+  load->vector.y = -form->base.canvas->settings->force;
   load->kind = set.count > 0 ? QN_LOAD_FORCE : QN_LOAD_NODE;
   if (set.count > 0)
     load->block = set.ids[0];
@@ -392,7 +390,7 @@ make_force (const Form *form, const QnModel *model, QnLoad *load, GError **error
 static gboolean
 make_line (const Form *form, QnLoad *load, GError **error)
 {
-  QnBeamSet beams = qn_canvas_get_parts (form->base.canvas).beams;
+  QnBeamSet beams = qn_selection_get_parts (form->base.canvas->selection).beams;
   if (beams.count == 0)
     return qn_edit_refuse (error, _ ("Select the beam that the load lies on"));
   load->kind = QN_LOAD_LINE;

@@ -30,11 +30,11 @@ static gboolean
 look (gpointer data)
 {
   Form *form = data;
-  QnBlockSet set = qn_canvas_get_parts (form->base.canvas).blocks;
+  QnBlockSet set = qn_selection_get_parts (form->base.canvas->selection).blocks;
   if (set.count > 0)
     form->object = qn_canvas_get_model (form->base.canvas)->blocks[set.ids[0]].masonry;
   else
-    form->object = qn_canvas_get_selection (form->base.canvas)->object;
+    form->object = form->base.canvas->selection->object;
   return form->object >= 0
          && (gsize) form->object < qn_canvas_get_masonry (form->base.canvas)->count;
 }

@@ -28,8 +28,8 @@ look (gpointer data)
 {
   Form *form = data;
   const QnMasonries *list = qn_canvas_get_masonry (form->base.canvas);
-  form->object = qn_canvas_get_selection (form->base.canvas)->object;
-  form->number = qn_canvas_get_selection (form->base.canvas)->opening;
+  form->object = form->base.canvas->selection->object;
+  form->number = form->base.canvas->selection->opening;
   return form->object != QN_NONE && (gsize) form->object < list->count
          && (gsize) form->number < list->items[form->object].wall.opening_count;
 }

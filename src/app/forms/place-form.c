@@ -20,7 +20,7 @@ static const QnFormField fields[] = {
 static gboolean
 look (gpointer form)
 {
-  QnPartSet set = qn_canvas_get_parts (((QnBoundForm *) form)->canvas);
+  QnPartSet set = qn_selection_get_parts (((QnBoundForm *) form)->canvas->selection);
   return set.blocks.count + set.beams.count > 0;
 }
 
@@ -44,7 +44,7 @@ show (gpointer data, guint field, QnValue *value)
 {
   const QnBoundForm *form = data;
   const QnModel *model = qn_canvas_get_model (form->canvas);
-  QnPartSet set = qn_canvas_get_parts (form->canvas);
+  QnPartSet set = qn_selection_get_parts (form->canvas->selection);
   QnExtent extent;
   if (!qn_extent_find (model, set, &extent))
     return FALSE;
@@ -81,8 +81,9 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   QnExtentField what = field == TURN ? QN_EXTENT_ANGLE : (QnExtentField) field;
-  return qn_edit_set_extent (draft, qn_canvas_get_parts (((QnBoundForm *) data)->canvas),
-                             what, value->number, error);
+  return qn_edit_set_extent (
+    draft, qn_selection_get_parts (((QnBoundForm *) data)->canvas->selection), what,
+    value->number, error);
 }
 
 const QnFormKind qn_place_form =

@@ -34,7 +34,7 @@ static gboolean
 look (gpointer data)
 {
   Form *form = data;
-  QnBeamSet set = qn_canvas_get_parts (form->base.canvas).beams;
+  QnBeamSet set = qn_selection_get_parts (form->base.canvas->selection).beams;
   form->section = set.count > 0
                     ? qn_canvas_get_model (form->base.canvas)->beams[set.ids[0]].section
                     : QN_NONE;
@@ -110,9 +110,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return qn_edit_set_section_shape (model, form->section, value->number == 0.0, error);
   case ADD: /* like the one that the beams have */
     return qn_edit_add_section (model, form->section, error)
-           && qn_edit_set_beams (model, qn_canvas_get_parts (form->base.canvas).beams,
-                                 QN_BEAM_SECTION, (double) model->section_count - 1,
-                                 error);
+           && qn_edit_set_beams (
+             model, qn_selection_get_parts (form->base.canvas->selection).beams,
+             QN_BEAM_SECTION, (double) model->section_count - 1, error);
   case UNUSED:
     qn_edit_remove_unused_sections (model);
     return TRUE;

@@ -130,7 +130,7 @@ static gboolean
 take_control (const QnBoundForm *form, const QnModel *model, QnStage *stage,
               GError **error)
 {
-  const QnPartSet set = qn_canvas_get_parts (form->canvas);
+  const QnPartSet set = qn_selection_get_parts (form->canvas->selection);
   if (set.blocks.count == 0 && set.beams.count == 0)
     return qn_edit_refuse (
       error, _ ("Select the block or the beam whose displacement ends the stage"));

@@ -95,22 +95,22 @@ static gboolean
 look (gpointer data)
 {
   const QnBoundForm *form = data;
-  return fields_of (qn_canvas_get_tool (form->canvas)) != 0;
+  return fields_of (form->canvas->tool) != 0;
 }
 
 static gpointer
 subject (gpointer form, QnModel *model, guint field)
 {
-  return qn_canvas_get_tool_settings (((QnBoundForm *) form)->canvas);
+  return ((QnBoundForm *) form)->canvas->settings;
 }
 
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
   const QnBoundForm *form = data;
-  const QnTool *tool = qn_canvas_get_tool (form->canvas);
+  const QnTool *tool = form->canvas->tool;
   const QnModel *model = qn_canvas_get_model (form->canvas);
-  QnToolSettings *settings = qn_canvas_get_tool_settings (form->canvas);
+  QnToolSettings *settings = form->canvas->settings;
   const QnMasonryStyle *style = &settings->masonry;
   switch (field) {
   case TITLE:
@@ -166,7 +166,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 {
   const QnBoundForm *form = data;
   const QnModel *model = qn_canvas_get_model (form->canvas);
-  QnToolSettings *settings = qn_canvas_get_tool_settings (form->canvas);
+  QnToolSettings *settings = form->canvas->settings;
   QnMasonryStyle *style = &settings->masonry;
   guint row = (guint) MAX (value->number, 0.0);
   switch (field) {

@@ -29,7 +29,7 @@ show (gpointer data, guint field, QnValue *value)
 {
   const QnBoundForm *form = data;
   const QnModel *model = qn_canvas_get_model (form->canvas);
-  const QnBlockSet set = qn_canvas_get_parts (form->canvas).blocks;
+  const QnBlockSet set = qn_selection_get_parts (form->canvas->selection).blocks;
   guint count = 0;
   value->number = -1;
   for (gsize i = 0; i < model->block_count + model->node_count; i++) {
@@ -58,16 +58,15 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 {
   const QnBoundForm *form = data;
   const QnModel *model = qn_canvas_get_model (form->canvas);
-  QnSelection *selection = qn_canvas_get_selection (form->canvas);
   int row = (int) value->number;
   for (QnId i = 0; i < (QnId) model->block_count; i++)
     if (qn_support_is_any (model->blocks[i].support) && row-- == 0)
-      qn_selection_set (selection, QN_PICK_BLOCK, &i, 1);
+      qn_selection_set (form->canvas->selection, QN_PICK_BLOCK, &i, 1);
   for (QnId node = 0; node < (QnId) model->node_count; node++)
     if (qn_support_is_any (model->nodes[node].support) && row-- == 0)
       for (QnId i = 0; i < (QnId) model->beam_count; i++)
         if (model->beams[i].nodes[0] == node || model->beams[i].nodes[1] == node)
-          qn_selection_set (selection, QN_PICK_BEAM, &i, 1);
+          qn_selection_set (form->canvas->selection, QN_PICK_BEAM, &i, 1);
   return TRUE;
 }
 

@@ -86,7 +86,7 @@ dup_facts (const QnBoundForm *form, const QnTie *tie)
   const QnContacts *contacts;
   const QnResult *result;
   g_autofree char *facts = qn_tie_dup_facts (tie, units);
-  QnViewState *state = qn_canvas_get_state (form->canvas);
+  QnViewState *state = form->canvas->state;
   if (!qn_view_state_get_content (state, state->options.view, &model, &contacts, &result)
       || result == NULL)
     return g_steal_pointer (&facts);

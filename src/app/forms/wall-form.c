@@ -24,7 +24,7 @@ static gboolean
 look (gpointer data)
 {
   Form *form = data;
-  QnBlockSet set = qn_canvas_get_parts (form->base.canvas).blocks;
+  QnBlockSet set = qn_selection_get_parts (form->base.canvas->selection).blocks;
   form->wall = set.count > 0
                  ? qn_canvas_get_model (form->base.canvas)->blocks[set.ids[0]].wall
                  : QN_NONE;

@@ -58,15 +58,14 @@ ask_to_allow (Figures *figures, const QnRecipe *recipe, const char *what)
 static void
 make_all (Figures *figures)
 {
-  QnDocument *document = figures->document;
   g_autoptr (GError) error = NULL;
-  g_autoptr (GPtrArray) recipes = qn_document_get_figures (document, &error);
+  g_autoptr (GPtrArray) recipes = qn_document_get_figures (figures->document, &error);
   g_autoptr (GPtrArray) made = g_ptr_array_new ();
   if (recipes != NULL)
     qn_recipes_check_files (recipes, NULL, &error);
   for (guint i = 0; error == NULL && i < recipes->len; i++) {
     const QnRecipe *recipe = g_ptr_array_index (recipes, i);
-    if (qn_document_export_figure (document, recipe, &error))
+    if (qn_document_export_figure (figures->document, recipe, &error))
       g_ptr_array_add (made, recipe->file);
     if (g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE))
       ask_to_allow (figures, recipe, error->message);
@@ -84,10 +83,9 @@ make_all (Figures *figures)
 static gboolean
 any_waits (Figures *figures)
 {
-  QnDocument *document = figures->document;
-  g_autoptr (GPtrArray) recipes = qn_document_get_figures (document, NULL);
+  g_autoptr (GPtrArray) recipes = qn_document_get_figures (figures->document, NULL);
   for (guint i = 0; recipes != NULL && i < recipes->len; i++) {
-    if (qn_document_figure_waits (document, g_ptr_array_index (recipes, i)))
+    if (qn_document_figure_waits (figures->document, g_ptr_array_index (recipes, i)))
       return TRUE;
   }
   return FALSE;
@@ -97,24 +95,22 @@ any_waits (Figures *figures)
 static void
 on_export_all (Figures *figures)
 {
-  QnDocument *document = figures->document;
   g_autoptr (GError) error = NULL;
   if (!any_waits (figures)) {
     make_all (figures);
     return;
   }
-  figures->waiting = qn_document_analyse (document, &error);
+  figures->waiting = qn_document_analyse (figures->document, &error);
   tell (figures, figures->waiting ? _ ("Solving first…") : error->message);
 }
 
 static void
 on_job_changed (Figures *figures)
 {
-  QnDocument *document = figures->document;
-  if (!figures->waiting || document->job != NULL)
+  if (!figures->waiting || figures->document->job != NULL)
     return;
   figures->waiting = FALSE;
-  const GError *error = document->job_error;
+  const GError *error = figures->document->job_error;
   if (error != NULL)
     tell (figures, error->message);
   else if (any_waits (figures))

@@ -561,13 +561,12 @@ GtkWidget *
 qn_study_page_new (QnViewState *state, const char *path, GError **error)
 {
   static const QnFormKind kind = QN_FORM_KIND ("study-page", QnStudyPage);
-  QnDocument *document = state->document;
-  QnDraft *draft = take_draft (document, path, error);
+  QnDraft *draft = take_draft (state->document, path, error);
   if (draft == NULL)
     return NULL;
   QnStudyPage *self = qn_bound_form_new (&kind, NULL);
   self->base.clear = clear;
-  self->document = g_object_ref (document);
+  self->document = g_object_ref (state->document);
   self->state = g_object_ref (state);
   self->draft = draft;
   self->rows = g_ptr_array_new ();

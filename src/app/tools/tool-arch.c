@@ -21,9 +21,8 @@ typedef struct Arch {
 static Arch
 arch_of_gesture (QnCanvas *canvas)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  Arch arch = { qn_canvas_get_tool_settings (canvas)->masonry, gesture->from, gesture->to,
-                0.0 };
+  const QnGesture *gesture = &canvas->gesture;
+  Arch arch = { canvas->settings->masonry, gesture->from, gesture->to, 0.0 };
   if (gesture->phase == PHASE_RISE)
     arch.right = g_array_index (gesture->points, QnVec2, 0);
   if (arch.left.x > arch.right.x) {
@@ -55,7 +54,7 @@ add (QnCanvas *canvas, Arch arch)
 static void
 complete (QnCanvas *canvas)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnGesture *gesture = &canvas->gesture;
   if (gesture->phase == PHASE_RISE) {
     add (canvas, arch_of_gesture (canvas));
     return;
@@ -72,7 +71,7 @@ complete (QnCanvas *canvas)
 static void
 motion (QnCanvas *canvas, const QnToolEvent *event)
 {
-  if (qn_canvas_get_gesture (canvas)->phase == PHASE_SPAN)
+  if (canvas->gesture.phase == PHASE_SPAN)
     qn_gesture_motion_straight (canvas, event);
   else
     qn_gesture_motion (canvas, event);
@@ -82,7 +81,7 @@ motion (QnCanvas *canvas, const QnToolEvent *event)
 static void
 release (QnCanvas *canvas, const QnToolEvent *event)
 {
-  if (qn_canvas_get_gesture (canvas)->phase == PHASE_SPAN)
+  if (canvas->gesture.phase == PHASE_SPAN)
     qn_gesture_release (canvas, event);
 }
 
@@ -91,7 +90,7 @@ release (QnCanvas *canvas, const QnToolEvent *event)
 static gboolean
 numbers (QnCanvas *canvas, const double *values, int count)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnGesture *gesture = &canvas->gesture;
   Arch arch = arch_of_gesture (canvas);
   int first = gesture->phase == PHASE_SPAN ? 1 : 0;
   if (count < 1 || count > first + 3)
@@ -128,7 +127,7 @@ draw (QnCanvas *canvas, cairo_t *cr)
     qn_masonry_clear (&masonry);
   }
   qn_gesture_draw_line (canvas, cr, arch.left, arch.right);
-  if (qn_canvas_get_gesture (canvas)->phase == PHASE_RISE) {
+  if (canvas->gesture.phase == PHASE_RISE) {
     QnVec2 chord = qn_vec2_sub (arch.right, arch.left);
     double span = qn_vec2_length (chord);
     QnVec2 middle = qn_vec2_lerp (arch.left, arch.right, 0.5);

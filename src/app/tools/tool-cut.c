@@ -8,7 +8,8 @@
 static gboolean
 edit (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 {
-  return qn_edit_cut_blocks (draft->model, qn_canvas_get_parts (canvas).blocks,
+  return qn_edit_cut_blocks (draft->model,
+                             qn_selection_get_parts (canvas->selection).blocks,
                              gesture->from, gesture->to, &draft->error);
 }
 
@@ -16,12 +17,11 @@ edit (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnGesture *gesture = &canvas->gesture;
   const QnModel *model = qn_canvas_get_model (canvas);
-  QnSelection *selection = qn_canvas_get_selection (canvas);
-  const guint selected = selection->ids[QN_PICK_BLOCK]->len;
+  const guint selected = canvas->selection->ids[QN_PICK_BLOCK]->len;
   for (QnId i = 0; i < (QnId) model->block_count; i++) {
-    if ((selected == 0 || qn_selection_has (selection, QN_PICK_BLOCK, i))
+    if ((selected == 0 || qn_selection_has (canvas->selection, QN_PICK_BLOCK, i))
         && qn_block_is_crossed (model, i, gesture->from, gesture->to))
       qn_canvas_trace (canvas, cr, qn_model_block_vertices (model, i),
                        (gsize) model->blocks[i].vertex_count);

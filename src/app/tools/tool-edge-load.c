@@ -16,7 +16,7 @@ enum { UP, DOWN, UP_TO_CHANGE, DOWN_TO_CHANGE };
 static QnEdgeChain
 edge_at (QnCanvas *canvas, QnVec2 screen, QnId of)
 {
-  const QnCamera *camera = qn_canvas_get_camera (canvas);
+  const QnCamera *camera = &canvas->camera;
   return qn_model_find_edge (qn_canvas_get_model (canvas),
                              qn_camera_to_model (camera, screen),
                              of == QN_NONE ? REACH_PX / camera->scale : INFINITY, of);
@@ -26,12 +26,11 @@ edge_at (QnCanvas *canvas, QnVec2 screen, QnId of)
 static QnEdgeChain
 find_chain (QnCanvas *canvas)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  const QnVec2 from = gesture->from_screen;
+  const QnVec2 from = canvas->gesture.from_screen;
   QnEdgeChain first = edge_at (canvas, from, QN_NONE);
-  if (first.block == QN_NONE || !gesture->dragging)
+  if (first.block == QN_NONE || !canvas->gesture.dragging)
     return first;
-  QnVec2 to = qn_canvas_to_screen (canvas, gesture->to);
+  QnVec2 to = qn_canvas_to_screen (canvas, canvas->gesture.to);
   return qn_model_join_edges (qn_canvas_get_model (canvas), first,
                               edge_at (canvas, to, first.block));
 }
@@ -63,7 +62,7 @@ put_load (QnCanvas *canvas, const char *name, const Put *put)
 static gboolean
 find_selected (QnCanvas *canvas, Put *put)
 {
-  const QnPick item = qn_selection_get_item (qn_canvas_get_selection (canvas));
+  const QnPick item = qn_selection_get_item (canvas->selection);
   const QnModel *model = qn_canvas_get_model (canvas);
   put->load = item.id;
   put->live = item.kind == QN_PICK_LIVE_LOAD;
@@ -77,15 +76,15 @@ select_last (QnCanvas *canvas, gboolean live)
 {
   const QnPickKind kind = QN_PICK_LOAD (live);
   const gsize count = qn_model_count_items (qn_canvas_get_model (canvas), kind);
-  qn_selection_set_one (qn_canvas_get_selection (canvas), kind, (QnId) count - 1);
+  qn_selection_set_one (canvas->selection, kind, (QnId) count - 1);
 }
 
 static void
 complete (QnCanvas *canvas)
 {
-  const QnToolSettings *settings = qn_canvas_get_tool_settings (canvas);
+  const QnToolSettings *settings = canvas->settings;
   Put put = { find_chain (canvas), settings->live, settings->intensity, QN_NONE };
-  gboolean change = qn_canvas_get_gesture (canvas)->phase == DOWN_TO_CHANGE;
+  gboolean change = canvas->gesture.phase == DOWN_TO_CHANGE;
   qn_canvas_set_in_gesture (canvas, FALSE);
   if (put.chain.block == QN_NONE)
     qn_canvas_tell (canvas, _ ("There is no edge of a block here"));
@@ -99,7 +98,7 @@ complete (QnCanvas *canvas)
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnGesture *gesture = &canvas->gesture;
   gesture->from_screen = event->screen;
   gesture->to = event->model;
   gesture->phase = gesture->phase == UP_TO_CHANGE ? DOWN_TO_CHANGE : DOWN;
@@ -109,7 +108,7 @@ press (QnCanvas *canvas, const QnToolEvent *event)
 static void
 motion (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnGesture *gesture = &canvas->gesture;
   gesture->to = event->model;
   if (gesture->phase == UP || gesture->phase == UP_TO_CHANGE)
     gesture->from_screen = event->screen;
@@ -121,7 +120,7 @@ static void
 release (QnCanvas *canvas, const QnToolEvent *event)
 {
   motion (canvas, event);
-  if (qn_canvas_is_in_gesture (canvas))
+  if (canvas->in_gesture)
     complete (canvas);
 }
 
@@ -150,7 +149,7 @@ draw (QnCanvas *canvas, cairo_t *cr)
     qn_units_format_full (qn_settings_get_units (), QN_QUANTITY_LENGTH, length, 4);
   g_autofree char *text =
     g_strdup_printf ("%s: %s", model->blocks[chain.block].name, size);
-  QnVec2 pointer = qn_canvas_to_screen (canvas, qn_canvas_get_gesture (canvas)->to);
+  QnVec2 pointer = qn_canvas_to_screen (canvas, canvas->gesture.to);
   qn_canvas_draw_label (canvas, cr, text, qn_vec2 (pointer.x + 16.0, pointer.y + 12.0));
 }
 
@@ -159,7 +158,7 @@ qn_tool_edge_load_choose (QnCanvas *canvas)
 {
   gtk_widget_activate_action (GTK_WIDGET (canvas), "win.tool", "s", "edge-load");
   qn_canvas_set_in_gesture (canvas, TRUE);
-  qn_canvas_get_gesture (canvas)->phase = UP_TO_CHANGE;
+  canvas->gesture.phase = UP_TO_CHANGE;
   gtk_widget_grab_focus (GTK_WIDGET (canvas));
 }
 

@@ -10,8 +10,7 @@
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
-  if (qn_canvas_is_in_gesture (canvas)
-      || qn_canvas_pick_node (canvas, event->screen) != QN_NONE
+  if (canvas->in_gesture || qn_canvas_pick_node (canvas, event->screen) != QN_NONE
       || qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_BLOCK).kind
            == QN_PICK_BLOCK)
     qn_gesture_press (canvas, event);
@@ -20,11 +19,10 @@ press (QnCanvas *canvas, const QnToolEvent *event)
 static void
 add (QnCanvas *canvas, QnVec2 vector)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  QnPick pick = qn_canvas_pick (canvas, gesture->from_screen, 1u << QN_PICK_BLOCK);
-  const QnId node = qn_canvas_pick_node (canvas, gesture->from_screen);
-  const gboolean live = qn_canvas_get_tool_settings (canvas)->live;
-  const QnVec2 at = gesture->from;
+  QnPick pick = qn_canvas_pick (canvas, canvas->gesture.from_screen, 1u << QN_PICK_BLOCK);
+  const QnId node = qn_canvas_pick_node (canvas, canvas->gesture.from_screen);
+  const gboolean live = canvas->settings->live;
+  const QnVec2 at = canvas->gesture.from;
   QnCanvasDraft draft;
   qn_canvas_set_in_gesture (canvas, FALSE);
   if ((pick.kind == QN_PICK_BLOCK || node != QN_NONE)
@@ -39,10 +37,9 @@ add (QnCanvas *canvas, QnVec2 vector)
 static void
 complete (QnCanvas *canvas)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  QnVec2 direction = qn_vec2_sub (gesture->to, gesture->from);
+  QnVec2 direction = qn_vec2_sub (canvas->gesture.to, canvas->gesture.from);
   double length = qn_vec2_length (direction);
-  double size = qn_canvas_get_tool_settings (canvas)->force;
+  double size = canvas->settings->force;
   if (length > 0.0)
     add (canvas, qn_vec2_scale (size / length, direction));
   else
@@ -53,9 +50,8 @@ complete (QnCanvas *canvas)
 static gboolean
 numbers (QnCanvas *canvas, const double *values, int count)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnVec2 force;
-  if (!qn_gesture_typed_way (gesture, values, count, &force) || values[0] == 0.0)
+  if (!qn_gesture_typed_way (&canvas->gesture, values, count, &force) || values[0] == 0.0)
     return FALSE;
   add (canvas, force);
   return TRUE;
@@ -64,7 +60,7 @@ numbers (QnCanvas *canvas, const double *values, int count)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnGesture *gesture = &canvas->gesture;
   QnVec2 a = qn_canvas_to_screen (canvas, gesture->from);
   QnVec2 b = qn_canvas_to_screen (canvas, gesture->to);
   double angle = atan2 (b.y - a.y, b.x - a.x);
@@ -78,8 +74,8 @@ draw (QnCanvas *canvas, cairo_t *cr)
   cairo_close_path (cr);
   cairo_fill (cr);
   QnUnits units = qn_settings_get_units ();
-  g_autofree char *size = qn_units_format_full (
-    units, QN_QUANTITY_FORCE, qn_canvas_get_tool_settings (canvas)->force, 4);
+  g_autofree char *size =
+    qn_units_format_full (units, QN_QUANTITY_FORCE, canvas->settings->force, 4);
   g_autofree char *turned = qn_gesture_dup_angle (gesture);
   g_autofree char *text = g_strdup_printf ("%s; %s", size, turned);
   qn_gesture_draw_words (canvas, cr, text, gesture->to);

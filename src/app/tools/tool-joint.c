@@ -8,7 +8,7 @@
 void
 qn_tool_joint_set_law (QnCanvas *canvas, const QnId *ids, guint count, const char *law)
 {
-  const QnContacts *contacts = &qn_canvas_get_document (canvas)->contacts;
+  const QnContacts *contacts = &canvas->document->contacts;
   const QnFaceSet set = { contacts, ids, count };
   QnCanvasDraft draft;
   if (count > 0 && qn_canvas_begin_edit (canvas, &draft)) {
@@ -22,28 +22,26 @@ qn_tool_joint_set_law (QnCanvas *canvas, const QnId *ids, guint count, const cha
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  qn_view_state_set_view (qn_canvas_get_state (canvas), QN_VIEW_CONTACTS);
-  gesture->from = gesture->to = event->model;
-  gesture->from_screen = event->screen;
+  qn_view_state_set_view (canvas->state, QN_VIEW_CONTACTS);
+  canvas->gesture.from = canvas->gesture.to = event->model;
+  canvas->gesture.from_screen = event->screen;
   qn_canvas_set_in_gesture (canvas, TRUE);
 }
 
 static void
 motion (QnCanvas *canvas, const QnToolEvent *event)
 {
-  qn_canvas_get_gesture (canvas)->to = event->model;
+  canvas->gesture.to = event->model;
 }
 
 static void
 release (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (!qn_canvas_is_in_gesture (canvas))
+  if (!canvas->in_gesture)
     return;
   g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
   if (qn_canvas_is_drag (canvas, event))
-    qn_canvas_faces_inside (canvas, gesture->from, event->model, ids);
+    qn_canvas_faces_inside (canvas, canvas->gesture.from, event->model, ids);
   else {
     QnPick pick = qn_canvas_pick (canvas, event->screen, 1u << QN_PICK_FACE);
     if (pick.kind == QN_PICK_FACE)
@@ -51,14 +49,13 @@ release (QnCanvas *canvas, const QnToolEvent *event)
   }
   qn_canvas_set_in_gesture (canvas, FALSE);
   qn_tool_joint_set_law (canvas, (const QnId *) ids->data, ids->len,
-                         qn_canvas_get_tool_settings (canvas)->joint_law);
+                         canvas->settings->joint_law);
 }
 
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  qn_gesture_draw_frame (canvas, cr, gesture->from, gesture->to);
+  qn_gesture_draw_frame (canvas, cr, canvas->gesture.from, canvas->gesture.to);
 }
 
 const QnTool qn_tool_joint = {

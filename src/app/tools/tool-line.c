@@ -10,7 +10,7 @@
 static gboolean
 add_beam (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 {
-  const QnToolSettings *settings = qn_canvas_get_tool_settings (canvas);
+  const QnToolSettings *settings = canvas->settings;
   const QnBeamStyle style = { .section = settings->section,
                               .hinge = { settings->hinges[0], settings->hinges[1] },
                               .element_count = settings->elements };
@@ -36,15 +36,14 @@ static void
 select_beam (QnCanvas *canvas)
 {
   const QnId last = (QnId) qn_canvas_get_model (canvas)->beam_count - 1;
-  qn_selection_set (qn_canvas_get_selection (canvas), QN_PICK_BEAM, &last, 1);
+  qn_selection_set (canvas->selection, QN_PICK_BEAM, &last, 1);
 }
 
 static void
 select_item (QnCanvas *canvas)
 {
-  const QnPickKind kind =
-    qn_canvas_get_tool (canvas) == &qn_tool_bar ? QN_PICK_BAR : QN_PICK_TIE;
-  qn_selection_set_one (qn_canvas_get_selection (canvas), kind,
+  const QnPickKind kind = canvas->tool == &qn_tool_bar ? QN_PICK_BAR : QN_PICK_TIE;
+  qn_selection_set_one (canvas->selection, kind,
                         (QnId) qn_model_count_items (qn_canvas_get_model (canvas), kind)
                           - 1);
 }
@@ -52,7 +51,7 @@ select_item (QnCanvas *canvas)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnGesture *gesture = &canvas->gesture;
   g_autofree char *angle = qn_gesture_dup_angle (gesture);
   qn_gesture_draw_line (canvas, cr, gesture->from, gesture->to);
   qn_gesture_draw_words (canvas, cr, angle, gesture->to);
@@ -73,18 +72,17 @@ draw_beam (QnCanvas *canvas, cairo_t *cr)
 static void
 complete_mirror (QnCanvas *canvas)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  const QnVec2 a = gesture->from, b = gesture->to;
+  const QnVec2 a = canvas->gesture.from, b = canvas->gesture.to;
   qn_canvas_set_in_gesture (canvas, FALSE);
   if (a.x != b.x || a.y != b.y)
     qn_canvas_transform (canvas, _ ("Mirror"), NULL, qn_transform_mirror (a, b),
-                         qn_canvas_get_tool_settings (canvas)->mirror_copy ? 1 : 0);
+                         canvas->settings->mirror_copy ? 1 : 0);
 }
 
 static void
 draw_mirror (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnGesture *gesture = &canvas->gesture;
   qn_gesture_draw_moved (canvas, cr, qn_transform_mirror (gesture->from, gesture->to));
   draw (canvas, cr);
 }

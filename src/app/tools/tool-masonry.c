@@ -9,10 +9,9 @@
 static void
 make_plan (QnCanvas *canvas, QnMasonry *masonry)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  const QnMasonryStyle *style = &qn_canvas_get_tool_settings (canvas)->masonry;
-  (qn_canvas_get_tool (canvas) == &qn_tool_wall ? qn_plan_wall : qn_plan_in_box) (
-    masonry, style, gesture->from, gesture->to);
+  const QnMasonryStyle *style = &canvas->settings->masonry;
+  (canvas->tool == &qn_tool_wall ? qn_plan_wall : qn_plan_in_box) (
+    masonry, style, canvas->gesture.from, canvas->gesture.to);
 }
 
 static gboolean
@@ -28,9 +27,8 @@ edit (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
     [QN_MASONRY_VORONOI] = N_ ("Add Voronoi Cells"),
   };
   QnMasonry masonry;
-  draft->step = steps[qn_canvas_get_tool (canvas) == &qn_tool_wall
-                        ? QN_MASONRY_WALL
-                        : qn_canvas_get_tool_settings (canvas)->masonry.kind];
+  draft->step = steps[canvas->tool == &qn_tool_wall ? QN_MASONRY_WALL
+                                                    : canvas->settings->masonry.kind];
   make_plan (canvas, &masonry);
   return qn_edit_add_masonry (&draft->project, &masonry, &draft->error);
 }
@@ -39,10 +37,9 @@ edit (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   QnMasonry masonry;
   make_plan (canvas, &masonry);
-  QnVec2 from = gesture->from, to = gesture->to;
+  QnVec2 from = canvas->gesture.from, to = canvas->gesture.to;
   if (masonry.kind == QN_MASONRY_WALL) {
     from = masonry.origin;
     to = qn_vec2 (from.x + masonry.wall.leaves[0].length, from.y + masonry.wall.height);

@@ -7,9 +7,9 @@
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnGesture *gesture = &canvas->gesture;
   /* The second of two clicks is the end. */
-  if (qn_canvas_is_in_gesture (canvas) && gesture->dragging) {
+  if (canvas->in_gesture && gesture->dragging) {
     gesture->to = event->point;
     return;
   }
@@ -22,16 +22,15 @@ press (QnCanvas *canvas, const QnToolEvent *event)
 static void
 motion (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (gesture->dragging)
-    gesture->to = event->point;
+  if (canvas->gesture.dragging)
+    canvas->gesture.to = event->point;
 }
 
 /* The measure stays until the next press. */
 static void
 release (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnGesture *gesture = &canvas->gesture;
   if (gesture->to.x != gesture->from.x || gesture->to.y != gesture->from.y
       || qn_canvas_is_drag (canvas, event))
     gesture->dragging = FALSE;
@@ -41,13 +40,13 @@ release (QnCanvas *canvas, const QnToolEvent *event)
 static void
 complete (QnCanvas *canvas)
 {
-  qn_canvas_get_gesture (canvas)->dragging = FALSE;
+  canvas->gesture.dragging = FALSE;
 }
 
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnGesture *gesture = &canvas->gesture;
   QnVec2 corner = qn_vec2 (gesture->to.x, gesture->from.y);
   qn_canvas_draw_dimension (canvas, cr, gesture->from, gesture->to);
   if (gesture->from.x == gesture->to.x || gesture->from.y == gesture->to.y)

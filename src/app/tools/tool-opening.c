@@ -39,9 +39,8 @@ wall_of_gesture (const QnMasonries *list, const QnGesture *gesture)
 static gboolean
 plan_opening (QnCanvas *canvas, const QnMasonry *wall, QnOpening *plan)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  return qn_plan_opening (wall, &qn_canvas_get_tool_settings (canvas)->masonry,
-                          gesture->from, gesture->to, qn_canvas_snaps (canvas), plan);
+  return qn_plan_opening (wall, &canvas->settings->masonry, canvas->gesture.from,
+                          canvas->gesture.to, qn_canvas_snaps (canvas), plan);
 }
 
 static gboolean
@@ -61,16 +60,15 @@ add_opening (QnMasonry *masonry, gpointer data, GError **error)
 static gboolean
 cut (QnProject *draft, Opening *o, GError **error)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (o->canvas);
   QnMasonries list;
   if (!qn_project_get_masonry (draft, &list, error))
     return FALSE;
-  o->object = wall_of_gesture (&list, gesture);
+  o->object = wall_of_gesture (&list, &o->canvas->gesture);
   gsize count = list.count;
   qn_masonries_clear (&list);
   if (o->object == QN_NONE) {
-    QnId wall =
-      qn_model_wall_at (&draft->model, qn_vec2_lerp (gesture->from, gesture->to, 0.5));
+    QnId wall = qn_model_wall_at (
+      &draft->model, qn_vec2_lerp (o->canvas->gesture.from, o->canvas->gesture.to, 0.5));
     if (wall == QN_NONE)
       return qn_edit_refuse (error, _ ("Openings are cut into walls: drag on a wall"));
     if (!qn_edit_convert_wall (draft, wall, error))
@@ -83,7 +81,7 @@ cut (QnProject *draft, Opening *o, GError **error)
 static void
 complete (QnCanvas *canvas)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  const QnGesture *gesture = &canvas->gesture;
   Opening opening = { .canvas = canvas };
   QnCanvasDraft draft;
   qn_canvas_set_in_gesture (canvas, FALSE);
@@ -91,8 +89,7 @@ complete (QnCanvas *canvas)
       && qn_canvas_begin_edit (canvas, &draft)
       && qn_canvas_end_edit (canvas, &draft, _ ("Cut Opening"), NULL,
                              cut (&draft.project, &opening, &draft.error)))
-    qn_selection_set_opening (qn_canvas_get_selection (canvas), opening.object,
-                              opening.number);
+    qn_selection_set_opening (canvas->selection, opening.object, opening.number);
 }
 
 static void
@@ -105,7 +102,7 @@ fill_at (QnCanvas *canvas, QnVec2 at)
   QnCanvasDraft draft;
   if (number == QN_NO_OPENING)
     return;
-  qn_selection_clear (qn_canvas_get_selection (canvas));
+  qn_selection_clear (canvas->selection);
   if (qn_canvas_begin_edit (canvas, &draft))
     qn_canvas_end_edit (
       canvas, &draft, _ ("Fill Opening"), NULL,
@@ -117,13 +114,13 @@ fill_at (QnCanvas *canvas, QnVec2 at)
 static gboolean
 has_opening (QnCanvas *canvas)
 {
-  return qn_canvas_get_selection (canvas)->object != QN_NONE;
+  return canvas->selection->object != QN_NONE;
 }
 
 static gboolean
 drags_handle (QnCanvas *canvas)
 {
-  return qn_canvas_get_gesture (canvas)->grip.kind != QN_GRIP_NONE;
+  return canvas->gesture.grip.kind != QN_GRIP_NONE;
 }
 
 static void
@@ -132,9 +129,9 @@ press (QnCanvas *canvas, const QnToolEvent *event)
   QnGrip grip;
   if (event->modifiers & GDK_SHIFT_MASK)
     fill_at (canvas, event->model);
-  else if (!qn_canvas_is_in_gesture (canvas) && has_opening (canvas)
+  else if (!canvas->in_gesture && has_opening (canvas)
            && qn_handle_find (canvas, event->screen, &grip)) {
-    qn_canvas_get_gesture (canvas)->from_screen = event->screen;
+    canvas->gesture.from_screen = event->screen;
     qn_handle_begin (canvas, grip);
   } else
     qn_gesture_press (canvas, event);
@@ -171,12 +168,11 @@ draw (QnCanvas *canvas, cairo_t *cr)
     qn_handle_draw_drag (canvas, cr);
     return;
   }
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   const QnMasonries *list = qn_canvas_get_masonry (canvas);
-  QnId wall = wall_of_gesture (list, gesture);
+  QnId wall = wall_of_gesture (list, &canvas->gesture);
   QnOpening plan;
   if (wall == QN_NONE || !plan_opening (canvas, &list->items[wall], &plan)) {
-    qn_gesture_draw_rectangle (canvas, cr, gesture->from, gesture->to);
+    qn_gesture_draw_rectangle (canvas, cr, canvas->gesture.from, canvas->gesture.to);
     return;
   }
   const QnMasonry *masonry = &list->items[wall];

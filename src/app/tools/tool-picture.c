@@ -16,16 +16,15 @@ place (QnCanvas *canvas, const char *name, const QnUnderlay *underlay)
   g_autoptr (GError) error = NULL;
   QnUnderlay wanted = *underlay;
   qn_canvas_set_in_gesture (canvas, FALSE);
-  if (!qn_document_place_picture (qn_canvas_get_document (canvas), name, NULL, &wanted,
-                                  &error))
+  if (!qn_document_place_picture (canvas->document, name, NULL, &wanted, &error))
     qn_canvas_tell (canvas, error->message);
 }
 
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (qn_canvas_get_state (canvas)->options.underlay.image == NULL) {
+  QnGesture *gesture = &canvas->gesture;
+  if (canvas->state->options.underlay.image == NULL) {
     gtk_widget_activate_action (GTK_WIDGET (canvas), "win.picture", NULL);
     return;
   }
@@ -40,7 +39,7 @@ press (QnCanvas *canvas, const QnToolEvent *event)
 static void
 motion (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnGesture *gesture = &canvas->gesture;
   if (!gesture->band)
     return;
   if (!gesture->dragging && !qn_canvas_is_drag (canvas, event))
@@ -50,22 +49,21 @@ motion (QnCanvas *canvas, const QnToolEvent *event)
     qn_canvas_set_in_gesture (canvas, TRUE);
     gesture->dragging = TRUE;
   }
-  QnViewState *state = qn_canvas_get_state (canvas);
-  QnUnderlay moved = *&state->options.underlay;
+  QnUnderlay moved = *&canvas->state->options.underlay;
   moved.origin = qn_vec2_add (moved.origin, qn_vec2_sub (event->point, gesture->to));
   gesture->to = event->point;
-  qn_view_state_show_underlay_at (state, &moved);
+  qn_view_state_show_underlay_at (canvas->state, &moved);
 }
 
 static void
 release (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnGesture *gesture = &canvas->gesture;
   if (!gesture->band)
     return;
   gesture->band = FALSE;
   if (gesture->dragging) {
-    place (canvas, _ ("Move Picture"), &qn_canvas_get_state (canvas)->options.underlay);
+    place (canvas, _ ("Move Picture"), &canvas->state->options.underlay);
     return;
   }
   if (gesture->points->len >= 4)
@@ -78,8 +76,8 @@ static gboolean
 rectify (QnCanvas *canvas, double width, double height)
 {
   QnVec2 shown[4];
-  memcpy (shown, qn_canvas_get_gesture (canvas)->points->data, sizeof shown);
-  QnUnderlay underlay = *&qn_canvas_get_state (canvas)->options.underlay;
+  memcpy (shown, canvas->gesture.points->data, sizeof shown);
+  QnUnderlay underlay = *&canvas->state->options.underlay;
   if (!qn_underlay_rectify (&underlay, shown, width, height)) {
     qn_canvas_tell (canvas, _ ("These four points cannot be the corners of a rectangle"));
     return FALSE;
@@ -94,7 +92,7 @@ rectify (QnCanvas *canvas, double width, double height)
 static gboolean
 numbers (QnCanvas *canvas, const double *values, int count)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnGesture *gesture = &canvas->gesture;
   if (count == 2 && gesture->points->len == 4)
     return rectify (canvas, values[0], values[1]);
   if (count != 1 || !(values[0] > 0.0) || gesture->points->len != 2)
@@ -107,7 +105,7 @@ numbers (QnCanvas *canvas, const double *values, int count)
     return FALSE;
   const QnVec2 start = qn_canvas_snap (canvas, shown[0]);
   QnVec2 wanted[] = { start, qn_vec2_add_scaled (start, values[0] / length, across) };
-  QnUnderlay scaled = *&qn_canvas_get_state (canvas)->options.underlay;
+  QnUnderlay scaled = *&canvas->state->options.underlay;
   if (!qn_underlay_match (&scaled, shown, wanted))
     return FALSE;
   place (canvas, _ ("Scale Picture"), &scaled);
@@ -118,14 +116,14 @@ numbers (QnCanvas *canvas, const double *values, int count)
 static void
 cancel (QnCanvas *canvas)
 {
-  qn_canvas_get_gesture (canvas)->band = FALSE;
-  qn_view_state_refresh_underlay (qn_canvas_get_state (canvas));
+  canvas->gesture.band = FALSE;
+  qn_view_state_refresh_underlay (canvas->state);
 }
 
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  const GArray *points = qn_canvas_get_gesture (canvas)->points;
+  const GArray *points = canvas->gesture.points;
   if (points->len == 2)
     qn_canvas_draw_dimension (canvas, cr, g_array_index (points, QnVec2, 0),
                               g_array_index (points, QnVec2, 1));

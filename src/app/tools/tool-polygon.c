@@ -19,7 +19,7 @@ edit (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
-  const GArray *points = qn_canvas_get_gesture (canvas)->points;
+  const GArray *points = canvas->gesture.points;
   if (points->len >= 3) {
     QnVec2 first = qn_canvas_to_screen (canvas, g_array_index (points, QnVec2, 0));
     if (qn_vec2_length (qn_vec2_sub (first, event->screen)) < CLOSE_PX) {
@@ -33,14 +33,13 @@ press (QnCanvas *canvas, const QnToolEvent *event)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  const GArray *points = gesture->points;
+  const GArray *points = canvas->gesture.points;
   if (points->len == 0)
     return;
   qn_gesture_trace_points (canvas, cr);
   qn_gesture_paint (cr);
   qn_canvas_draw_dimension (canvas, cr, g_array_index (points, QnVec2, points->len - 1),
-                            gesture->to);
+                            canvas->gesture.to);
 }
 
 const QnTool qn_tool_polygon = {

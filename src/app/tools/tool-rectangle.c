@@ -16,8 +16,7 @@ edit (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  qn_gesture_draw_rectangle (canvas, cr, gesture->from, gesture->to);
+  qn_gesture_draw_rectangle (canvas, cr, canvas->gesture.from, canvas->gesture.to);
 }
 
 const QnTool qn_tool_rectangle = {

@@ -8,17 +8,16 @@
 static double
 angle_of_gesture (QnCanvas *canvas)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  QnVec2 d = qn_vec2_sub (gesture->to, gesture->from);
+  QnVec2 d = qn_vec2_sub (canvas->gesture.to, canvas->gesture.from);
   return atan2 (d.y, d.x);
 }
 
 static void
 rotate (QnCanvas *canvas, double angle)
 {
-  QnVec2 low, high, center = qn_canvas_get_gesture (canvas)->from;
+  QnVec2 low, high, center = canvas->gesture.from;
   /* Typed before a centre was clicked: about the middle of what is selected. */
-  if (!qn_canvas_is_in_gesture (canvas) && qn_canvas_get_parts_box (canvas, &low, &high))
+  if (!canvas->in_gesture && qn_canvas_get_parts_box (canvas, &low, &high))
     center = qn_vec2_lerp (low, high, 0.5);
   qn_canvas_set_in_gesture (canvas, FALSE);
   qn_canvas_transform (canvas, _ ("Rotate"), NULL, qn_transform_rotation (center, angle),
@@ -43,11 +42,10 @@ numbers (QnCanvas *canvas, const double *values, int count)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  const QnGesture *gesture = qn_canvas_get_gesture (canvas);
   double angle = angle_of_gesture (canvas);
-  qn_gesture_draw_moved (canvas, cr, qn_transform_rotation (gesture->from, angle));
-  QnVec2 c = qn_canvas_to_screen (canvas, gesture->from);
-  QnVec2 p = qn_canvas_to_screen (canvas, gesture->to);
+  qn_gesture_draw_moved (canvas, cr, qn_transform_rotation (canvas->gesture.from, angle));
+  QnVec2 c = qn_canvas_to_screen (canvas, canvas->gesture.from);
+  QnVec2 p = qn_canvas_to_screen (canvas, canvas->gesture.to);
   double radius = 0.5 * qn_vec2_length (qn_vec2_sub (p, c));
   cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
   cairo_set_line_width (cr, 1.5);

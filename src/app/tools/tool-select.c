@@ -12,7 +12,7 @@
 static gboolean
 shows_undeformed (QnCanvas *canvas)
 {
-  return !qn_view_needs_result (qn_canvas_get_state (canvas)->options.view);
+  return !qn_view_needs_result (canvas->state->options.view);
 }
 
 /* The corner of a block that was grabbed, or the place itself. */
@@ -38,7 +38,7 @@ static void
 leave_to_magnet (QnCanvas *canvas)
 {
   const QnModel *model = qn_canvas_get_model (canvas);
-  QnBlockSet set = qn_canvas_get_parts (canvas).blocks;
+  QnBlockSet set = qn_selection_get_parts (canvas->selection).blocks;
   qn_canvas_set_magnet_skip (canvas, qn_block_set_to_flags (set, model));
 }
 
@@ -46,8 +46,7 @@ leave_to_magnet (QnCanvas *canvas)
 static void
 press_on_part (QnCanvas *canvas, QnPick part, const QnToolEvent *event)
 {
-  QnSelection *selection = qn_canvas_get_selection (canvas);
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnSelection *selection = canvas->selection;
   if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) {
     qn_selection_toggle (selection, part.kind, part.id);
     return;
@@ -62,7 +61,7 @@ press_on_part (QnCanvas *canvas, QnPick part, const QnToolEvent *event)
     qn_selection_set_one (selection, part.kind, part.id);
   if (!shows_undeformed (canvas))
     return;
-  gesture->from = gesture->to =
+  canvas->gesture.from = canvas->gesture.to =
     part.kind == QN_PICK_BLOCK ? grabbed_point (canvas, part.id, event) : event->model;
   leave_to_magnet (canvas);
   qn_canvas_set_in_gesture (canvas, TRUE);
@@ -74,10 +73,9 @@ press_on_part (QnCanvas *canvas, QnPick part, const QnToolEvent *event)
 static gboolean
 shows_document (QnCanvas *canvas)
 {
-  QnDocument *document = qn_canvas_get_document (canvas);
-  const QnRun *run = document->run;
+  const QnRun *run = canvas->document->run;
   return shows_undeformed (canvas)
-         || (run != NULL && !qn_document_is_stale (document, run));
+         || (run != NULL && !qn_document_is_stale (canvas->document, run));
 }
 
 static QnId
@@ -89,16 +87,15 @@ face_under (QnCanvas *canvas, const QnToolEvent *event)
 static void
 select_face (QnCanvas *canvas, QnId face, const QnToolEvent *event)
 {
-  QnSelection *selection = qn_canvas_get_selection (canvas);
-  const QnContacts *contacts = &qn_canvas_get_document (canvas)->contacts;
+  const QnContacts *contacts = &canvas->document->contacts;
   if (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK))
-    qn_selection_toggle (selection, QN_PICK_FACE, face);
+    qn_selection_toggle (canvas->selection, QN_PICK_FACE, face);
   else if (event->press_count > 1)
-    qn_selection_select_faces_like (selection, contacts, face,
+    qn_selection_select_faces_like (canvas->selection, contacts, face,
                                     event->press_count == 2 ? QN_LIKE_LINE
                                                             : QN_LIKE_DIRECTION);
   else
-    qn_selection_set_one (selection, QN_PICK_FACE, face);
+    qn_selection_set_one (canvas->selection, QN_PICK_FACE, face);
 }
 
 /* In the view of the model a drag moves what lies under the pointer: there a joint is selected by a
@@ -107,7 +104,7 @@ static gboolean
 press_on_face (QnCanvas *canvas, const QnToolEvent *event)
 {
   QnId face = face_under (canvas, event);
-  if (face == QN_NONE || qn_canvas_get_state (canvas)->options.view == QN_VIEW_MODEL)
+  if (face == QN_NONE || canvas->state->options.view == QN_VIEW_MODEL)
     return FALSE;
   select_face (canvas, face, event);
   return TRUE;
@@ -129,7 +126,7 @@ select_item (QnCanvas *canvas, QnVec2 screen)
     pick = qn_canvas_pick (canvas, screen, 1u << QN_PICK_BAR | 1u << QN_PICK_TIE);
   if (pick.id == QN_NONE || !shows_document (canvas))
     return FALSE;
-  qn_selection_set_one (qn_canvas_get_selection (canvas), pick.kind, pick.id);
+  qn_selection_set_one (canvas->selection, pick.kind, pick.id);
   return TRUE;
 }
 
@@ -141,8 +138,8 @@ click (QnCanvas *canvas, const QnToolEvent *event)
   gboolean plain = (event->modifiers & (GDK_SHIFT_MASK | GDK_CONTROL_MASK)) == 0;
   if (!plain || event->press_count != 1 || select_item (canvas, event->screen))
     return;
-  if (face != QN_NONE && qn_canvas_get_state (canvas)->options.view == QN_VIEW_MODEL)
-    qn_selection_set_one (qn_canvas_get_selection (canvas), QN_PICK_FACE, face);
+  if (face != QN_NONE && canvas->state->options.view == QN_VIEW_MODEL)
+    qn_selection_set_one (canvas->selection, QN_PICK_FACE, face);
 }
 
 /* The block or beam under the pointer, by its number in the document, which has it under the same name; QN_NONE:
@@ -155,8 +152,7 @@ part_under (QnCanvas *canvas, QnVec2 screen)
   const QnResult *result;
   QnPick pick = qn_canvas_pick (canvas, screen, 1u << QN_PICK_BLOCK | 1u << QN_PICK_BEAM);
   if (pick.kind != QN_PICK_NOTHING && !shows_document (canvas)
-      && qn_view_state_get_content (qn_canvas_get_state (canvas),
-                                    qn_canvas_get_state (canvas)->options.view, &shown,
+      && qn_view_state_get_content (canvas->state, canvas->state->options.view, &shown,
                                     &contacts, &result))
     pick.id = pick.kind == QN_PICK_BEAM
                 ? qn_model_find_beam (model, shown->beams[pick.id].name)
@@ -175,7 +171,7 @@ select_opening (QnCanvas *canvas, QnVec2 at)
     int opening = qn_masonry_opening_at (&list->items[i - 1], at);
     if (opening == QN_NO_OPENING)
       continue;
-    qn_selection_set_opening (qn_canvas_get_selection (canvas), (QnId) (i - 1), opening);
+    qn_selection_set_opening (canvas->selection, (QnId) (i - 1), opening);
     return TRUE;
   }
   return FALSE;
@@ -190,8 +186,8 @@ press_on_opening (QnCanvas *canvas, const QnToolEvent *event)
                   .handle = QN_HANDLE_MIDDLE };
   if (!select_opening (canvas, event->model))
     return FALSE;
-  grip.object = qn_canvas_get_selection (canvas)->object;
-  grip.opening = qn_canvas_get_selection (canvas)->opening;
+  grip.object = canvas->selection->object;
+  grip.opening = canvas->selection->opening;
   qn_handle_begin (canvas, grip);
   return TRUE;
 }
@@ -199,8 +195,7 @@ press_on_opening (QnCanvas *canvas, const QnToolEvent *event)
 static void
 press (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  QnSelection *selection = qn_canvas_get_selection (canvas);
+  QnGesture *gesture = &canvas->gesture;
   gesture->from_screen = event->screen;
   QnGrip grip;
   if (event->press_count == 1 && qn_handle_find (canvas, event->screen, &grip)) {
@@ -217,7 +212,7 @@ press (QnCanvas *canvas, const QnToolEvent *event)
   if (press_on_opening (canvas, event))
     return;
   if ((event->modifiers & GDK_SHIFT_MASK) == 0)
-    qn_selection_clear (selection);
+    qn_selection_clear (canvas->selection);
   gesture->from = gesture->to = event->model;
   qn_canvas_set_in_gesture (canvas, TRUE);
   gesture->band = TRUE;
@@ -226,8 +221,8 @@ press (QnCanvas *canvas, const QnToolEvent *event)
 static void
 motion (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (!qn_canvas_is_in_gesture (canvas))
+  QnGesture *gesture = &canvas->gesture;
+  if (!canvas->in_gesture)
     return;
   if (!gesture->dragging && !qn_canvas_is_drag (canvas, event))
     return;
@@ -248,8 +243,8 @@ motion (QnCanvas *canvas, const QnToolEvent *event)
 void
 qn_tool_select_under (QnCanvas *canvas, QnVec2 screen)
 {
-  QnSelection *selection = qn_canvas_get_selection (canvas);
-  QnVec2 at = qn_camera_to_model (qn_canvas_get_camera (canvas), screen);
+  QnSelection *selection = canvas->selection;
+  QnVec2 at = qn_camera_to_model (&canvas->camera, screen);
   QnToolEvent event = { .screen = screen, .model = at, .point = at, .press_count = 1 };
   if (select_item (canvas, screen))
     return;
@@ -281,29 +276,27 @@ finish_move (QnCanvas *canvas, QnVec2 by)
 static void
 finish_band (QnCanvas *canvas)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnGesture *gesture = &canvas->gesture;
   g_autoptr (GArray) ids = g_array_new (FALSE, FALSE, sizeof (QnId));
-  if (qn_canvas_get_state (canvas)->options.view == QN_VIEW_CONTACTS) {
+  if (canvas->state->options.view == QN_VIEW_CONTACTS) {
     qn_canvas_faces_inside (canvas, gesture->from, gesture->to, ids);
-    qn_selection_add (qn_canvas_get_selection (canvas), QN_PICK_FACE,
-                      (const QnId *) ids->data, ids->len);
+    qn_selection_add (canvas->selection, QN_PICK_FACE, (const QnId *) ids->data,
+                      ids->len);
     return;
   }
   qn_canvas_pick_inside (canvas, qn_canvas_to_screen (canvas, gesture->from),
                          qn_canvas_to_screen (canvas, gesture->to), ids);
-  qn_selection_add (qn_canvas_get_selection (canvas), QN_PICK_BLOCK,
-                    (const QnId *) ids->data, ids->len);
+  qn_selection_add (canvas->selection, QN_PICK_BLOCK, (const QnId *) ids->data, ids->len);
   g_array_set_size (ids, 0);
   qn_canvas_beams_inside (canvas, gesture->from, gesture->to, ids);
-  qn_selection_add (qn_canvas_get_selection (canvas), QN_PICK_BEAM,
-                    (const QnId *) ids->data, ids->len);
+  qn_selection_add (canvas->selection, QN_PICK_BEAM, (const QnId *) ids->data, ids->len);
 }
 
 static void
 release (QnCanvas *canvas, const QnToolEvent *event)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
-  if (!qn_canvas_is_in_gesture (canvas))
+  QnGesture *gesture = &canvas->gesture;
+  if (!canvas->in_gesture)
     return;
   if (!gesture->dragging && gesture->grip.kind == QN_GRIP_NONE)
     click (canvas, event);
@@ -323,7 +316,7 @@ release (QnCanvas *canvas, const QnToolEvent *event)
 static gboolean
 numbers (QnCanvas *canvas, const double *values, int count)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnGesture *gesture = &canvas->gesture;
   if (count < 1 || count > 2 || gesture->band)
     return FALSE;
   if (gesture->grip.kind == QN_GRIP_TURN) {
@@ -343,7 +336,7 @@ numbers (QnCanvas *canvas, const double *values, int count)
 static void
 draw (QnCanvas *canvas, cairo_t *cr)
 {
-  QnGesture *gesture = qn_canvas_get_gesture (canvas);
+  QnGesture *gesture = &canvas->gesture;
   if (!gesture->dragging) {
     qn_handle_draw_all (canvas, cr);
     return;

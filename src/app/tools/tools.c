@@ -21,7 +21,7 @@ qn_tool_find (const char *name)
 QnBlockStyle
 qn_tool_block_style (QnCanvas *canvas)
 {
-  const QnMasonryStyle *masonry = &qn_canvas_get_tool_settings (canvas)->masonry;
+  const QnMasonryStyle *masonry = &canvas->settings->masonry;
   return (QnBlockStyle){ .thickness = masonry->thickness,
                          .unit_weight = masonry->unit_weight,
                          .law = masonry->law };

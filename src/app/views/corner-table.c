@@ -19,7 +19,7 @@ typedef struct Table {
 static QnId
 selected_block (Table *table)
 {
-  const QnPartSet set = qn_canvas_get_parts (table->canvas);
+  const QnPartSet set = qn_selection_get_parts (table->canvas->selection);
   return set.blocks.count == 1 && set.beams.count == 0 ? set.blocks.ids[0] : QN_NONE;
 }
 
@@ -97,10 +97,8 @@ qn_corner_table_new (QnCanvas *canvas)
   table->grid = qn_builder_get_widget (builder, "grid");
   table->expander = expander;
   qn_own (expander, table);
-  qn_watch (expander, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update),
-            table);
-  qn_watch (expander, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update),
-            table);
+  qn_watch (expander, canvas->selection, "changed", G_CALLBACK (update), table);
+  qn_watch (expander, canvas->document, "changed", G_CALLBACK (update), table);
   update (table);
   return expander;
 }

@@ -138,8 +138,7 @@ update_description (View *self, const QnRun *run)
 static void
 update (View *self)
 {
-  QnDocument *document = self->state->document;
-  QnJob *job = document->job;
+  QnJob *job = self->state->document->job;
   clear_series (self);
   self->live = FALSE;
   self->model = NULL;
@@ -147,8 +146,8 @@ update (View *self)
   if (job != NULL)
     take_live_curve (self, job);
   else
-    take_runs (self, document);
-  update_description (self, document->run);
+    take_runs (self, self->state->document);
+  update_description (self, self->state->document->run);
   qn_plot_view_fit (self->area);
 }
 
@@ -350,7 +349,6 @@ qn_curve_view_new (QnViewState *state)
                                    .go_to = go_to,
                                    .tell = tell };
   View *self = g_new0 (View, 1);
-  QnDocument *document = state->document;
   GtkWidget *area = g_object_new (QN_TYPE_PAPER_AREA, "name", "curve", "content-height",
                                   LEAST_HEIGHT, "hexpand", TRUE, NULL);
   qn_plot_view_init (area, &hand, self);
@@ -360,9 +358,9 @@ qn_curve_view_new (QnViewState *state)
   qn_watch (area, state, "changed", G_CALLBACK (gtk_widget_queue_draw), area);
   qn_watch (area, qn_settings_get (), "changed", G_CALLBACK (gtk_widget_queue_draw),
             area);
-  qn_watch (area, document, "runs-changed", G_CALLBACK (update), self);
-  qn_watch (area, document, "job-changed", G_CALLBACK (update), self);
-  qn_watch (area, document, "job-progress", G_CALLBACK (update), self);
+  qn_watch (area, state->document, "runs-changed", G_CALLBACK (update), self);
+  qn_watch (area, state->document, "job-changed", G_CALLBACK (update), self);
+  qn_watch (area, state->document, "job-progress", G_CALLBACK (update), self);
   update (self);
   return area;
 }

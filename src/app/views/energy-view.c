@@ -131,9 +131,8 @@ qn_energy_view_new (QnViewState *state)
   view->plot = qn_builder_get_widget (builder, "plot");
   qn_plot_view_init (view->plot, &hand, view);
   qn_own (view->root, view);
-  QnDocument *document = state->document;
-  qn_watch (view->root, document, "runs-changed", G_CALLBACK (update), view);
-  qn_watch (view->root, document, "job-changed", G_CALLBACK (update), view);
+  qn_watch (view->root, state->document, "runs-changed", G_CALLBACK (update), view);
+  qn_watch (view->root, state->document, "job-changed", G_CALLBACK (update), view);
   qn_watch (view->root, state, "changed", G_CALLBACK (show_values), view);
   qn_watch (view->root, qn_settings_get (), "changed", G_CALLBACK (show_values), view);
   update (view);

@@ -45,7 +45,7 @@ on_repair_all (Panel *panel)
       || !qn_canvas_end_edit (panel->canvas, &draft, _ ("Repair Contacts"), NULL,
                               qn_edit_repair_all (draft.model, &count, &draft.error)))
     return;
-  gsize left = qn_canvas_get_document (panel->canvas)->contacts.findings.count;
+  gsize left = panel->canvas->document->contacts.findings.count;
   g_autofree char *repaired = g_strdup_printf (
     ngettext ("%u finding repaired.", "%u findings repaired.", count), count);
   g_autofree char *rest = g_strdup_printf (
@@ -84,16 +84,15 @@ add_fixes (Panel *panel, GtkWidget *box, const QnModel *model, const QnFinding *
 static void
 on_row_activated (GtkListBox *list, GtkListBoxRow *row, Panel *panel)
 {
-  const QnContacts *contacts = &qn_canvas_get_document (panel->canvas)->contacts;
+  const QnContacts *contacts = &panel->canvas->document->contacts;
   int index = gtk_list_box_row_get_index (row);
   if (index < 0 || (gsize) index >= contacts->findings.count)
     return;
   const QnFinding *finding = &contacts->findings.items[index];
   QnId blocks[] = { finding->block_a, finding->block_b };
   guint count = (finding->block_a != QN_NONE) + (finding->block_b != QN_NONE);
-  qn_view_state_set_view (qn_canvas_get_state (panel->canvas), QN_VIEW_CONTACTS);
-  qn_selection_set (qn_canvas_get_selection (panel->canvas), QN_PICK_BLOCK, blocks,
-                    count);
+  qn_view_state_set_view (panel->canvas->state, QN_VIEW_CONTACTS);
+  qn_selection_set (panel->canvas->selection, QN_PICK_BLOCK, blocks, count);
   if (qn_finding_has_place (finding))
     qn_canvas_show_place (panel->canvas, finding->at);
 }
@@ -187,9 +186,8 @@ on_gap_width (Panel *panel)
 static void
 update (Panel *panel)
 {
-  QnDocument *document = qn_canvas_get_document (panel->canvas);
-  const QnModel *model = &document->project.model;
-  const QnContacts *contacts = &document->contacts;
+  const QnModel *model = &panel->canvas->document->project.model;
+  const QnContacts *contacts = &panel->canvas->document->contacts;
   GtkWidget *child;
   while ((child = gtk_widget_get_first_child (panel->list)) != NULL)
     gtk_list_box_remove (GTK_LIST_BOX (panel->list), child);
@@ -235,7 +233,7 @@ qn_findings_panel_new (QnCanvas *canvas)
   g_signal_connect_swapped (form, "map", G_CALLBACK (on_mapped), panel);
   g_signal_connect_swapped (form, "unmap", G_CALLBACK (on_unmapped), panel);
   qn_own (form, panel);
-  qn_watch (form, qn_canvas_get_document (canvas), "changed", G_CALLBACK (update), panel);
+  qn_watch (form, canvas->document, "changed", G_CALLBACK (update), panel);
   update (panel);
   return form;
 }

@@ -36,20 +36,18 @@ new_label (const char *text, gboolean value)
 static gboolean
 find_selected (Inspector *inspector, QnPick *what)
 {
-  QnSelection *selection = qn_canvas_get_selection (inspector->canvas);
-  const guint faces = selection->ids[QN_PICK_FACE]->len;
+  const guint faces = inspector->canvas->selection->ids[QN_PICK_FACE]->len;
   what->kind = faces > 0 ? QN_PICK_FACE : QN_PICK_BLOCK;
-  what->id = qn_selection_get_one (selection, what->kind);
-  return faces + selection->ids[QN_PICK_BLOCK]->len == 1;
+  what->id = qn_selection_get_one (inspector->canvas->selection, what->kind);
+  return faces + inspector->canvas->selection->ids[QN_PICK_BLOCK]->len == 1;
 }
 
 /* The selection is of the document's model: a result of another one says nothing of it. */
 static gboolean
 has_result (Inspector *inspector)
 {
-  QnDocument *document = qn_canvas_get_document (inspector->canvas);
-  const QnRun *run = document->run;
-  return run != NULL && !qn_document_is_stale (document, run);
+  const QnRun *run = inspector->canvas->document->run;
+  return run != NULL && !qn_document_is_stale (inspector->canvas->document, run);
 }
 
 static void
@@ -113,7 +111,7 @@ update (Inspector *inspector)
   QnPick what;
   QnStepView view;
   gboolean shown = find_selected (inspector, &what) && has_result (inspector)
-                   && qn_step_view_init (&view, qn_canvas_get_state (inspector->canvas));
+                   && qn_step_view_init (&view, inspector->canvas->state);
   gtk_widget_set_visible (inspector->box, shown);
   if (!shown)
     return;
@@ -161,13 +159,11 @@ qn_inspector_new (QnCanvas *canvas)
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (inspector->diagram), draw, inspector,
                                   NULL);
   GtkWidget *box = inspector->box;
-  QnDocument *document = qn_canvas_get_document (canvas);
   g_object_weak_ref (G_OBJECT (box), inspector_free, inspector);
-  qn_watch (box, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update),
-            inspector);
-  qn_watch (box, document, "runs-changed", G_CALLBACK (update), inspector);
-  qn_watch (box, document, "changed", G_CALLBACK (update), inspector);
-  qn_watch (box, qn_canvas_get_state (canvas), "changed", G_CALLBACK (update), inspector);
+  qn_watch (box, canvas->selection, "changed", G_CALLBACK (update), inspector);
+  qn_watch (box, canvas->document, "runs-changed", G_CALLBACK (update), inspector);
+  qn_watch (box, canvas->document, "changed", G_CALLBACK (update), inspector);
+  qn_watch (box, canvas->state, "changed", G_CALLBACK (update), inspector);
   qn_watch (box, qn_settings_get (), "changed", G_CALLBACK (update), inspector);
   update (inspector);
   return box;

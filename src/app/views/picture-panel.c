@@ -35,14 +35,14 @@ number_of (QnUnderlay *underlay, guint field)
 static gboolean
 look (gpointer data)
 {
-  QnViewState *state = qn_canvas_get_state (((QnBoundForm *) data)->canvas);
+  QnViewState *state = ((QnBoundForm *) data)->canvas->state;
   return state->options.underlay.image != NULL || state->image_error != NULL;
 }
 
 static gboolean
 show (gpointer data, guint field, QnValue *value)
 {
-  QnViewState *state = qn_canvas_get_state (((QnBoundForm *) data)->canvas);
+  QnViewState *state = ((QnBoundForm *) data)->canvas->state;
   const GError *error = state->image_error;
   QnUnderlay underlay = *&state->options.underlay;
   if (field == ALLOW)
@@ -82,17 +82,16 @@ static gboolean
 take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
 {
   QnCanvas *canvas = ((QnBoundForm *) data)->canvas;
-  QnDocument *document = qn_canvas_get_document (canvas);
-  QnUnderlay underlay = *&qn_canvas_get_state (canvas)->options.underlay;
+  QnUnderlay underlay = canvas->state->options.underlay;
   gboolean fade = field == OPACITY;
   if (field == ALLOW) {
-    qn_document_allow_picture (document);
-    qn_view_state_refresh_underlay (qn_canvas_get_state (canvas));
+    qn_document_allow_picture (canvas->document);
+    qn_view_state_refresh_underlay (canvas->state);
     return TRUE;
   }
   if (field == AS_TAKEN) {
     qn_underlay_show_as_taken (&underlay);
-    return qn_document_place_picture (document, _ ("Show Picture as Taken"), NULL,
+    return qn_document_place_picture (canvas->document, _ ("Show Picture as Taken"), NULL,
                                       &underlay, error);
   }
   if (field == CROPPED)
@@ -103,7 +102,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   } else
     *number_of (&underlay, field) = value->number;
   return qn_document_place_picture (
-    document, fade ? _ ("Change Opacity of Picture") : _ ("Place Picture"),
+    canvas->document, fade ? _ ("Change Opacity of Picture") : _ ("Place Picture"),
     fade ? "picture-opacity" : NULL, &underlay, error);
 }
 

@@ -11,7 +11,7 @@ typedef struct Panel {
 static void
 update (Panel *panel)
 {
-  QnSelection *selection = qn_canvas_get_selection (panel->canvas);
+  QnSelection *selection = panel->canvas->selection;
   const gboolean item = qn_selection_get_item (selection).id != QN_NONE;
   gtk_label_set_text (GTK_LABEL (panel->hint),
                       item ? _ ("Numbers of loads, bars and ties are under Analysis.")
@@ -38,7 +38,7 @@ qn_properties_panel_new (QnCanvas *canvas)
     gtk_box_append (GTK_BOX (box), parts[i] != NULL ? qn_form_new (parts[i], canvas)
                                                     : qn_corner_table_new (canvas));
   qn_own (box, panel);
-  qn_watch (box, qn_canvas_get_selection (canvas), "changed", G_CALLBACK (update), panel);
+  qn_watch (box, canvas->selection, "changed", G_CALLBACK (update), panel);
   update (panel);
   return box;
 }

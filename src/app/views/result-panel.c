@@ -27,13 +27,13 @@ QN_FORM_FIELDS;
 static QnDocument *
 document_of (const Panel *panel)
 {
-  return qn_canvas_get_document (panel->base.canvas);
+  return panel->base.canvas->document;
 }
 
 static QnViewState *
 state_of (const Panel *panel)
 {
-  return qn_canvas_get_state (panel->base.canvas);
+  return panel->base.canvas->state;
 }
 
 /* ---- what is shown ---- */
@@ -193,7 +193,7 @@ qn_result_panel_new (QnCanvas *canvas)
 {
   static const QnFormKind kind =
     QN_FORM_KIND ("result-panel", Panel, .follows = QN_FOLLOW_RUNS);
-  QnViewState *state = qn_canvas_get_state (canvas);
+  QnViewState *state = canvas->state;
   Panel *panel = qn_bound_form_new (&kind, canvas);
   GtkBox *views = GTK_BOX (panel->base.widgets[VIEWS]);
   GtkBox *tables = GTK_BOX (panel->base.widgets[TABLES]);

@@ -185,8 +185,8 @@ select_contact (const Table *table, const QnRun *run, guint row)
   if (row >= run->contacts.pair_count)
     return;
   qn_canvas_show_place (table->canvas, run->contacts.pairs[row].point);
-  if (!qn_document_is_stale (qn_canvas_get_document (table->canvas), run))
-    qn_selection_set_one (qn_canvas_get_selection (table->canvas), QN_PICK_FACE,
+  if (!qn_document_is_stale (table->canvas->document, run))
+    qn_selection_set_one (table->canvas->selection, QN_PICK_FACE,
                           run->contacts.pairs[row].face);
 }
 
@@ -237,7 +237,7 @@ select_beam (const Table *table, const QnRun *run, guint row)
   const char *name = run->model.beams[run->model.elements[row / 2].beam].name;
   QnId beam = qn_model_find_beam (qn_canvas_get_model (table->canvas), name);
   if (beam != QN_NONE)
-    qn_selection_set (qn_canvas_get_selection (table->canvas), QN_PICK_BEAM, &beam, 1);
+    qn_selection_set (table->canvas->selection, QN_PICK_BEAM, &beam, 1);
 }
 
 /* ---- cells and rows ---- */
@@ -464,7 +464,7 @@ qn_contact_table_new (QnCanvas *canvas)
     .dup_cell = dup_contact_cell,
     .select = select_contact,
   };
-  return make_table (&kind, qn_canvas_get_state (canvas), canvas, update);
+  return make_table (&kind, canvas->state, canvas, update);
 }
 
 GtkWidget *
@@ -484,5 +484,5 @@ qn_beam_table_new (QnCanvas *canvas)
     .select = select_beam,
     .follow = update_ends,
   };
-  return make_table (&kind, qn_canvas_get_state (canvas), canvas, update_ends);
+  return make_table (&kind, canvas->state, canvas, update_ends);
 }

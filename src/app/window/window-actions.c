@@ -363,8 +363,7 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
     return focus != NULL && qn_context_menu_open (focus);
   if (keyval == GDK_KEY_Escape && !on_drawing)
     return gtk_event_controller_key_forward (controller, GTK_WIDGET (self->canvas));
-  if (qn_canvas_is_in_gesture (self->canvas)
-      && (modifiers & (GDK_CONTROL_MASK | GDK_ALT_MASK)) == 0)
+  if (self->canvas->in_gesture && (modifiers & (GDK_CONTROL_MASK | GDK_ALT_MASK)) == 0)
     return FALSE;
   g_autofree char *detailed = qn_action_dup_for_key (keyval, modifiers, on_drawing);
   g_autofree char *name = NULL;

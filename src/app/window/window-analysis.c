@@ -304,10 +304,9 @@ void
 qn_window_connect_analysis (QnWindow *self)
 {
   GtkWidget *window = GTK_WIDGET (self);
-  QnDocument *document = self->document;
-  qn_watch (window, document, "job-changed", G_CALLBACK (on_job_changed), self);
-  qn_watch (window, document, "job-progress", G_CALLBACK (on_job_progress), self);
-  qn_watch (window, document, "changed", G_CALLBACK (on_document_changed), self);
+  qn_watch (window, self->document, "job-changed", G_CALLBACK (on_job_changed), self);
+  qn_watch (window, self->document, "job-progress", G_CALLBACK (on_job_progress), self);
+  qn_watch (window, self->document, "changed", G_CALLBACK (on_document_changed), self);
   qn_watch (window, qn_settings_get (), "changed::live", G_CALLBACK (on_document_changed),
             self);
   self->next_method = QN_NO_METHOD;

@@ -20,9 +20,10 @@ edit_blocks (QnWindow *self, const char *name,
 {
   QnCanvasDraft draft;
   if (qn_canvas_begin_edit (self->canvas, &draft))
-    qn_canvas_end_edit (
-      self->canvas, &draft, name, NULL,
-      func (draft.model, qn_canvas_get_parts (self->canvas).blocks, &draft.error));
+    qn_canvas_end_edit (self->canvas, &draft, name, NULL,
+                        func (draft.model,
+                              qn_selection_get_parts (self->canvas->selection).blocks,
+                              &draft.error));
 }
 
 /* ---- openings ---- */
@@ -69,13 +70,12 @@ static const char *const item_steps[][2] = {
 static gboolean
 edit_item (QnWindow *self, gboolean copy)
 {
-  QnSelection *selection = self->document->selection;
-  QnPick item = qn_selection_get_item (selection);
+  QnPick item = qn_selection_get_item (self->document->selection);
   QnCanvasDraft draft;
   if (item.id == QN_NONE)
     return FALSE;
   if (!copy)
-    qn_selection_clear (selection);
+    qn_selection_clear (self->document->selection);
   if (!qn_canvas_begin_edit (self->canvas, &draft))
     return TRUE;
   if (copy)
@@ -86,7 +86,7 @@ edit_item (QnWindow *self, gboolean copy)
   if (qn_canvas_end_edit (self->canvas, &draft, _ (item_steps[item.kind][copy]), NULL,
                           done)
       && copy)
-    qn_selection_set_one (selection, item.kind, item.id);
+    qn_selection_set_one (self->document->selection, item.kind, item.id);
   return TRUE;
 }
 
@@ -97,7 +97,7 @@ delete_selected (QnWindow *self, const char *name)
 {
   OpeningEdit opening = { 0 };
   const gboolean is_opening = selected_opening (self, &opening);
-  const QnPartSet parts = qn_canvas_get_parts (self->canvas);
+  const QnPartSet parts = qn_selection_get_parts (self->canvas->selection);
   QnCanvasDraft draft;
   if (edit_item (self, FALSE))
     return;
@@ -246,8 +246,7 @@ nudge (QnWindow *self, GVariant *parameter)
                                                   move_opening, &opening, &draft.error));
     return;
   }
-  double step =
-    qn_magnet_round_distance (NUDGE_PX / qn_canvas_get_camera (self->canvas)->scale);
+  double step = qn_magnet_round_distance (NUDGE_PX / self->canvas->camera.scale);
   qn_canvas_transform (self->canvas, _ ("Move"), "nudge",
                        qn_transform_translation (dx * step, dy * step), 0);
 }
@@ -281,12 +280,11 @@ select_all (QnWindow *self, const char *name)
 static void
 select_like (QnWindow *self, const char *what)
 {
-  QnSelection *selection = self->document->selection;
   const QnModel *model = &self->document->project.model;
-  const QnId block = qn_selection_get_one (selection, QN_PICK_BLOCK);
+  const QnId block = qn_selection_get_one (self->document->selection, QN_PICK_BLOCK);
   if (block == QN_NONE)
     return;
-  qn_selection_select_blocks_like (selection, model, block,
+  qn_selection_select_blocks_like (self->document->selection, model, block,
                                    g_str_equal (what, "course") ? QN_LIKE_COURSE
                                    : g_str_equal (what, "wall") ? QN_LIKE_WALL
                                                                 : QN_LIKE_LAW);
@@ -295,12 +293,11 @@ select_like (QnWindow *self, const char *what)
 static void
 select_faces_like (QnWindow *self, const char *what)
 {
-  QnSelection *selection = self->document->selection;
   const QnContacts *contacts = &self->document->contacts;
-  QnId face = qn_selection_get_one (selection, QN_PICK_FACE);
+  QnId face = qn_selection_get_one (self->document->selection, QN_PICK_FACE);
   if (face == QN_NONE || (gsize) face >= contacts->face_count)
     return;
-  qn_selection_select_faces_like (selection, contacts, face,
+  qn_selection_select_faces_like (self->document->selection, contacts, face,
                                   g_str_equal (what, "line")        ? QN_LIKE_LINE
                                   : g_str_equal (what, "direction") ? QN_LIKE_DIRECTION
                                                                     : QN_LIKE_LAW);
@@ -323,7 +320,8 @@ hold (QnWindow *self, const char *how)
     if (g_str_equal (kinds[i].name, how) && qn_canvas_begin_edit (self->canvas, &draft))
       qn_canvas_end_edit (
         self->canvas, &draft, _ ("Set Support"), NULL,
-        qn_edit_set_support (draft.model, qn_canvas_get_parts (self->canvas).blocks,
+        qn_edit_set_support (draft.model,
+                             qn_selection_get_parts (self->canvas->selection).blocks,
                              QN_DOF_UX, QN_DOF_COUNT, kinds[i].support, &draft.error));
 }
 
@@ -351,7 +349,7 @@ copy_text (QnWindow *self, const char *text)
 static void
 copy (QnWindow *self, const char *name)
 {
-  QnBlockSet set = qn_canvas_get_parts (self->canvas).blocks;
+  QnBlockSet set = qn_selection_get_parts (self->canvas->selection).blocks;
   const QnModel *model = &self->document->project.model;
   GVariantBuilder blocks;
   g_variant_builder_init (&blocks, G_VARIANT_TYPE (BLOCKS_TYPE));

@@ -14,16 +14,15 @@ static const struct {
 static const char *
 page_of_drawing (QnWindow *self)
 {
-  QnSelection *selection = self->document->selection;
-  const char *tool = qn_canvas_get_tool (self->canvas)->name;
+  const char *tool = self->canvas->tool->name;
   for (gsize i = 0; i < G_N_ELEMENTS (tool_pages); i++)
     if (g_str_equal (tool, tool_pages[i].tool))
       return tool_pages[i].page;
-  if (selection->object != QN_NONE)
+  if (self->document->selection->object != QN_NONE)
     return "openings";
-  if (selection->ids[QN_PICK_FACE]->len > 0)
+  if (self->document->selection->ids[QN_PICK_FACE]->len > 0)
     return "joints";
-  return selection->ids[QN_PICK_BEAM]->len > 0 ? "frames" : "drawing";
+  return self->document->selection->ids[QN_PICK_BEAM]->len > 0 ? "frames" : "drawing";
 }
 
 const char *

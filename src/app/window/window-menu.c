@@ -93,7 +93,7 @@ static GMenuModel *
 make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data)
 {
   QnWindow *self = data;
-  if (qn_canvas_is_in_gesture (self->canvas)) {
+  if (self->canvas->in_gesture) {
     qn_canvas_cancel_gesture (self->canvas);
     return NULL;
   }

@@ -115,9 +115,8 @@ update_counts (QnWindow *self)
 static void
 update_status (QnWindow *self)
 {
-  const QnTool *tool = qn_canvas_get_tool (self->canvas);
   g_autofree char *pointer = qn_canvas_dup_status (self->canvas);
-  gtk_label_set_text (self->status_hint, _ (tool->hint));
+  gtk_label_set_text (self->status_hint, _ (self->canvas->tool->hint));
   gtk_label_set_text (self->status_pointer, pointer);
 }
 
@@ -421,7 +420,7 @@ bind_settings (QnWindow *self)
 {
   /* Opposite to the legend, which stays where it is in every script. */
   gtk_widget_set_direction (GTK_WIDGET (self->view_box), GTK_TEXT_DIR_LTR);
-  qn_canvas_set_corner (self->canvas, GTK_WIDGET (self->view_box));
+  g_set_weak_pointer (&self->canvas->corner, GTK_WIDGET (self->view_box));
   GSettings *settings = qn_settings_get ();
   /* A new window is as the last one; none follows another. */
   static const char *const places[][2] = { { "window-width", "default-width" },
