@@ -174,8 +174,8 @@ qn_drawing_path_add_bulge (QnDrawingPath *path, QnVec2 end, double bulge)
 
 /* From the second differences of the control points, whose largest bounds the distance of curve and
  * chords: d (d - 1) / 8 of it for one chord, and less with their number squared. */
-int
-qn_drawing_chords (const QnVec2 *control, guint degree)
+static int
+count_chords (const QnVec2 *control, guint degree)
 {
   double bend = 0, length = 0;
   for (guint i = 0; i < degree; i++) {
@@ -229,7 +229,7 @@ qn_drawing_path_add_spline (QnDrawingPath *path, guint degree, const double *kno
     double t0 = knots[span], t1 = knots[span + 1];
     if (!(t1 > t0))
       continue;
-    int chords = qn_drawing_chords (points + span - degree, degree);
+    int chords = count_chords (points + span - degree, degree);
     for (int i = path->count == 0 ? 0 : 1; i <= chords; i++)
       qn_drawing_path_add (path, spline_point (degree, knots, span, points, weights,
                                                t0 + (t1 - t0) * i / chords));

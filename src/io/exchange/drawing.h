@@ -79,9 +79,6 @@ void qn_drawing_path_add_bulge (QnDrawingPath *path, QnVec2 end, double bulge);
 void qn_drawing_path_add_ellipse (QnDrawingPath *path, QnVec2 centre, QnVec2 major,
                                   QnVec2 minor, double from, double to);
 
-/* Number of chords of a Bézier curve of this degree. */
-int qn_drawing_chords (const QnVec2 *control, guint degree);
-
 /* A rational B-spline (de Boor). False where knots and points do not match. weights may be NULL. */
 gboolean qn_drawing_path_add_spline (QnDrawingPath *path, guint degree,
                                      const double *knots, gsize knot_count,

@@ -62,22 +62,16 @@ add_arc (QnDrawingPath *path, const double *n, QnVec2 end)
   path->points[path->count - 1] = end;
 }
 
-/* A Bézier curve of degree 2 or 3 from the last point. */
+/* A Bézier curve of degree 2 or 3 from the last point: a spline of one span. */
 static void
 add_curve (QnDrawingPath *path, const QnVec2 *control, guint degree)
 {
+  static const double knots[] = { 0, 0, 0, 0, 1, 1, 1, 1 };
   QnVec2 p[4] = { path->points[path->count - 1] };
   for (guint i = 0; i < degree; i++)
     p[i + 1] = control[i];
-  int chords = qn_drawing_chords (p, degree);
-  for (int k = 1; k <= chords; k++) {
-    double t = (double) k / chords;
-    QnVec2 q[4] = { p[0], p[1], p[2], p[3] };
-    for (guint round = degree; round > 0; round--)
-      for (guint i = 0; i < round; i++)
-        q[i] = qn_vec2_lerp (q[i], q[i + 1], t);
-    qn_drawing_path_add (path, k == chords ? p[degree] : q[0]);
-  }
+  qn_drawing_path_add_spline (path, degree, knots + 3 - degree, 2 * degree + 2, p, NULL,
+                              degree + 1);
 }
 
 void
