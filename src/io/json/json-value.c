@@ -323,19 +323,24 @@ qn_json_value_number (const QnJsonValue *place, QnRange range, double *number)
 }
 
 gboolean
+qn_json_value_numbers (const QnJsonValue *list, QnRange range, gsize stride,
+                       double *numbers)
+{
+  QnJsonValue item = { 0 };
+  while (qn_json_value_next (list, &item))
+    if (!qn_json_value_number (&item, range, &numbers[stride * item.index]))
+      return FALSE;
+  return TRUE;
+}
+
+gboolean
 qn_json_value_vec2 (const QnJsonValue *place, QnVec2 *vector)
 {
   if (!qn_json_value_array (place))
     return FALSE;
-  const cJSON *x = place->json->child;
-  const cJSON *y = x != NULL ? x->next : NULL;
-  if (y == NULL || y->next != NULL)
+  if (cJSON_GetArraySize (place->json) != 2)
     return qn_json_value_fail (place, _ ("expected two numbers"));
-
-  QnJsonValue first = qn_json_value_element (place, 0, x),
-              second = qn_json_value_element (place, 1, y);
-  return qn_json_value_number (&first, QN_RANGE_FINITE, &vector->x)
-         && qn_json_value_number (&second, QN_RANGE_FINITE, &vector->y);
+  return qn_json_value_numbers (place, QN_RANGE_FINITE, 1, &vector->x);
 }
 
 /* Whether there is a member to be read: not one that may be missing and is. */
@@ -403,7 +408,6 @@ qn_member_rows (const QnJsonValue *object, const char *key, QnNeed need, int wid
   if (!qn_member_array (object, key, need, &list))
     return FALSE;
   for (*count = 0; qn_json_value_next (&list, &row); ++*count) {
-    QnJsonValue number = { 0 };
     if (*count == most)
       return qn_json_value_failf (&list, _ ("expected up to %d rows of %d numbers"), most,
                                   width);
@@ -412,9 +416,8 @@ qn_member_rows (const QnJsonValue *object, const char *key, QnNeed need, int wid
     if (cJSON_GetArraySize (row.json) != width)
       return width == 2 ? qn_json_value_fail (&row, _ ("expected two numbers"))
                         : qn_json_value_failf (&row, _ ("expected %d numbers"), width);
-    while (qn_json_value_next (&row, &number))
-      if (!qn_json_value_number (&number, QN_RANGE_FINITE, rows++))
-        return FALSE;
+    if (!qn_json_value_numbers (&row, QN_RANGE_FINITE, 1, rows + *count * width))
+      return FALSE;
   }
   return TRUE;
 }

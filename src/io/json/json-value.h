@@ -94,6 +94,10 @@ gboolean qn_json_value_array (const QnJsonValue *place);
 gboolean qn_json_value_number (const QnJsonValue *place, QnRange range, double *number);
 gboolean qn_json_value_vec2 (const QnJsonValue *place, QnVec2 *vector);
 
+/* All numbers of an array, `stride` apart, into room for them. */
+gboolean qn_json_value_numbers (const QnJsonValue *list, QnRange range, gsize stride,
+                                double *numbers);
+
 /* The same for a member of an object; an optional one that is not there changes nothing. */
 gboolean qn_member_number (const QnJsonValue *object, const char *key, QnNeed need,
                            QnRange range, double *number);

@@ -46,18 +46,13 @@ static const QnMember bar_members[] = {
 static gboolean
 read_numbers (const QnJsonValue *object, const char *key, double *numbers, int32_t *count)
 {
-  QnJsonValue list, number = { 0 };
+  QnJsonValue list;
   if (!qn_member_array (object, key, QN_REQUIRED, &list))
     return FALSE;
   if (cJSON_GetArraySize (list.json) > QN_MAX_EXPLICIT_PAIRS)
     return qn_json_value_fail (&list, _ (qn_problem_text (QN_PROBLEM_TOO_LARGE)));
-  *count = 0;
-  while (qn_json_value_next (&list, &number)) {
-    if (!qn_json_value_number (&number, QN_RANGE_NOT_NEGATIVE, &numbers[*count]))
-      return FALSE;
-    ++*count;
-  }
-  return TRUE;
+  *count = cJSON_GetArraySize (list.json);
+  return qn_json_value_numbers (&list, QN_RANGE_NOT_NEGATIVE, 1, numbers);
 }
 
 /* Positions, and weights that are equal where none are given. */

@@ -218,17 +218,13 @@ read_list (const QnJsonValue *keys, int key, List *list)
 {
   const QnJsonValue value = qn_json_value_member (keys, strip_keys[key]);
   const QnRange range = key < FLOORS ? QN_RANGE_POSITIVE : QN_RANGE_NOT_NEGATIVE;
-  QnJsonValue number = { 0 };
   list->count = 1;
   if (!cJSON_IsArray (value.json))
     return qn_json_value_number (&value, range, list->values);
   list->count = (gsize) cJSON_GetArraySize (value.json);
   if (list->count == 0 || list->count > MOST_STOREYS)
     return qn_json_value_failf (&value, _ ("expected up to %d numbers"), MOST_STOREYS);
-  while (qn_json_value_next (&value, &number))
-    if (!qn_json_value_number (&number, range, &list->values[number.index]))
-      return FALSE;
-  return TRUE;
+  return qn_json_value_numbers (&value, range, 1, list->values);
 }
 
 /* Numbers that a key may have; 0: one for each storey. */

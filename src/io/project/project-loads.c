@@ -24,7 +24,7 @@ static const QnMember force_members[] = {
   QN_ENTITY ("block", REQUIRED, BLOCK, QnLoad, block),
   QN_TWO ("value", REQUIRED, QnLoad, vector),
   QN_NUMBER ("moment", OPTIONAL, FINITE, QnLoad, moment),
-  QN_GIVEN ("at", TWO, 0, QnLoad, at, has_at),
+  QN_GIVEN ("at", NUMBERS, 2, QnLoad, at, has_at),
   { 0 },
 };
 
@@ -206,17 +206,6 @@ read_earth (const QnJsonValue *place, QnLoad *load)
 }
 
 static gboolean
-read_case (const QnJsonValue *place, const QnModel *model, int32_t *load_case)
-{
-  const char *name = NULL;
-  QnJsonValue member = qn_json_value_member (place, "case");
-  if (!qn_member_string (place, "case", QN_OPTIONAL, &name))
-    return FALSE;
-  *load_case = 0;
-  return name == NULL || qn_read_name_of (&member, model, QN_NAMED_LOAD_CASE, load_case);
-}
-
-static gboolean
 read_vehicle_name (const QnJsonValue *place, QnModel *model, QnLoad *load)
 {
   const char *name;
@@ -235,7 +224,8 @@ read_load (const QnJsonValue *place, QnModel *model, QnLoad *load)
   if (!qn_json_value_object (place)
       || !qn_member_choice (place, "kind", QN_REQUIRED, qn_load_kind_names, QN_LOAD_NODE,
                             &load->kind)
-      || !read_case (place, model, &load->load_case))
+      || !qn_read_name (place, "case", QN_OPTIONAL, model, QN_NAMED_LOAD_CASE,
+                        &load->load_case))
     return FALSE;
   if (load->kind == QN_LOAD_FORCE && cJSON_HasObjectItem (place->json, "node")) {
     if (!qn_members_exclude (place, "block", "node"))

@@ -282,20 +282,15 @@ read_openings (const QnJsonValue *place, QnMasonry *masonry)
 static gboolean
 read_course_heights (const QnJsonValue *place, QnMasonryWall *wall)
 {
-  QnJsonValue list, element = { 0 };
+  QnJsonValue list;
   if (!qn_member_array (place, "course_heights", QN_OPTIONAL, &list) || list.json == NULL)
     return list.json == NULL;
   gsize count = (gsize) cJSON_GetArraySize (list.json);
   wall->course_heights = qn_alloc (count, sizeof *wall->course_heights);
   if (wall->course_heights == NULL)
     return qn_json_value_no_memory (&list);
-  while (qn_json_value_next (&list, &element)) {
-    if (!qn_json_value_number (&element, QN_RANGE_POSITIVE,
-                               &wall->course_heights[element.index]))
-      return FALSE;
-  }
   wall->course_height_count = count;
-  return TRUE;
+  return qn_json_value_numbers (&list, QN_RANGE_POSITIVE, 1, wall->course_heights);
 }
 
 static gboolean
@@ -365,16 +360,15 @@ static gboolean
 read_portal_lists (const QnJsonValue *place, QnPortal *portal)
 {
   for (gsize i = 0; i < G_N_ELEMENTS (portal_lists); i++) {
-    QnJsonValue list = { 0 }, number = { 0 };
+    QnJsonValue list;
     double *numbers = (double *) (void *) ((char *) portal + portal_lists[i].offset);
     int most = MIN (portal->bays + portal_lists[i].more, QN_MOST_UNEQUAL);
     if (!qn_member_array (place, portal_lists[i].key, QN_OPTIONAL, &list))
       return FALSE;
     if (list.json != NULL && cJSON_GetArraySize (list.json) > most)
       return qn_json_value_failf (&list, _ ("expected up to %d numbers"), most);
-    while (list.json != NULL && qn_json_value_next (&list, &number))
-      if (!qn_json_value_number (&number, QN_RANGE_POSITIVE, &numbers[number.index]))
-        return FALSE;
+    if (!qn_json_value_numbers (&list, QN_RANGE_POSITIVE, 1, numbers))
+      return FALSE;
   }
   return TRUE;
 }

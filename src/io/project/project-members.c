@@ -109,19 +109,6 @@ qn_read_index (const QnJsonValue *place, int32_t least, int32_t *index)
   return TRUE;
 }
 
-static gboolean
-read_pair (const QnJsonValue *place, QnId pair[2])
-{
-  QnVec2 numbers;
-  QnJsonValue item = { 0 };
-  if (!qn_json_value_vec2 (place, &numbers))
-    return FALSE;
-  while (qn_json_value_next (place, &item))
-    if (!qn_read_index (&item, 0, &pair[item.index]))
-      return FALSE;
-  return TRUE;
-}
-
 /* A member of a result, which is there. */
 static gboolean
 read_of_result (const QnJsonValue *place, const QnMember *m, char *target)
@@ -141,8 +128,6 @@ read_of_result (const QnJsonValue *place, const QnMember *m, char *target)
     return qn_read_index (place, m->detail, index);
   case QN_MEMBER_BYTES:
     return read_whole (place, 0, 0x1p53, at);
-  case QN_MEMBER_PAIR:
-    return read_pair (place, index);
   case QN_MEMBER_STAGE:
     if (!qn_read_index (place, 0, index))
       return FALSE;
@@ -158,6 +143,8 @@ read_item (const QnJsonValue *item, const QnMember *m, const QnModel *model, gpo
 {
   if (m->kind == QN_MEMBER_NUMBERS)
     return qn_json_value_number (item, QN_RANGE_FINITE, (double *) to + item->index);
+  if (m->kind == QN_MEMBER_IDS)
+    return qn_read_index (item, 0, (QnId *) to + item->index);
   if (m->kind == QN_MEMBER_OBJECTS)
     return qn_members_read (item, m->members, model,
                             (char *) to + item->index * m->count);
@@ -182,7 +169,8 @@ read_list_member (const QnJsonValue *object, const QnMember *m, QnNeed need,
   if (!qn_member_array (object, m->key, need, &list))
     return FALSE;
   if (list.json != NULL && cJSON_GetArraySize (list.json) != count)
-    return qn_json_value_fail (&list, _ (m->refusal));
+    return qn_json_value_fail (&list, m->refusal != NULL ? _ (m->refusal)
+                                                         : _ ("expected two numbers"));
   while (qn_json_value_next (&list, &item))
     if (!read_item (&item, m, model, to))
       return FALSE;
@@ -242,8 +230,6 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
     return qn_member_count (object, m->key, need, m->detail, at);
   case QN_MEMBER_BOOL:
     return qn_member_bool (object, m->key, need, at);
-  case QN_MEMBER_TWO:
-    return qn_json_value_vec2 (&member, at);
   case QN_MEMBER_CHOICE:
     if (m->names[0] == NULL && cJSON_IsNull (member.json)) {
       *(int *) at = 0;
@@ -270,6 +256,7 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
     return qn_members_read (&member, m->members, model, at);
   case QN_MEMBER_FLAGS:
   case QN_MEMBER_NUMBERS:
+  case QN_MEMBER_IDS:
   case QN_MEMBER_NAMES:
   case QN_MEMBER_OBJECTS:
     return read_list_member (object, m, need, model, at);
@@ -280,7 +267,6 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
   case QN_MEMBER_MAYBE:
   case QN_MEMBER_WHOLE:
   case QN_MEMBER_BYTES:
-  case QN_MEMBER_PAIR:
   case QN_MEMBER_STAGE:
     return read_of_result (&member, m, target);
   }
@@ -402,7 +388,7 @@ is_usual (const QnMember *m, const char *from, const char *other)
     return TRUE;
   case QN_MEMBER_MAYBE:
   case QN_MEMBER_BYTES:
-  case QN_MEMBER_PAIR:
+  case QN_MEMBER_IDS:
   case QN_MEMBER_NAMES:
   case QN_MEMBER_OBJECTS:
     return FALSE;
@@ -410,8 +396,6 @@ is_usual (const QnMember *m, const char *from, const char *other)
     return usual != NULL
            && (number[0] == usual_number[0]
                || (isnan (number[0]) && isnan (usual_number[0])));
-  case QN_MEMBER_TWO:
-    return usual != NULL && number[0] == usual_number[0] && number[1] == usual_number[1];
   case QN_MEMBER_COUNT:
   case QN_MEMBER_CHOICE:
   case QN_MEMBER_WHOLE:
@@ -463,7 +447,7 @@ write_member (GString *json, const QnMember *m, const QnModel *model, const char
   case QN_MEMBER_BYTES:
     qn_json_put_number (json, m->key, (double) *(const int64_t *) value);
     break;
-  case QN_MEMBER_PAIR:
+  case QN_MEMBER_IDS:
     qn_json_put_numbers (json, m->key, (const double[]){ id[0], id[1] }, 2);
     break;
   case QN_MEMBER_STAGE:
@@ -476,9 +460,6 @@ write_member (GString *json, const QnMember *m, const QnModel *model, const char
   case QN_MEMBER_BOOL:
     qn_json_begin_member (json, m->key);
     g_string_append (json, *(const bool *) value ? "true" : "false");
-    break;
-  case QN_MEMBER_TWO:
-    qn_json_put_vec2 (json, m->key, *(const QnVec2 *) value);
     break;
   case QN_MEMBER_CHOICE:
     if (m->names[*id] != NULL)

@@ -13,7 +13,6 @@ typedef enum {
   QN_MEMBER_NUMBER, /* double */
   QN_MEMBER_COUNT,  /* int32_t from 1 on */
   QN_MEMBER_BOOL,   /* bool */
-  QN_MEMBER_TWO,    /* QnVec2, or two doubles that follow each other */
   QN_MEMBER_CHOICE, /* an enumeration, by its names */
   QN_MEMBER_SWITCH, /* bool, by two names: that of false first */
   QN_MEMBER_STRING, /* char *, owned; NULL: none */
@@ -24,7 +23,7 @@ typedef enum {
 
   /* Lists of a length; none, or none but usual values: left out. */
   QN_MEMBER_FLAGS,   /* bool */
-  QN_MEMBER_NUMBERS, /* double */
+  QN_MEMBER_NUMBERS, /* double; two of them are a QnVec2, too */
   QN_MEMBER_NAMES,   /* two QnId, as ENTITY */
   QN_MEMBER_OBJECTS, /* structs by a table */
 
@@ -36,7 +35,7 @@ typedef enum {
   QN_MEMBER_MAYBE, /* double; null: NAN, or not `given` */
   QN_MEMBER_WHOLE, /* int32_t, not below `detail` */
   QN_MEMBER_BYTES, /* int64_t, not negative */
-  QN_MEMBER_PAIR,  /* two QnId that follow each other */
+  QN_MEMBER_IDS,   /* two QnId by their numbers, which follow each other */
   QN_MEMBER_STAGE  /* int32_t from 1, which files count from 0; 0: none */
 } QnMemberKind;
 
@@ -68,7 +67,8 @@ typedef struct QnMember {
   gsize given; /* offset of a bool that says whether the member is there; 0: none */
   gsize count; /* ROWS: offset of their number, int32_t; OBJECTS: size of one */
   gsize width; /* ROWS: numbers in each */
-  const char *refusal;            /* of a list of another length; translatable */
+  const char
+    *refusal; /* of a list of another length; translatable; NULL: of two numbers */
   const struct QnMember *members; /* of an OBJECT, and of OBJECTS */
 } QnMember;
 
@@ -88,7 +88,8 @@ typedef struct QnMember {
 #define QN_COUNT(key, use, most, type, member)                                           \
   QN_MEMBER (key, COUNT, use, type, member, most, NULL)
 #define QN_BOOL(key, use, type, member) QN_MEMBER (key, BOOL, use, type, member, 0, NULL)
-#define QN_TWO(key, use, type, member)  QN_MEMBER (key, TWO, use, type, member, 0, NULL)
+#define QN_TWO(key, use, type, member)                                                   \
+  QN_MEMBER (key, NUMBERS, use, type, member, 2, NULL)
 #define QN_CHOICE(key, use, names, type, member)                                         \
   QN_MEMBER (key, CHOICE, use, type, member, G_N_ELEMENTS (names), names)
 #define QN_SWITCH(key, use, names, type, member)                                         \

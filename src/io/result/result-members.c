@@ -137,17 +137,13 @@ gboolean
 qn_result_read_numbers (const QnJsonValue *list, double *numbers, size_t stride,
                         size_t count, const char *refusal)
 {
-  QnJsonValue item = { 0 };
   if (!qn_json_value_array (list))
     return FALSE;
   if ((size_t) cJSON_GetArraySize (list->json) != count)
     return refusal != NULL
              ? qn_json_value_fail (list, refusal)
              : qn_json_value_failf (list, _ ("expected %d numbers"), (int) count);
-  while (qn_json_value_next (list, &item))
-    if (!qn_json_value_number (&item, QN_RANGE_FINITE, &numbers[stride * item.index]))
-      return FALSE;
-  return TRUE;
+  return qn_json_value_numbers (list, QN_RANGE_FINITE, stride, numbers);
 }
 
 gboolean
@@ -208,7 +204,7 @@ qn_result_members_write (QnFileWriter *writer, const char *before,
   for (const QnMember *m = members; m->key != NULL; m++) {
     const double *numbers = (const double *) ((const char *) source + m->offset);
     if ((m->kind == QN_MEMBER_NUMBER && !isfinite (numbers[0]))
-        || (m->kind == QN_MEMBER_TWO && !isfinite (numbers[0] + numbers[1])))
+        || (m->kind == QN_MEMBER_NUMBERS && !isfinite (numbers[0] + numbers[1])))
       qn_file_writer_number (writer, NAN); /* so that the file is not written */
   }
 }

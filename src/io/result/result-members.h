@@ -14,7 +14,7 @@
   QN_MEMBER (key, MAYBE, use, type, member, 0, NULL)
 #define QN_WHOLE(key, use, least, type, member)                                          \
   QN_MEMBER (key, WHOLE, use, type, member, least, NULL)
-#define QN_PAIR(key, use, type, member) QN_MEMBER (key, PAIR, use, type, member, 0, NULL)
+#define QN_PAIR(key, use, type, member) QN_MEMBER (key, IDS, use, type, member, 2, NULL)
 #define QN_STAGE(key, type, member)                                                      \
   QN_MEMBER (key, STAGE, OPTIONAL, type, member, 0, NULL)
 
