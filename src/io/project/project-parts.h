@@ -86,11 +86,5 @@ void qn_project_append_analysis (GString *json, const QnModel *model, GHashTable
 /* Place in the file's list of a stage, of which a cyclic protocol has one. */
 gsize qn_project_stage_entry (const QnModel *model, gsize index);
 
-/* In project-dynamic.c: the member of `analysis`, written where it is set; `usual` are its
- * defaults. */
-gboolean qn_read_dynamic (const QnJsonValue *analysis, QnModel *model);
-void qn_project_append_dynamic (GString *json, const QnModel *model,
-                                const QnDynamicSettings *usual, GHashTable *inner);
-
 /* `courses`: lists of lengths. */
 gboolean qn_read_courses (const QnJsonValue *place, QnWall *wall);

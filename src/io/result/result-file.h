@@ -67,7 +67,10 @@ gboolean qn_result_file_find_faults (const QnResultFile *file, const char *name,
                                      const QnProject *project, const QnContacts *contacts,
                                      QnResultFaults *faults, GError **error);
 
-/* ---- what follows from the rest ---- */
+/* ---- what follows from the rest: words, names, counts, the facts of the mechanism, ends of the interval ----
+ *
+ * A result that was read is written again, and both texts are compared member by member. A member that
+ * the program would write differently contradicts the rest of the file. */
 
 /* Compares the text that `file` was read from with what the program writes for the same numbers;
  * `name` is the name of the file in messages. False with an error that names the place

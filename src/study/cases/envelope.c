@@ -31,8 +31,9 @@ static const QnMember members[] = {
   { 0 },
 };
 
-static const QnEnvelopeSettings usual = { NULL, (double) NAN, (double) NAN,
-                                          0.25, QN_WAYS_BOTH, QN_ENVELOPE_LIMIT };
+static const QnEnvelopeSettings usual_settings = {
+  NULL, (double) NAN, (double) NAN, 0.25, QN_WAYS_BOTH, QN_ENVELOPE_LIMIT
+};
 
 static gboolean
 read_names (const QnJsonValue *place, char ***names)
@@ -56,7 +57,7 @@ qn_envelope_settings_read (const QnProject *project, QnEnvelopeSettings *setting
                            GError **error)
 {
   QnReader reader = qn_project_reader (project);
-  *settings = usual;
+  *settings = usual_settings;
   QnJsonValue root = qn_json_value_root (&reader, project->extras);
   QnJsonValue place = qn_json_value_member (&root, QN_ENVELOPE_MEMBER);
   if (place.json == NULL
@@ -71,7 +72,7 @@ char *
 qn_envelope_settings_to_json (const QnEnvelopeSettings *settings)
 {
   GString *json = g_string_new ("{");
-  qn_members_write (json, members, NULL, settings, &usual);
+  qn_members_write (json, members, NULL, settings, &usual_settings);
   if (settings->vehicles != NULL)
     qn_json_begin_member (json, "vehicles");
   for (gsize i = 0; settings->vehicles != NULL && settings->vehicles[i] != NULL; i++) {
@@ -86,7 +87,7 @@ void
 qn_envelope_settings_clear (QnEnvelopeSettings *settings)
 {
   g_strfreev (settings->vehicles);
-  *settings = usual;
+  *settings = usual_settings;
 }
 
 /* ---- lines and positions ---- */

@@ -2,8 +2,9 @@
 
 #include "core/base/clock.h"
 #include "io/text/io-error.h"
+#include "io/text/text-format.h"
+#include "study/cases/folder.h"
 #include "study/cases/store.h"
-#include "study/cases/worker.h"
 #include "study/plan/sample.h"
 
 #include <errno.h>
@@ -11,7 +12,206 @@
 #include <math.h>
 #include <poll.h>
 #include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+/* ---- workers ---- */
+
+/* Of a result: whether it failed, seconds; outcome, reason, kind and shape of the mechanism; numbers. */
+#define RESULT "(bdmsmsmsms@ad)"
+
+static void
+print_result (FILE *output, const QnCaseResult *result)
+{
+  /* Names in a reason may have any bytes. */
+  g_autofree char *reason =
+    g_utf8_make_valid (result->reason != NULL ? result->reason : "", -1);
+  g_strdelimit (reason, "\t\r\n", ' ');
+  g_autoptr (GVariant) fields = g_variant_ref_sink (g_variant_new (
+    RESULT, result->failed, result->seconds, result->outcome,
+    *reason != '\0' ? reason : NULL, result->mechanism, result->shape,
+    g_variant_new_fixed_array (G_VARIANT_TYPE_DOUBLE, result->numbers,
+                               QN_STUDY_OUTPUT_COUNT, sizeof *result->numbers)));
+  g_autofree char *line = g_variant_print (fields, FALSE);
+  fprintf (output, "%s\n", line);
+  fflush (output);
+}
+
+static gboolean
+parse_result (const char *line, QnCaseResult *result)
+{
+  gsize count = 0;
+  g_autoptr (GVariant) numbers = NULL;
+  g_autoptr (GVariant) fields =
+    g_variant_parse (G_VARIANT_TYPE ("(bdmsmsmsmsad)"), line, NULL, NULL, NULL);
+  if (fields == NULL)
+    return FALSE;
+  g_variant_get (fields, RESULT, &result->failed, &result->seconds, &result->outcome,
+                 &result->reason, &result->mechanism, &result->shape, &numbers);
+  const double *values =
+    g_variant_get_fixed_array (numbers, &count, sizeof *result->numbers);
+  memcpy (result->numbers, values,
+          MIN (count, QN_STUDY_OUTPUT_COUNT) * sizeof *result->numbers);
+  return TRUE;
+}
+
+void
+qn_worker_serve (const QnStudy *study, const char *folder, gboolean keep, FILE *input,
+                 FILE *output)
+{
+  char *line = NULL;
+  size_t size = 0;
+  g_autofree double *values = g_new (double, study->parameters->len);
+
+  fputs ("ready\n", output);
+  fflush (output);
+  while (getline (&line, &size, input) > 0) {
+    QnCaseResult result;
+    char *at = line;
+    gsize number = (gsize) g_ascii_strtoull (at, &at, 10);
+    for (guint i = 0; i < study->parameters->len; i++)
+      values[i] = g_ascii_strtod (at, &at);
+    g_autofree char *path = keep ? qn_folder_dup_result (folder, number) : NULL;
+    qn_case_solve (study, values, path, NULL, &result);
+    print_result (output, &result);
+    qn_case_result_clear (&result);
+  }
+  free (line);
+}
+
+typedef struct Worker {
+  int pid;           /* 0: none */
+  int input, output; /* to write to and to read from; -1 */
+  gboolean ready, busy;
+  GString *received; /* what has come of the next line */
+  gsize index;       /* place of its case, where it is busy, */
+  double begun;      /* and when that began, where it is ready; qn_clock_seconds() */
+} Worker;
+
+/* In the child, before it becomes the worker: only what is safe after a fork. */
+static void
+set_up_child (gpointer data)
+{
+  const pid_t *parent = data;
+  prctl (PR_SET_PDEATHSIG, SIGKILL);
+  signal (SIGINT, SIG_IGN);
+  signal (SIGPIPE, SIG_DFL);
+  if (getppid () != *parent)
+    _exit (1);
+}
+
+/* Starts `program` with the arguments of a worker. */
+static gboolean
+start_worker (Worker *worker, const char *program, const char *folder, gboolean keep,
+              GError **error)
+{
+  const char *arguments[] = { program, "study", "worker", folder, keep ? "--keep" : NULL,
+                              NULL };
+  pid_t parent = getpid ();
+  g_autoptr (GError) cause = NULL;
+  /* As many workers as cores: libraries are not to start threads of their own beside them. */
+  g_auto (GStrv) variables =
+    g_environ_setenv (g_get_environ (), "OPENBLAS_NUM_THREADS", "1", TRUE);
+  *worker = (Worker){ .input = -1, .output = -1 };
+  if (!g_spawn_async_with_pipes (NULL, (char **) arguments, variables,
+                                 G_SPAWN_DO_NOT_REAP_CHILD | G_SPAWN_CLOEXEC_PIPES,
+                                 set_up_child, &parent, &worker->pid, &worker->input,
+                                 &worker->output, NULL, &cause))
+    return qn_io_fail (error, QN_IO_ERROR_FILE, "%s: %s: %s", program,
+                       _ ("cannot be started"), cause->message);
+  worker->received = g_string_new (NULL);
+  return TRUE;
+}
+
+/* Hands over a case to a worker that has none. One that has gone is found at the end of its output. */
+static void
+give (Worker *worker, gsize index, const double *values, gsize width)
+{
+  g_autoptr (GString) line = g_string_new (NULL);
+  char number[QN_NUMBER_TEXT_SIZE];
+  g_string_printf (line, "%" G_GSIZE_FORMAT, index + 1);
+  for (gsize i = 0; i < width; i++)
+    g_string_append_printf (line, "\t%s", qn_number_text (values[i], number));
+  g_string_append_c (line, '\n');
+  worker->begun = qn_clock_seconds ();
+  worker->index = index;
+  worker->busy = TRUE;
+  for (gsize sent = 0; sent < line->len;) {
+    ssize_t count = write (worker->input, line->str + sent, line->len - sent);
+    if (count < 0 && errno != EINTR)
+      return;
+    sent += count > 0 ? (gsize) count : 0;
+  }
+}
+
+/* Reads the worker's output. FALSE at its end. */
+static gboolean
+receive (Worker *worker)
+{
+  char bytes[4096];
+  ssize_t count = read (worker->output, bytes, sizeof bytes);
+  if (count > 0)
+    g_string_append_len (worker->received, bytes, count);
+  return count > 0 || (count < 0 && errno == EINTR);
+}
+
+/* Takes the first line; NULL where none is complete. */
+static char *
+take_line (Worker *worker)
+{
+  const char *end = memchr (worker->received->str, '\n', worker->received->len);
+  if (end == NULL)
+    return NULL;
+  gsize length = (gsize) (end - worker->received->str);
+  char *line = g_strndup (worker->received->str, length);
+  g_string_erase (worker->received, 0, (gssize) length + 1);
+  return line;
+}
+
+/* The result of its case, once that is complete: it is free for the next one then. FALSE where there is
+ * none. *result is overwritten; to be cleared. */
+static gboolean
+take_answer (Worker *worker, QnCaseResult *result)
+{
+  for (;;) {
+    g_autofree char *line = take_line (worker);
+    if (line == NULL)
+      return FALSE;
+    if (strcmp (line, "ready") == 0) {
+      worker->ready = TRUE;
+      worker->begun = qn_clock_seconds ();
+    } else if (worker->busy && parse_result (line, result)) {
+      worker->busy = FALSE;
+      return TRUE;
+    }
+  }
+}
+
+/* Waits for a worker that has ended, or kills it first; how it ended, in words, or NULL where it ended as it
+ * should. */
+static char *
+end_worker (Worker *worker, gboolean kill_it)
+{
+  int status = 0;
+  if (kill_it)
+    kill (worker->pid, SIGKILL);
+  close (worker->input);
+  close (worker->output);
+  while (waitpid (worker->pid, &status, 0) < 0 && errno == EINTR)
+    ;
+  g_string_free (worker->received, TRUE);
+  *worker = (Worker){ .input = -1, .output = -1 };
+  if (WIFSIGNALED (status))
+    return g_strdup_printf (_ ("the process of the case was ended by signal %d (%s)"),
+                            WTERMSIG (status), strsignal (WTERMSIG (status)));
+  if (WIFEXITED (status) && WEXITSTATUS (status) != 0)
+    return g_strdup_printf (_ ("the process of the case ended with status %d"),
+                            WEXITSTATUS (status));
+  return NULL;
+}
 
 /* Rows are committed after so many of them, and after so long, s: a kill costs no more than what
  * came since, and writing to the disk costs little beside computing. */
@@ -28,7 +228,7 @@ typedef struct Run {
   QnStore *store;
   guint8 *taken; /* per case: has a row, or a worker has it, or not of this slice */
   gsize next;    /* no case before it is free */
-  QnWorker *workers;
+  Worker *workers;
   QnStudyProgress progress;
   double begun, committed;
   guint uncommitted; /* rows */
@@ -61,26 +261,26 @@ keep_row (Run *run, gsize index, const QnCaseResult *result, GError **error)
 
 /* Gives a case to a worker that has none, and starts it before where there is none. */
 static gboolean
-feed (Run *run, QnWorker *worker, GError **error)
+feed (Run *run, Worker *worker, GError **error)
 {
   gsize index;
   if (worker->busy || !take_case (run, &index))
     return TRUE;
   if (worker->pid == 0
-      && !qn_worker_start (worker, run->settings->program, run->folder,
-                           run->settings->keep, error))
+      && !start_worker (worker, run->settings->program, run->folder, run->settings->keep,
+                        error))
     return FALSE;
-  qn_worker_give (worker, index, run->sample + index * run->width, run->width);
+  give (worker, index, run->sample + index * run->width, run->width);
   return TRUE;
 }
 
 /* A worker has ended, or is ended for a reason (nullable): its case failed. */
 static gboolean
-bury (Run *run, QnWorker *worker, const char *reason, GError **error)
+bury (Run *run, Worker *worker, const char *reason, GError **error)
 {
   const gboolean ready = worker->ready, busy = worker->busy;
   const gsize index = worker->index;
-  g_autofree char *how = qn_worker_end (worker, reason != NULL);
+  g_autofree char *how = end_worker (worker, reason != NULL);
   if (!ready)
     return qn_io_fail (error, QN_IO_ERROR_FILE, "%s: %s", run->settings->program,
                        how != NULL ? how : _ ("cannot be started"));
@@ -97,11 +297,11 @@ bury (Run *run, QnWorker *worker, const char *reason, GError **error)
 }
 
 static gboolean
-hear (Run *run, QnWorker *worker, GError **error)
+hear (Run *run, Worker *worker, GError **error)
 {
   QnCaseResult result;
-  gboolean more = qn_worker_receive (worker), ok = TRUE;
-  while (ok && qn_worker_answer (worker, &result)) {
+  gboolean more = receive (worker), ok = TRUE;
+  while (ok && take_answer (worker, &result)) {
     ok = keep_row (run, worker->index, &result, error);
     qn_case_result_clear (&result);
   }
@@ -110,7 +310,7 @@ hear (Run *run, QnWorker *worker, GError **error)
 
 /* Ends a worker whose case takes longer than one may. */
 static gboolean
-check_time (Run *run, QnWorker *worker, GError **error)
+check_time (Run *run, Worker *worker, GError **error)
 {
   double allowed = run->study->seconds;
   if (!worker->busy || !worker->ready || qn_clock_seconds () - worker->begun < allowed)
@@ -173,7 +373,7 @@ compute (Run *run, GError **error)
   }
   for (guint i = 0; i < run->settings->jobs; i++)
     if (run->workers[i].pid != 0)
-      g_free (qn_worker_end (&run->workers[i], run->cancelled || !ok));
+      g_free (end_worker (&run->workers[i], run->cancelled || !ok));
   /* What came in before something went wrong is kept if it can be. */
   return qn_store_commit (run->store, ok ? error : NULL) && ok;
 }
@@ -229,9 +429,9 @@ qn_study_run (const QnStudy *study, const char *folder,
   void (*before) (int) = signal (SIGPIPE, SIG_IGN);
   run.sample = qn_sample_dup (study);
   run.taken = g_new0 (guint8, run.count);
-  run.workers = g_new (QnWorker, settings->jobs);
+  run.workers = g_new (Worker, settings->jobs);
   for (guint i = 0; i < settings->jobs; i++)
-    run.workers[i] = (QnWorker){ .input = -1, .output = -1 };
+    run.workers[i] = (Worker){ .input = -1, .output = -1 };
   run.store = qn_store_open (database, study, TRUE, error);
   gboolean ok = run.store != NULL && make_results_folder (&run, error)
                 && survey (&run, error) && compute (&run, error);

@@ -1,7 +1,10 @@
 /* Computing the cases of a study on all cores of a machine. */
 #pragma once
 
+#include "study/cases/case.h"
 #include "study/cases/folder.h"
+
+#include <stdio.h>
 
 typedef struct QnStudyProgress {
   gsize wanted;   /* cases of this slice */
@@ -49,3 +52,14 @@ void qn_study_job_cancel (QnStudyJob *job);
 
 /* Cancels, waits for the end, and frees. */
 void qn_study_job_free (QnStudyJob *job);
+
+/* ---- workers ---- */
+
+/* Each computes one case after the other, so that a case that crashes or takes all memory ends its worker and
+ * nothing else. A worker is this program again (`quoin-cli study worker FOLDER`). It says "ready", then reads
+ * lines "number, values" from standard input and answers each with one line on standard output, a GVariant as
+ * text. It ends with its input, or with the process that started it.
+ *
+ * The worker's side: serves until `input` ends. With `keep`, full results go to the folder. */
+void qn_worker_serve (const QnStudy *study, const char *folder, gboolean keep,
+                      FILE *input, FILE *output);

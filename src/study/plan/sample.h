@@ -16,7 +16,10 @@
  * this one coordinate of b. Free with g_free(). */
 double *qn_sample_dup (const QnStudy *study);
 
-/* ---- correlated points ---- */
+/* ---- points of the unit cube whose coordinates are correlated by rank ----
+ *
+ * Correlations are Spearman's, of ranks. Both functions use a normal variable for each coordinate;
+ * two of them with correlation r have the rank correlation 6/pi asin (r/2). */
 
 /* Whether any variables have these rank correlations (width x width, diagonal 1). */
 gboolean qn_correlation_is_possible (const double *correlation, gsize width);

@@ -38,7 +38,7 @@ typedef enum {
 /* Outputs of a case: enumeration, name for readers with its unit, key in files. Displacements are of any
  * block, at the last step or, the peak, at any time from the dead load on; cracks are openings of joints,
  * and their misfit, where the path has reached its target, the root mean square of computed less measured
- * widths. The kind of a mechanism is a word, its shape in the database as shape.h has it and in tables the
+ * widths. The kind of a mechanism is a word, its shape in the database as case.h has it and in tables the
  * number of the group of cases that move alike. COLLAPSED to ENERGY_ERROR are of runs in time. */
 /* clang-format off */
 #define QN_STUDY_OUTPUTS(X) \

@@ -5,8 +5,8 @@
 #include "io/text/file-writer.h"
 #include "io/text/outcome-text.h"
 #include "render/scene/motion.h"
+#include "study/cases/case.h"
 #include "study/cases/folder.h"
-#include "study/cases/shape.h"
 
 #include <glib/gi18n-lib.h>
 #include <gsl/gsl_sort.h>

@@ -1,5 +1,5 @@
 /* Shapes of mechanisms: alike whatever the blocks are called and however many there are. */
-#include "study/cases/shape.h"
+#include "study/cases/case.h"
 
 #include "core/model/model.h"
 #include "support/auto-clear.h"
