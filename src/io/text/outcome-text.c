@@ -84,53 +84,40 @@ qn_outcome_dup_stages (const QnModel *model, const QnResult *result)
   return text->len > 0 ? g_strdup (text->str) : NULL;
 }
 
-/* Whether an acting load moves anything: settles a support, be it by 0, or is a force on a block or node
- * that is not fixed altogether, or along beams. */
+/* Whether loads of a set pull at a block or node that is not fixed altogether, or along beams. */
 static gboolean
-acts_on_something (const QnModel *model, const QnLoad *load)
+set_moves_anything (const QnModel *model, size_t set)
 {
-  switch (load->kind) {
-  case QN_LOAD_SETTLEMENT:
-    return TRUE;
-  case QN_LOAD_FORCE:
-    return !qn_support_is_full (model->blocks[load->block].support);
-  case QN_LOAD_NODE: {
-    QnId block = model->nodes[load->node].block;
-    return !qn_support_is_full (block != QN_NONE ? model->blocks[block].support
-                                                 : model->nodes[load->node].support);
+  const size_t count = qn_model_body_count (model) * QN_DOF_COUNT;
+  g_autofree double *forces = g_new (double, count + 1);
+  g_autofree QnVec2 *along = g_new (QnVec2, model->element_count + 1);
+  double factors[QN_MAX_LOAD_SETS] = { 0 };
+  gboolean any = FALSE;
+  factors[set] = 1;
+  qn_model_set_forces (model, factors, forces);
+  qn_model_element_loads (model, factors, along);
+  for (size_t i = 0; i < count; i++) {
+    const size_t body = i / QN_DOF_COUNT;
+    any |= forces[i] != 0
+           && !qn_support_is_full (body < model->block_count
+                                     ? model->blocks[body].support
+                                     : model->nodes[body - model->block_count].support);
   }
-  case QN_LOAD_LINE:
-    return TRUE;
-  case QN_LOAD_WEIGHT:
-    for (size_t b = 0; b < model->block_count; b++)
-      if (model->blocks[b].weight > 0 && !qn_support_is_full (model->blocks[b].support))
-        return TRUE;
-    for (size_t i = 0; i < model->beam_count; i++)
-      if (model->sections[model->beams[i].section].unit_weight > 0)
-        return TRUE;
-    return FALSE;
-  case QN_LOAD_EDGE: /* as the forces that it comes to */
-  case QN_LOAD_SURCHARGE:
-  case QN_LOAD_BACKFILL:
-  case QN_LOAD_FILL:
-  case QN_LOAD_VEHICLE:
-  case QN_LOAD_KIND_COUNT:
-    break;
-  }
-  return FALSE;
+  for (size_t i = 0; i < model->element_count; i++)
+    any |= along[i].x != 0 || along[i].y != 0;
+  return any;
 }
 
+/* To settle a support, be it by 0, is a load. */
 gboolean
 qn_model_lacks_live_load (const QnModel *model)
 {
-  for (size_t i = model->dead_load_count; i < qn_model_acting_count (model); i++) {
-    const QnLoad load = qn_model_acting_load (model, i);
-    gboolean any = load.vector.x != 0 || load.vector.y != 0 || load.moment != 0
-                   || load.kind == QN_LOAD_SETTLEMENT;
-    if (load.set != QN_NONE && any && acts_on_something (model, &load))
-      return FALSE;
-  }
-  return TRUE;
+  gboolean any = FALSE;
+  for (size_t i = 0; i < model->live_load_count; i++)
+    any |= model->live_loads[i].kind == QN_LOAD_SETTLEMENT;
+  for (size_t set = 0; set <= model->load_set_count && !any; set++)
+    any = set_moves_anything (model, set);
+  return !any;
 }
 
 static char *
