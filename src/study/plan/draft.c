@@ -243,6 +243,16 @@ count_at (const cJSON *object, const char *key)
   return isnan (number) ? 0 : (int) qn_to_integer (number, 0, QN_STUDY_MAX_CASES);
 }
 
+/* Distributions that a form shows, and the keys of their two numbers. */
+static const struct {
+  QnDistributionKind distribution;
+  const char *first, *second;
+} known[] = {
+  [QN_DRAFT_UNIFORM] = { QN_DISTRIBUTION_UNIFORM, "min", "max" },
+  [QN_DRAFT_NORMAL] = { QN_DISTRIBUTION_NORMAL, "mean", "deviation" },
+  [QN_DRAFT_LOGNORMAL] = { QN_DISTRIBUTION_LOGNORMAL, "mean", "deviation" },
+};
+
 QnDraftParameter
 qn_draft_parameter (const QnDraft *draft, guint index)
 {
@@ -264,15 +274,6 @@ qn_draft_parameter (const QnDraft *draft, guint index)
                                          0, QN_STUDY_MAX_VALUES);
     return result;
   }
-  static const struct {
-    QnDistributionKind distribution;
-    QnDraftKind kind;
-    const char *first, *second;
-  } known[] = {
-    { QN_DISTRIBUTION_UNIFORM, QN_DRAFT_UNIFORM, "min", "max" },
-    { QN_DISTRIBUTION_NORMAL, QN_DRAFT_NORMAL, "mean", "deviation" },
-    { QN_DISTRIBUTION_LOGNORMAL, QN_DRAFT_LOGNORMAL, "mean", "deviation" },
-  };
   for (gsize i = 0; kind != NULL && i < G_N_ELEMENTS (known); i++) {
     if (strcmp (kind, qn_distribution_kind_names[known[i].distribution]) != 0)
       continue;
@@ -281,7 +282,7 @@ qn_draft_parameter (const QnDraft *draft, guint index)
     if (isnan (result.second)) /* a normal one by its cov */
       result.second = number_at (distribution, "cov") * fabs (result.first);
     if (!isnan (result.first) && !isnan (result.second))
-      result.kind = known[i].kind;
+      result.kind = (QnDraftKind) i;
   }
   return result;
 }
@@ -394,6 +395,7 @@ void
 qn_draft_set_values (QnDraft *draft, guint index, QnDraftKind kind, double first,
                      double second, int levels)
 {
+  g_return_if_fail (kind != QN_DRAFT_OTHER);
   cJSON *item = parameter (draft, index);
   int count;
   gboolean needed = qn_plan_is_by_levels (qn_draft_get_plan (draft, &count));
@@ -406,14 +408,11 @@ qn_draft_set_values (QnDraft *draft, guint index, QnDraftKind kind, double first
     const double range[] = { first, second, levels };
     set (item, "range", cJSON_CreateDoubleArray (range, 3));
   } else {
-    gboolean uniform = kind == QN_DRAFT_UNIFORM;
     cJSON *distribution = cJSON_CreateObject ();
-    QnDistributionKind name = uniform                   ? QN_DISTRIBUTION_UNIFORM
-                              : kind == QN_DRAFT_NORMAL ? QN_DISTRIBUTION_NORMAL
-                                                        : QN_DISTRIBUTION_LOGNORMAL;
-    set (distribution, "kind", cJSON_CreateString (qn_distribution_kind_names[name]));
-    set (distribution, uniform ? "min" : "mean", cJSON_CreateNumber (first));
-    set (distribution, uniform ? "max" : "deviation", cJSON_CreateNumber (second));
+    const char *name = qn_distribution_kind_names[known[kind].distribution];
+    set (distribution, "kind", cJSON_CreateString (name));
+    set (distribution, known[kind].first, cJSON_CreateNumber (first));
+    set (distribution, known[kind].second, cJSON_CreateNumber (second));
     set (item, "distribution", distribution);
     if (levels > 0)
       set (item, "levels", cJSON_CreateNumber (levels));
