@@ -98,7 +98,7 @@ static void
 click_points (GtkWidget *dialog, QnWindow *window)
 {
   GtkWidget *plot = driver_find_widget (dialog, is_area, NULL);
-  QnStudyPage *study = g_object_get_data (G_OBJECT (dialog), QN_BOUND_FORM);
+  QnStudyPage *study = g_object_get_data (G_OBJECT (dialog), QN_FORM);
   Opened opened = { window, count_runs (window) };
   driver_activate (window, "win.study");
   driver_settle ();

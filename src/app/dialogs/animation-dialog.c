@@ -2,7 +2,7 @@
  * its own, and how far that is. */
 #include "app/dialogs/dialogs.h"
 
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
 #include "core/base/integer.h"
@@ -15,7 +15,7 @@
 enum { FORMAT_GIF, FORMAT_WEBM, FORMAT_PICTURES };
 
 typedef struct Dialog {
-  QnBoundForm base;
+  QnForm base;
   GtkWindow *parent;
   QnViewState *state;
   QnTellFunc tell;
@@ -52,9 +52,9 @@ typedef struct Dialog {
 QN_FORM_FIELDS;
 
 static void
-clear (gpointer data)
+clear (QnForm *data)
 {
-  Dialog *dialog = data;
+  Dialog *dialog = (Dialog *) data;
   g_free (dialog->path);
   g_free (dialog->message);
 }
@@ -72,7 +72,7 @@ say (gpointer data, const char *message)
   Dialog *dialog = data;
   g_free (dialog->message);
   dialog->message = g_strdup (message);
-  qn_bound_form_show (dialog);
+  qn_form_show (dialog);
 }
 
 /* ---- writing ---- */
@@ -133,7 +133,7 @@ on_written (GObject *source, GAsyncResult *result, gpointer data)
       gtk_window_destroy (GTK_WINDOW (dialog->base.root));
   } else if (!dialog->base.closed)
     say (dialog, cancelled ? _ ("Cancelled; nothing was written.") : error->message);
-  qn_bound_form_unref (dialog);
+  qn_form_unref (dialog);
 }
 
 /* What the window shows of the run, with what the fields say. */
@@ -256,9 +256,9 @@ dup_facts (const Dialog *dialog)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  const Dialog *dialog = data;
+  const Dialog *dialog = (const Dialog *) data;
   const QnAnimation *a = &dialog->animation;
   const char *const formats[] = { _ ("GIF"), _ ("Numbered pictures (PNG)"), NULL };
   const char *const with_webm[] = { _ ("GIF"), _ ("WebM"), _ ("Numbered pictures (PNG)"),
@@ -304,9 +304,9 @@ show (gpointer data, guint field, QnValue *value)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  Dialog *dialog = data;
+  Dialog *dialog = (Dialog *) data;
   QnAnimation *a = &dialog->animation;
   if (field == CANCEL)
     g_cancellable_cancel (dialog->cancellable);
@@ -358,16 +358,16 @@ void
 qn_animation_dialog_show (GtkWindow *parent, QnViewState *state, QnTellFunc tell,
                           const char *path)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("animation-dialog", Dialog);
-  Dialog *dialog = qn_bound_form_new (&kind, NULL);
+  static const QnFormKind kind =
+    QN_FORM_KIND ("animation-dialog", Dialog, .clear = clear);
+  Dialog *dialog = qn_form_new (&kind, NULL);
   GtkWidget *root = dialog->base.root;
-  dialog->base.clear = clear;
   dialog->parent = parent;
   dialog->state = state;
   dialog->tell = tell;
   init (dialog, state);
   g_signal_connect_swapped (root, "destroy", G_CALLBACK (on_destroy), dialog);
-  qn_dialog_present (qn_bound_form_show (dialog), parent, "export",
+  qn_dialog_present (qn_form_show (dialog), parent, "export",
                      dialog->base.widgets[EXPORT]);
   if (path != NULL)
     write_to (dialog, path);

@@ -2,14 +2,14 @@
  * it, or a name under which the project keeps it. */
 #include "app/dialogs/dialogs.h"
 
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/dialog.h"
 #include "doc/view/figures.h"
 #include <glib/gi18n.h>
 
 typedef struct Dialog {
-  QnBoundForm base;
+  QnForm base;
   GtkWindow *parent;
   QnViewState *state;
   QnFigureFunc write;
@@ -50,9 +50,9 @@ typedef struct Dialog {
 QN_FORM_FIELDS;
 
 static void
-clear (gpointer data)
+clear (QnForm *data)
 {
-  Dialog *dialog = data;
+  Dialog *dialog = (Dialog *) data;
   g_clear_handle_id (&dialog->refusal_idle, g_source_remove);
   g_free (dialog->refusal);
   qn_recipe_free (dialog->recipe);
@@ -70,7 +70,7 @@ static const char *const typed_endings[][4] = { { ".png", ".svg", ".pdf" },
 static void
 take_text (char **text, gpointer dialog, guint field)
 {
-  char *typed = qn_bound_form_dup_text (dialog, field);
+  char *typed = qn_form_dup_text (dialog, field);
   g_free (*text);
   *text = *typed != '\0' ? typed : NULL;
   if (*text == NULL)
@@ -82,7 +82,7 @@ static void
 take_entries (Dialog *dialog)
 {
   QnRecipe *recipe = dialog->recipe;
-  g_autofree char *name = qn_bound_form_dup_text (dialog, NAME);
+  g_autofree char *name = qn_form_dup_text (dialog, NAME);
   take_text (&recipe->title, dialog, TITLE);
   take_text (&recipe->caption, dialog, CAPTION);
   g_free (recipe->name);
@@ -210,16 +210,16 @@ on_store (Dialog *dialog)
 /* ---- fields ---- */
 
 static gpointer
-subject (gpointer data, QnModel *model, guint field)
+subject (QnForm *data, QnModel *model, guint field)
 {
-  Dialog *dialog = data;
-  return field == FORMAT || field == DPI ? data : dialog->recipe;
+  Dialog *dialog = (Dialog *) data;
+  return field == FORMAT || field == DPI ? (gpointer) data : dialog->recipe;
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  const Dialog *dialog = data;
+  const Dialog *dialog = (const Dialog *) data;
   QnRecipe *recipe = dialog->recipe;
   switch (field) {
   case DIAGRAM:
@@ -240,9 +240,9 @@ show (gpointer data, guint field, QnValue *value)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  Dialog *dialog = data;
+  Dialog *dialog = (Dialog *) data;
   QnRecipe *recipe = dialog->recipe;
   QnOutput *output = &recipe->output;
   gboolean on = value->number != 0.0;
@@ -272,10 +272,9 @@ qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc write
                        QnTellFunc tell)
 {
   static const QnFormKind kind =
-    QN_FORM_KIND ("export-dialog", Dialog, .subject = subject);
-  Dialog *dialog = qn_bound_form_new (&kind, NULL);
+    QN_FORM_KIND ("export-dialog", Dialog, .clear = clear, .subject = subject);
+  Dialog *dialog = qn_form_new (&kind, NULL);
   GtkWidget **widgets = dialog->base.widgets;
-  dialog->base.clear = clear;
   dialog->parent = parent;
   dialog->state = state;
   dialog->write = write;
@@ -284,7 +283,7 @@ qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc write
   dialog->recipe = recipe_of_view (state);
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (widgets[PREVIEW]), draw_preview,
                                   dialog, NULL);
-  qn_bound_form_show (dialog);
+  qn_form_show (dialog);
   take_entries (dialog);
   for (guint field = TITLE; field <= CAPTION; field++)
     g_signal_connect_swapped (widgets[field], "changed", G_CALLBACK (on_typed), dialog);

@@ -3,7 +3,7 @@
 #include "app/dialogs/dialogs.h"
 
 #include "app/canvas/gap-marks.h"
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/widgets/dialog.h"
 #include "app/widgets/preview.h"
 #include "app/widgets/settings.h"
@@ -14,7 +14,7 @@
 static const char *const units[] = { NULL, "mm", "cm", "dm", "m", "in", "ft" };
 
 typedef struct Dialog {
-  QnBoundForm base;
+  QnForm base;
   GtkWindow *parent;
   QnImportFunc import;
   char *path;
@@ -53,9 +53,9 @@ clear_project (Dialog *dialog)
 }
 
 static void
-clear (gpointer data)
+clear (QnForm *data)
 {
-  Dialog *dialog = data;
+  Dialog *dialog = (Dialog *) data;
   clear_project (dialog);
   g_strfreev (dialog->settings.layers);
   g_free (dialog->path);
@@ -151,9 +151,9 @@ take_role (Dialog *dialog, QnRole role)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  Dialog *dialog = data;
+  Dialog *dialog = (Dialog *) data;
   gboolean about_gaps = field == GAPS || field == GAP_WIDTH;
   if (about_gaps && dialog->report.gaps.count == 0 && !(dialog->settings.gap_width > 0))
     return FALSE;
@@ -172,9 +172,9 @@ show (gpointer data, guint field, QnValue *value)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  Dialog *dialog = data;
+  Dialog *dialog = (Dialog *) data;
   if (field == ACCEPT && dialog->has_project)
     dialog->import (dialog->parent, &dialog->project);
   if (field == ACCEPT || field == CANCEL) {
@@ -195,11 +195,10 @@ void
 qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
                        QnImportFunc import)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("import-dialog", Dialog);
-  Dialog *dialog = qn_bound_form_new (&kind, NULL);
+  static const QnFormKind kind = QN_FORM_KIND ("import-dialog", Dialog, .clear = clear);
+  Dialog *dialog = qn_form_new (&kind, NULL);
   g_autofree char *base = g_path_get_basename (path);
   g_autofree char *title = g_strdup_printf (_ ("Import %s"), base);
-  dialog->base.clear = clear;
   dialog->parent = parent;
   dialog->import = import;
   dialog->path = g_strdup (path);
@@ -216,6 +215,6 @@ qn_import_dialog_show (GtkWindow *parent, const char *path, gboolean adds,
     dialog->settings.gaps = QN_GAPS_CLOSED;
     try_import (dialog);
   }
-  qn_dialog_present (qn_bound_form_show (dialog), parent, "import",
+  qn_dialog_present (qn_form_show (dialog), parent, "import",
                      dialog->base.widgets[ACCEPT]);
 }

@@ -1,7 +1,7 @@
 /* Dialogs of the program: preferences, about. */
 #include "app/dialogs/dialogs.h"
 
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/widgets/help.h"
 #include "app/widgets/settings.h"
 #include <glib/gi18n.h>
@@ -17,7 +17,7 @@ static const QnFormField fields[] = {
 };
 
 static gboolean
-show (gpointer form, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
   GSettings *settings = qn_settings_get ();
   const char *key = fields[field].id;
@@ -34,7 +34,7 @@ show (gpointer form, guint field, QnValue *value)
 }
 
 static gboolean
-take (gpointer form, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *form, QnModel *model, guint field, const QnValue *value, GError **error)
 {
   GSettings *settings = qn_settings_get ();
   const char *key = fields[field].id;
@@ -51,8 +51,8 @@ take (gpointer form, QnProject *draft, guint field, const QnValue *value, GError
 void
 qn_preferences_show (GtkWindow *parent)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("preferences", QnBoundForm, .look = NULL);
-  GtkWidget *window = qn_bound_form_show (qn_bound_form_new (&kind, NULL));
+  static const QnFormKind kind = QN_FORM_KIND ("preferences", QnForm, .look = NULL);
+  GtkWidget *window = qn_form_show (qn_form_new (&kind, NULL));
   gtk_window_set_transient_for (GTK_WINDOW (window), parent);
   qn_help_set_page (window, "drawing");
   gtk_window_present (GTK_WINDOW (window));

@@ -1,9 +1,9 @@
 /* Copies of what is selected: in a row, a column, or around a point. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 
 typedef struct Form {
-  QnBoundForm base;
+  QnForm base;
   double numbers[4]; /* copies, each to the right, up, turned by */
 } Form;
 
@@ -16,22 +16,21 @@ typedef struct Form {
 QN_FORM_FIELDS;
 
 static gboolean
-look (gpointer data)
+look (QnForm *data, const QnModel *model)
 {
-  QnPartSet set = qn_selection_get_parts (((QnBoundForm *) data)->canvas->selection);
-  return set.blocks.count + set.beams.count > 0;
+  return data->parts.blocks.count + data->parts.beams.count > 0;
 }
 
 static gboolean
-show (gpointer form, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
   return TRUE;
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  const Form *form = data;
+  const Form *form = (const Form *) data;
   if (field == MAKE)
     gtk_widget_activate_action (GTK_WIDGET (form->base.canvas), "win.array", "(iddd)",
                                 (int) form->numbers[COPIES], form->numbers[RIGHT],
@@ -41,9 +40,9 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 
 /* As it is before anything is shown. */
 static void
-init (gpointer data)
+init (QnForm *data)
 {
-  Form *form = data;
+  Form *form = (Form *) data;
   form->numbers[COPIES] = 3.0;
   form->numbers[RIGHT] = 1.0;
 }

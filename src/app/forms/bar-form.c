@@ -1,6 +1,6 @@
 /* Reinforcing bars: a list of them, and what the selected one is made of and where it lies. The
  * selected one is that of the drawing. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-tie.h"
@@ -38,11 +38,9 @@ dup_row (const QnModel *model, gsize index)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
-  const QnBoundForm *form = data;
-  const QnModel *model = qn_canvas_get_model (form->canvas);
-  const QnBar *bar = qn_bound_form_item (form, model);
+  const QnBar *bar = qn_form_item (form, model);
   if (bar == NULL) {
     value->disabled = field != ADD;
     return field == ADD || (field > ADD && model->bar_count > 0);
@@ -72,10 +70,8 @@ take_corners (QnBar *bar, const char *text, GError **error)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *form, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  QnBoundForm *form = data;
-  QnModel *model = &draft->model;
   switch (field) {
   case DIAMETER:
     model->bars[form->selected].area = qn_bar_get_area (value->number);
@@ -83,8 +79,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
   case VIA:
     return take_corners (&model->bars[form->selected], value->text, error);
   case ADD:
-    if (!qn_edit_add_bar (model, qn_selection_get_parts (form->canvas->selection).blocks,
-                          error))
+    if (!qn_edit_add_bar (model, form->parts.blocks, error))
       return FALSE;
     form->wanted = (int) model->bar_count - 1;
     return TRUE;
@@ -102,4 +97,4 @@ static const QnFormList list =
   QN_FORM_LIST (BARS, EMPTY, bars, bar_count, dup_row, QN_PICK_BAR);
 
 const QnFormKind qn_bar_form =
-  QN_FORM_KIND ("bar-form", QnBoundForm, .list = &list, .follows = QN_FOLLOW_SELECTION);
+  QN_FORM_KIND ("bar-form", QnForm, .list = &list, .follows = QN_FOLLOW_SELECTION);

@@ -1,10 +1,10 @@
 /* One end of the selected beam: where its node is and what holds it. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include <glib/gi18n.h>
 
 typedef struct Form {
-  QnBoundForm base;
+  QnForm base;
   int end;
   QnId beam, node; /* that the form is about */
 } Form;
@@ -37,15 +37,13 @@ static const struct {
               { QN_SEAT_SIDE, QN_BLOCK_SIDE_TOP } };
 
 static gboolean
-look (gpointer data)
+look (QnForm *data, const QnModel *model)
 {
-  Form *form = data;
-  QnBeamSet set = qn_selection_get_parts (form->base.canvas->selection).beams;
-  if (set.count != 1)
+  Form *form = (Form *) data;
+  if (form->base.parts.beams.count != 1)
     return FALSE;
-  form->beam = set.ids[0];
-  form->node =
-    qn_canvas_get_model (form->base.canvas)->beams[form->beam].nodes[form->end];
+  form->beam = form->base.parts.beams.ids[0];
+  form->node = model->beams[form->beam].nodes[form->end];
   return TRUE;
 }
 
@@ -65,10 +63,9 @@ dup_facts (const QnModel *model, const QnNode *node, guint beams)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  const Form *form = data;
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  const Form *form = (const Form *) data;
   const QnNode *node = &model->nodes[form->node];
   guint beams = qn_model_node_beams (model, form->node);
   switch (field) {
@@ -100,10 +97,9 @@ show (gpointer data, guint field, QnValue *value)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  const Form *form = data;
-  QnModel *model = &draft->model;
+  const Form *form = (const Form *) data;
   const QnNode *node = &model->nodes[form->node];
   QnVec2 at = node->at;
   bool support[QN_DOF_COUNT];
@@ -128,7 +124,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 }
 
 static void
-init_second (gpointer form)
+init_second (QnForm *form)
 {
   ((Form *) form)->end = 1;
 }

@@ -1,5 +1,5 @@
 /* The selected beams: what they are, what they carry, and their section forces after a run. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "doc/text/beam-summary.h"
@@ -24,10 +24,9 @@
 QN_FORM_FIELDS;
 
 static gboolean
-look (gpointer form)
+look (QnForm *form, const QnModel *model)
 {
-  return qn_selection_get_parts (((QnBoundForm *) form)->canvas->selection).beams.count
-         > 0;
+  return form->parts.beams.count > 0;
 }
 
 static char *
@@ -48,7 +47,7 @@ dup_facts (const QnModel *model, QnBeamSet set)
 
 /* Of a single beam at the step that is shown; NULL without a run of this model. */
 static char *
-dup_forces (const QnBoundForm *form, QnBeamSet set)
+dup_forces (const QnForm *form, QnBeamSet set)
 {
   const QnRun *run = form->canvas->document->run;
   if (set.count != 1 || run == NULL || run->result.step_count == 0
@@ -61,11 +60,9 @@ dup_forces (const QnBoundForm *form, QnBeamSet set)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
-  const QnBoundForm *form = data;
-  const QnModel *model = qn_canvas_get_model (form->canvas);
-  QnBeamSet set = qn_selection_get_parts (form->canvas->selection).beams;
+  QnBeamSet set = form->parts.beams;
   const QnBeam *beam = &model->beams[set.ids[0]];
   QnVec2 load;
   switch (field) {
@@ -108,11 +105,9 @@ show (gpointer data, guint field, QnValue *value)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  QnModel *model = &draft->model;
-  QnBeamSet set =
-    qn_selection_get_parts (((QnBoundForm *) data)->canvas->selection).beams;
+  QnBeamSet set = data->parts.beams;
   gboolean live = field >= LOAD + 2;
   guint x = live ? LOAD + 2 : LOAD;
   switch (field) {
@@ -126,13 +121,12 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return qn_edit_set_beams (model, set, (QnBeamField) (field - SECTION), value->number,
                               error);
   default:
-    return qn_edit_set_line_load (model, set, live,
-                                  qn_vec2 (qn_bound_form_get_number (data, x),
-                                           qn_bound_form_get_number (data, x + 1)),
-                                  error);
+    return qn_edit_set_line_load (
+      model, set, live,
+      qn_vec2 (qn_form_get_number (data, x), qn_form_get_number (data, x + 1)), error);
   }
 }
 
 const QnFormKind qn_beam_form =
-  QN_FORM_KIND ("beam-form", QnBoundForm, .look = look,
+  QN_FORM_KIND ("beam-form", QnForm, .look = look,
                 .follows = QN_FOLLOW_SELECTION | QN_FOLLOW_RUNS | QN_FOLLOW_VIEW);

@@ -1,5 +1,5 @@
 /* The selected blocks: what they are made of, and how they are held. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "io/project/typical-joint.h"
@@ -23,10 +23,9 @@
 QN_FORM_FIELDS;
 
 static gboolean
-look (gpointer data)
+look (QnForm *form, const QnModel *model)
 {
-  const QnBoundForm *form = data;
-  return qn_selection_get_parts (form->canvas->selection).blocks.count > 0;
+  return form->parts.blocks.count > 0;
 }
 
 /* Whether not all have what the first one has. */
@@ -65,11 +64,9 @@ show_stones (QnValue *value, int stone)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
-  const QnBoundForm *form = data;
-  const QnModel *model = qn_canvas_get_model (form->canvas);
-  QnBlockSet set = qn_selection_get_parts (form->canvas->selection).blocks;
+  QnBlockSet set = form->parts.blocks;
   const QnBlock *block = &model->blocks[set.ids[0]];
   /* What masonry is made of is told by its own form. */
   gboolean masonry = TRUE;
@@ -122,11 +119,9 @@ show (gpointer data, guint field, QnValue *value)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  QnModel *model = &draft->model;
-  QnBlockSet set =
-    qn_selection_get_parts (((const QnBoundForm *) data)->canvas->selection).blocks;
+  QnBlockSet set = data->parts.blocks;
   switch (field) {
   case NAME:
     return qn_edit_rename_block (model, set.ids[0], value->text, error);
@@ -150,4 +145,4 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 }
 
 const QnFormKind qn_block_form =
-  QN_FORM_KIND ("block-form", QnBoundForm, .look = look, .follows = QN_FOLLOW_SELECTION);
+  QN_FORM_KIND ("block-form", QnForm, .look = look, .follows = QN_FOLLOW_SELECTION);

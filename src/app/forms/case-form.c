@@ -1,5 +1,5 @@
 /* Load cases, their factors, and by which code they are combined. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "doc/edit/edit-stage.h"
 #include "doc/text/units.h"
@@ -65,17 +65,16 @@ take_name (const QnValue *value, char **names, char *target)
 }
 
 static gpointer
-subject (gpointer form, QnModel *model, guint field)
+subject (QnForm *form, QnModel *model, guint field)
 {
   return field >= CODE ? (gpointer) &model->combinations
-                       : (gpointer) qn_bound_form_item (form, model);
+                       : (gpointer) qn_form_item (form, model);
 }
 
 static gboolean
-show (gpointer form, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
-  const QnModel *model = qn_canvas_get_model (((QnBoundForm *) form)->canvas);
-  const QnLoadCase *shown = qn_bound_form_item (form, model);
+  const QnLoadCase *shown = qn_form_item (form, model);
   if (field == ACTION && shown != NULL)
     set_names (value, _ ("the same in all"), qn_combinations_dup_actions (),
                shown->action);
@@ -89,10 +88,8 @@ show (gpointer form, guint field, QnValue *value)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *form, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  QnBoundForm *form = data;
-  QnModel *model = &draft->model;
   switch (field) {
   case NAME:
     return qn_edit_rename_load_list (model, TRUE, form->selected + 1, value->text, error);
@@ -117,4 +114,4 @@ static const QnFormList list =
   QN_FORM_LIST (CASES, EMPTY, load_cases, load_case_count, dup_row, QN_PICK_NOTHING);
 
 const QnFormKind qn_case_form =
-  QN_FORM_KIND ("case-form", QnBoundForm, .list = &list, .subject = subject);
+  QN_FORM_KIND ("case-form", QnForm, .list = &list, .subject = subject);

@@ -1,5 +1,5 @@
 /* The analysis in time: its settings, where selected blocks start, the list of ground motions. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/plot-view.h"
@@ -14,7 +14,7 @@
 #define TEXT_SHARE 0.825
 
 typedef struct Form {
-  QnBoundForm base;
+  QnForm base;
   QnGroundPreviewKind preview;
   QnGroundPreview sampled; /* what the plot shows */
   char *fault;             /* why its record cannot be read, or NULL */
@@ -99,10 +99,9 @@ sample (Form *form)
 }
 
 static gboolean
-look (gpointer data)
+look (QnForm *data, const QnModel *model)
 {
-  Form *form = data;
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  Form *form = (Form *) data;
   if (model->analysis.procedure != QN_PROCEDURE_DYNAMIC || model->stage_count > 0)
     return FALSE;
   /* The first one is selected where there was none. */
@@ -113,10 +112,10 @@ look (gpointer data)
 
 /* The settings, or the selected ground motion. */
 static gpointer
-subject (gpointer form, QnModel *model, guint field)
+subject (QnForm *form, QnModel *model, guint field)
 {
   return field < MOTIONS ? (gpointer) &model->analysis.dynamic
-                         : qn_bound_form_item (form, model);
+                         : qn_form_item (form, model);
 }
 
 static char *
@@ -139,7 +138,7 @@ initial_number (QnInitialMotion *motion, guint field)
 static gboolean
 show_initial (const Form *form, const QnModel *model, guint field, QnValue *value)
 {
-  QnBlockSet set = qn_selection_get_parts (form->base.canvas->selection).blocks;
+  QnBlockSet set = form->base.parts.blocks;
   if (set.count == 0)
     return FALSE;
   QnInitialMotion motion = qn_initial_motion_of (model, set.ids[0]);
@@ -158,9 +157,8 @@ static gboolean
 take_initial (const Form *form, QnModel *model, guint field, double number,
               GError **error)
 {
-  QnBlockSet set = qn_selection_get_parts (form->base.canvas->selection).blocks;
-  for (guint i = 0; i < set.count; i++) {
-    QnInitialMotion motion = qn_initial_motion_of (model, set.ids[i]);
+  for (guint i = 0; i < form->base.parts.blocks.count; i++) {
+    QnInitialMotion motion = qn_initial_motion_of (model, form->base.parts.blocks.ids[i]);
     *initial_number (&motion, field) = number;
     if (!qn_edit_set_initial (model, &motion, error))
       return FALSE;
@@ -206,11 +204,10 @@ take_ratio (const Form *form, QnDynamicSettings *settings, double ratio)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  const Form *form = data;
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
-  const QnGroundMotion *motion = qn_bound_form_item (form, model);
+  const Form *form = (const Form *) data;
+  const QnGroundMotion *motion = qn_form_item (form, model);
   gboolean pulse = motion != NULL && motion->kind == QN_SIGNAL_PULSE;
   if (field >= INITIAL_TITLE && field < MOTIONS)
     return show_initial (form, model, field, value);
@@ -267,7 +264,7 @@ import_path (gpointer data, const char *path, GError **error)
                               qn_edit_add_record (draft.model, path, &draft.error)))
     return TRUE; /* the canvas has told why not */
   form->base.selected = (int) qn_canvas_get_model (form->base.canvas)->ground_count - 1;
-  qn_bound_form_show (form);
+  qn_form_show (form);
   return TRUE;
 }
 
@@ -280,25 +277,24 @@ tell (gpointer form, const char *message)
 /* ---- changes ---- */
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  Form *form = data;
+  Form *form = (Form *) data;
   if (field >= INITIAL && field < MOTIONS)
-    return take_initial (form, &draft->model, field, value->number, error);
+    return take_initial (form, model, field, value->number, error);
   switch (field) {
   case OF:
-    if (draft->model.analysis.dynamic.of == QN_DAMPING_IMPACT
-        && draft->model.beam_count == 0)
-      draft->model.analysis.dynamic.joint_damping = 0;
+    if (model->analysis.dynamic.of == QN_DAMPING_IMPACT && model->beam_count == 0)
+      model->analysis.dynamic.joint_damping = 0;
     return TRUE;
   case RATIO:
-    return take_ratio (form, &draft->model.analysis.dynamic, value->number);
+    return take_ratio (form, &model->analysis.dynamic, value->number);
   case PREVIEW:
     form->preview = (QnGroundPreviewKind) value->number;
     return TRUE;
   case ADD:
-    form->base.wanted = (int) draft->model.ground_count;
-    return qn_edit_add_pulse (&draft->model, error);
+    form->base.wanted = (int) model->ground_count;
+    return qn_edit_add_pulse (model, error);
   case IMPORT:
     qn_chooser_ask (form->base.root,
                     &(QnFileQuestion){ .title = _ ("Import Ground Motion"),
@@ -308,8 +304,7 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
                     form);
     return TRUE;
   case REMOVE:
-    return qn_edit_remove_ground_motion (&draft->model, (gsize) form->base.selected,
-                                         error);
+    return qn_edit_remove_ground_motion (model, (gsize) form->base.selected, error);
   default:
     return TRUE;
   }
@@ -339,10 +334,10 @@ on_destroy (GtkWidget *root, Form *form)
 
 /* As it is before anything is shown. */
 static void
-init (gpointer data)
+init (QnForm *data)
 {
   static const QnPlotHand hand = { .text_share = TEXT_SHARE, .make = make_plot };
-  Form *form = data;
+  Form *form = (Form *) data;
   qn_plot_view_init (form->base.widgets[PLOT], &hand, form);
   qn_accept_files (form->base.root,
                    &(QnFileQuestion){ .use = import_path, .failed = tell }, form);

@@ -1,5 +1,5 @@
 /* The selected contact faces: their blocks, law and pairs. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit.h"
@@ -24,19 +24,19 @@ enum { ROW_AS_ALL };
 QN_FORM_FIELDS;
 
 static const QnId *
-selected (const QnBoundForm *form, guint *count)
+selected (const QnForm *form, guint *count)
 {
   return qn_selection_get (form->canvas->selection, QN_PICK_FACE, count);
 }
 
 static const QnContacts *
-contacts_of (const QnBoundForm *form)
+contacts_of (const QnForm *form)
 {
   return &form->canvas->document->contacts;
 }
 
 static gboolean
-look (gpointer form)
+look (QnForm *form, const QnModel *model)
 {
   guint count = 0;
   const QnId *ids = selected (form, &count);
@@ -49,9 +49,8 @@ look (gpointer form)
 /* ---- what is shown ---- */
 
 static char *
-dup_facts (const QnBoundForm *form, const QnId *ids, guint count)
+dup_facts (const QnForm *form, const QnModel *model, const QnId *ids, guint count)
 {
-  const QnModel *model = qn_canvas_get_model (form->canvas);
   const QnContactFace *faces = contacts_of (form)->faces, *face = &faces[ids[0]];
   double length = 0.0;
   int pairs = 0;
@@ -76,10 +75,8 @@ dup_facts (const QnBoundForm *form, const QnId *ids, guint count)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
-  const QnBoundForm *form = data;
-  const QnModel *model = qn_canvas_get_model (form->canvas);
   guint count = 0;
   const QnId *ids = selected (form, &count);
   const QnFaceOverride *override =
@@ -94,7 +91,7 @@ show (gpointer data, guint field, QnValue *value)
                       ngettext ("%u Contact Face", "%u Contact Faces", count), count);
     return TRUE;
   case FACTS:
-    value->text = dup_facts (form, ids, count);
+    value->text = dup_facts (form, model, ids, count);
     return TRUE;
   case LAW:
     qn_value_set_laws (value, model, _ ("As its blocks"),
@@ -118,12 +115,12 @@ show (gpointer data, guint field, QnValue *value)
 /* ---- changes ---- */
 
 static gboolean
-take_rule (const QnBoundForm *form, guint field, QnPairRule *rule, GError **error)
+take_rule (const QnForm *form, guint field, QnPairRule *rule, GError **error)
 {
-  g_autofree char *positions = qn_bound_form_dup_text ((gpointer) form, POSITIONS);
-  QnValue count = { .number = qn_bound_form_get_number ((gpointer) form, COUNT) };
+  g_autofree char *positions = qn_form_dup_text ((gpointer) form, POSITIONS);
+  QnValue count = { .number = qn_form_get_number ((gpointer) form, COUNT) };
   if (rule->placement <= QN_PLACEMENT_LOBATTO)
-    rule->offset = qn_bound_form_get_number ((gpointer) form, OFFSET);
+    rule->offset = qn_form_get_number ((gpointer) form, OFFSET);
   if (rule->placement != QN_PLACEMENT_LOBATTO || field == COUNT)
     rule->count = MAX (qn_value_int (&count), 1);
   return rule->placement != QN_PLACEMENT_EXPLICIT
@@ -131,14 +128,13 @@ take_rule (const QnBoundForm *form, guint field, QnPairRule *rule, GError **erro
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  QnModel *model = &draft->model;
   guint count = 0;
   const QnId *ids = selected (data, &count);
   const QnFaceSet set = { contacts_of (data), ids, count };
   const QnId law = field == LAW ? qn_value_get_law (value) : QN_NONE;
-  int row = (int) qn_bound_form_get_number (data, PLACEMENT);
+  int row = (int) qn_form_get_number (data, PLACEMENT);
   if ((field == LAW || field == RESET)
       && !qn_edit_set_faces (model, set, &law, NULL, error))
     return FALSE;
@@ -152,4 +148,4 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 }
 
 const QnFormKind qn_face_form =
-  QN_FORM_KIND ("face-form", QnBoundForm, .look = look, .follows = QN_FOLLOW_SELECTION);
+  QN_FORM_KIND ("face-form", QnForm, .look = look, .follows = QN_FOLLOW_SELECTION);

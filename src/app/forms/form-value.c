@@ -1,4 +1,4 @@
-#include "app/forms/form-value.h"
+#include "app/forms/form.h"
 
 #include "core/base/integer.h"
 #include "doc/view/pair-text.h"

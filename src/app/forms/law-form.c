@@ -1,5 +1,5 @@
 /* The laws: kind, basis, the numbers that the kind has, and how the law answers. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/plot-view.h"
 #include "app/widgets/settings.h"
@@ -36,7 +36,7 @@ static const char *const keys[] = { "elasticity",
 #define TYPICAL_LENGTH 0.1
 
 typedef struct Form {
-  QnBoundForm base;
+  QnForm base;
   QnId shown; /* law that the fields are about */
   QnId by; /* what stands in its place once it is removed; QN_NONE: that of all others */
   QnLawPreset
@@ -95,10 +95,9 @@ number_of (QnLaw *law, guint row)
 }
 
 static gboolean
-look (gpointer data)
+look (QnForm *data, const QnModel *model)
 {
-  Form *form = data;
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  Form *form = (Form *) data;
   if (form->shown < 0 || (gsize) form->shown >= model->law_count)
     form->shown = 0;
   if (form->by >= (QnId) model->law_count || form->by == form->shown)
@@ -107,7 +106,7 @@ look (gpointer data)
 }
 
 static gpointer
-subject (gpointer form, QnModel *model, guint field)
+subject (QnForm *form, QnModel *model, guint field)
 {
   return &model->laws[((const Form *) form)->shown];
 }
@@ -150,10 +149,9 @@ make_plot (gpointer data, gboolean zoomed, char **message)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  const Form *form = data;
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  const Form *form = (const Form *) data;
   const QnContacts *contacts = &form->base.canvas->document->contacts;
   QnSelection *selection = form->base.canvas->selection;
   QnLaw law = model->laws[form->shown];
@@ -188,7 +186,7 @@ show (gpointer data, guint field, QnValue *value)
     value->text = qn_points_dup_text (law.points, law.point_count);
     return law.kind == QN_LAW_CURVE;
   case VIEW:
-    trace (data, &law);
+    trace ((Form *) data, &law);
     return TRUE;
   case JOINT:
     add_joints (value, _ ("Choose…"));
@@ -279,11 +277,10 @@ select_uses (const Form *form)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  Form *form = data;
-  QnModel *model = draft != NULL ? &draft->model : NULL;
-  QnLaw *law = model != NULL ? &model->laws[form->shown] : NULL;
+  Form *form = (Form *) data;
+  QnLaw *law = &model->laws[form->shown];
   QnVec2 points[QN_MAX_CURVE_POINTS];
   int32_t count;
   switch (field) {
@@ -346,23 +343,22 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 }
 
 static void
-clear (gpointer form)
+clear (QnForm *form)
 {
   g_array_unref (((Form *) form)->samples);
 }
 
 /* As it is before anything is shown. */
 static void
-init (gpointer data)
+init (QnForm *data)
 {
   static const QnPlotHand hand = { .make = make_plot };
-  Form *form = data;
+  Form *form = (Form *) data;
   form->by = QN_NONE;
   form->samples = g_array_new (FALSE, FALSE, sizeof (QnLawSample));
-  form->base.clear = clear;
   qn_plot_view_init (form->base.widgets[VIEW], &hand, form);
 }
 
 const QnFormKind qn_law_form = QN_FORM_KIND (
   "law-form", Form, .subject = subject, .look = look, .follows = QN_FOLLOW_SELECTION,
-  .row_info = row_info, .row_count = G_N_ELEMENTS (keys), .init = init);
+  .row_info = row_info, .row_count = G_N_ELEMENTS (keys), .init = init, .clear = clear);

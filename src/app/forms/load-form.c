@@ -1,6 +1,6 @@
 /* Loads one by one: those that are constant, those that grow, and those of further sets; settlements in a
  * form of their own. The selected one is that of the drawing: its number is that in the model. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/tools/tools.h"
 #include "app/widgets/settings.h"
@@ -17,7 +17,7 @@
 #define DEAD_LOADS (-1)
 
 typedef struct Form {
-  QnBoundForm base;
+  QnForm base;
   int32_t shown;    /* list */
   gboolean settles; /* about settlements, not about the other loads */
 } Form;
@@ -140,10 +140,9 @@ load_of (const Form *form, int row)
 
 /* A load that is selected in the drawing is shown in its list. */
 static gboolean
-look (gpointer data)
+look (QnForm *data, const QnModel *model)
 {
-  Form *form = data;
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  Form *form = (Form *) data;
   if (form->shown > (int32_t) model->load_set_count)
     form->shown = 0;
   if (form->base.wanted >= 0
@@ -161,7 +160,7 @@ look (gpointer data)
     form->shown = live ? loads[id].set : DEAD_LOADS;
     form->base.selected = id;
     if (id != before)
-      qn_bound_form_reveal (form);
+      qn_form_reveal (form);
   }
   return TRUE;
 }
@@ -208,9 +207,9 @@ add_loads (const Form *form, QnValue *value, const QnModel *model)
 }
 
 static gpointer
-subject (gpointer data, QnModel *model, guint field)
+subject (QnForm *data, QnModel *model, guint field)
 {
-  const Form *form = data;
+  const Form *form = (const Form *) data;
   return form->base.selected >= 0
            ? &qn_model_loads (model, form->shown != DEAD_LOADS, NULL)[form->base.selected]
            : NULL;
@@ -251,9 +250,8 @@ has_number (const QnLoad *load, guint field)
 }
 
 static gboolean
-show_load (const Form *form, guint field, QnValue *value)
+show_load (const Form *form, const QnModel *model, guint field, QnValue *value)
 {
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
   const QnLoad *load = selected_load (form);
   GtkWidget *widget = form->base.widgets[field];
   if (load == NULL)
@@ -301,10 +299,9 @@ show_load (const Form *form, guint field, QnValue *value)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  const Form *form = data;
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  const Form *form = (const Form *) data;
   switch (field) {
   case LIST:
     qn_value_add_row (value, _ ("Constant"));
@@ -351,7 +348,7 @@ show (gpointer data, guint field, QnValue *value)
   case ADD_SETTLEMENT:
     return form->settles;
   default:
-    return field >= ADD_WEIGHT || show_load (form, field, value);
+    return field >= ADD_WEIGHT || show_load (form, model, field, value);
   }
 }
 
@@ -361,7 +358,7 @@ show (gpointer data, guint field, QnValue *value)
 static QnBlockSet
 loaded_blocks (const Form *form)
 {
-  QnBlockSet set = qn_selection_get_parts (form->base.canvas->selection).blocks;
+  QnBlockSet set = form->base.parts.blocks;
   const QnLoad *load = selected_load (form);
   if (set.count == 0 && load != NULL && load->block != QN_NONE)
     set = (QnBlockSet){ &load->block, 1 };
@@ -373,13 +370,12 @@ static gboolean
 make_force (const Form *form, const QnModel *model, QnLoad *load, GError **error)
 {
   QnBlockSet set = loaded_blocks (form);
-  QnBeamSet beams = qn_selection_get_parts (form->base.canvas->selection).beams;
   load->vector.y = -form->base.canvas->settings->force;
   load->kind = set.count > 0 ? QN_LOAD_FORCE : QN_LOAD_NODE;
   if (set.count > 0)
     load->block = set.ids[0];
-  else if (beams.count > 0)
-    load->node = model->beams[beams.ids[0]].nodes[1];
+  else if (form->base.parts.beams.count > 0)
+    load->node = model->beams[form->base.parts.beams.ids[0]].nodes[1];
   else
     return qn_edit_refuse (error,
                            _ ("Select the block or the beam that the force acts on"));
@@ -390,11 +386,10 @@ make_force (const Form *form, const QnModel *model, QnLoad *load, GError **error
 static gboolean
 make_line (const Form *form, QnLoad *load, GError **error)
 {
-  QnBeamSet beams = qn_selection_get_parts (form->base.canvas->selection).beams;
-  if (beams.count == 0)
+  if (form->base.parts.beams.count == 0)
     return qn_edit_refuse (error, _ ("Select the beam that the load lies on"));
   load->kind = QN_LOAD_LINE;
-  load->beam = beams.ids[0];
+  load->beam = form->base.parts.beams.ids[0];
   load->vector.y = -USUAL_LINE_LOAD;
   return TRUE;
 }
@@ -479,12 +474,11 @@ add (Form *form, QnModel *model, guint field, GError **error)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  Form *form = data;
-  QnModel *model = draft != NULL ? &draft->model : NULL;
+  Form *form = (Form *) data;
   const int selected = form->base.selected;
-  QnLoad *load = model != NULL ? subject (form, model, field) : NULL;
+  QnLoad *load = subject (data, model, field);
   switch (field) {
   case LIST:
     show_list (form, (int32_t) value->number + DEAD_LOADS);
@@ -546,18 +540,15 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 
 /* As it is before anything is shown. */
 static void
-init (gpointer data)
+init (QnForm *data)
 {
-  Form *form = data;
-  form->shown = DEAD_LOADS;
+  ((Form *) data)->shown = DEAD_LOADS;
 }
 
 static void
-init_settlements (gpointer data)
+init_settlements (QnForm *data)
 {
-  init (data);
   ((Form *) data)->settles = TRUE;
-  ((Form *) data)->shown = 0;
 }
 
 const QnFormKind qn_load_form =

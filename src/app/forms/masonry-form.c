@@ -1,12 +1,12 @@
 /* The parameters of the masonry that the selected blocks belong to. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-masonry.h"
 #include <glib/gi18n.h>
 
 typedef struct Form {
-  QnBoundForm base;
+  QnForm base;
   QnId object; /* that the form is about */
 } Form;
 
@@ -27,12 +27,12 @@ QN_FORM_FIELDS;
 
 /* The object of the selected blocks, or of the selected opening. */
 static gboolean
-look (gpointer data)
+look (QnForm *data, const QnModel *model)
 {
-  Form *form = data;
-  QnBlockSet set = qn_selection_get_parts (form->base.canvas->selection).blocks;
+  Form *form = (Form *) data;
+  QnBlockSet set = form->base.parts.blocks;
   if (set.count > 0)
-    form->object = qn_canvas_get_model (form->base.canvas)->blocks[set.ids[0]].masonry;
+    form->object = model->blocks[set.ids[0]].masonry;
   else
     form->object = form->base.canvas->selection->object;
   return form->object >= 0
@@ -63,9 +63,9 @@ dup_openings (guint count)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  const Form *form = data;
+  const Form *form = (const Form *) data;
   const QnMasonry *masonry =
     &qn_canvas_get_masonry (form->base.canvas)->items[form->object];
   const QnArch *arch = qn_masonry_get_arch (masonry);
@@ -90,12 +90,10 @@ show (gpointer data, guint field, QnValue *value)
     value->number = arch != NULL ? arch->sides : 0;
     return arch != NULL;
   case RING_LAW:
-    qn_value_set_laws (value, qn_canvas_get_model (form->base.canvas),
-                       _ ("As all contacts"), masonry->ring_law);
+    qn_value_set_laws (value, model, _ ("As all contacts"), masonry->ring_law);
     return arch != NULL && arch->rings > 1;
   case LAW:
-    qn_value_set_laws (value, qn_canvas_get_model (form->base.canvas),
-                       _ ("As all contacts"), masonry->law);
+    qn_value_set_laws (value, model, _ ("As all contacts"), masonry->law);
     return TRUE;
   case SPANS:
   case RISES:
@@ -160,13 +158,14 @@ change_masonry (QnMasonry *masonry, gpointer data, GError **error)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  const Form *form = data;
+  const Form *form = (const Form *) data;
   Change change = { field, value };
   if (field == BOND && (QnBond) value->number == QN_BOND_CUSTOM)
     return FALSE;
-  return qn_edit_change_masonry (draft, form->object, change_masonry, &change, error);
+  return qn_edit_change_masonry (data->draft, form->object, change_masonry, &change,
+                                 error);
 }
 
 const QnFormKind qn_masonry_form =

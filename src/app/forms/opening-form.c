@@ -1,11 +1,11 @@
 /* The selected opening of a wall: place, size, and what spans it. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "doc/edit/edit-masonry.h"
 #include <glib/gi18n.h>
 
 typedef struct Form {
-  QnBoundForm base;
+  QnForm base;
   QnId object;
   int number;
 } Form;
@@ -24,9 +24,9 @@ static const QnSpan spans[] = { QN_SPAN_NONE, QN_SPAN_LINTEL, QN_SPAN_FLAT_ARCH,
                                 QN_SPAN_VOUSSOIRS };
 
 static gboolean
-look (gpointer data)
+look (QnForm *data, const QnModel *model)
 {
-  Form *form = data;
+  Form *form = (Form *) data;
   const QnMasonries *list = qn_canvas_get_masonry (form->base.canvas);
   form->object = form->base.canvas->selection->object;
   form->number = form->base.canvas->selection->opening;
@@ -43,9 +43,9 @@ row_info (guint row)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  const Form *form = data;
+  const Form *form = (const Form *) data;
   const QnMasonry *wall = &qn_canvas_get_masonry (form->base.canvas)->items[form->object];
   const QnOpening *opening = &wall->wall.openings[form->number];
   const guint number = QN_MASONRY_FIELDS + field - FIELD_COUNT;
@@ -100,17 +100,18 @@ change_opening (QnMasonry *masonry, gpointer data, GError **error)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  const Form *form = data;
+  const Form *form = (const Form *) data;
   Change change = {
     .field = field,
     .number = value->number,
     .opening = form->number,
-    .head = (QnHead) qn_bound_form_get_number (data, HEAD),
-    .span = spans[(guint) qn_bound_form_get_number (data, SPAN)],
+    .head = (QnHead) qn_form_get_number (data, HEAD),
+    .span = spans[(guint) qn_form_get_number (data, SPAN)],
   };
-  return qn_edit_change_masonry (draft, form->object, change_opening, &change, error);
+  return qn_edit_change_masonry (data->draft, form->object, change_opening, &change,
+                                 error);
 }
 
 const QnFormKind qn_opening_form =

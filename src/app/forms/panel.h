@@ -1,7 +1,7 @@
 /* The side panels of a window; each looks at the view state and the canvas of its window. */
 #pragma once
 
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 
 /* The tool's settings and what is selected: blocks, their wall, a contact face. */
 GtkWidget *qn_properties_panel_new (QnCanvas *canvas);

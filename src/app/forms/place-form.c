@@ -1,5 +1,5 @@
 /* Where the selection is, how large and how turned, by numbers; its centroid, area and weight. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "doc/edit/edit-place.h"
@@ -18,10 +18,9 @@ static const QnFormField fields[] = {
 };
 
 static gboolean
-look (gpointer form)
+look (QnForm *form, const QnModel *model)
 {
-  QnPartSet set = qn_selection_get_parts (((QnBoundForm *) form)->canvas->selection);
-  return set.blocks.count + set.beams.count > 0;
+  return form->parts.blocks.count + form->parts.beams.count > 0;
 }
 
 static char *
@@ -40,11 +39,9 @@ dup_facts (const QnExtent *extent)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
-  const QnBoundForm *form = data;
-  const QnModel *model = qn_canvas_get_model (form->canvas);
-  QnPartSet set = qn_selection_get_parts (form->canvas->selection);
+  QnPartSet set = form->parts;
   QnExtent extent;
   if (!qn_extent_find (model, set, &extent))
     return FALSE;
@@ -78,13 +75,11 @@ show (gpointer data, guint field, QnValue *value)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
   QnExtentField what = field == TURN ? QN_EXTENT_ANGLE : (QnExtentField) field;
-  return qn_edit_set_extent (
-    draft, qn_selection_get_parts (((QnBoundForm *) data)->canvas->selection), what,
-    value->number, error);
+  return qn_edit_set_extent (data->draft, data->parts, what, value->number, error);
 }
 
 const QnFormKind qn_place_form =
-  QN_FORM_KIND ("place-form", QnBoundForm, .look = look, .follows = QN_FOLLOW_SELECTION);
+  QN_FORM_KIND ("place-form", QnForm, .look = look, .follows = QN_FOLLOW_SELECTION);

@@ -1,10 +1,10 @@
 /* The section of the selected beams; a change concerns every beam that has it. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include <glib/gi18n.h>
 
 typedef struct Form {
-  QnBoundForm base;
+  QnForm base;
   QnId section; /* that the form is about */
 } Form;
 
@@ -31,18 +31,16 @@ typedef struct Form {
 QN_FORM_FIELDS;
 
 static gboolean
-look (gpointer data)
+look (QnForm *data, const QnModel *model)
 {
-  Form *form = data;
-  QnBeamSet set = qn_selection_get_parts (form->base.canvas->selection).beams;
-  form->section = set.count > 0
-                    ? qn_canvas_get_model (form->base.canvas)->beams[set.ids[0]].section
-                    : QN_NONE;
+  Form *form = (Form *) data;
+  QnBeamSet set = form->base.parts.beams;
+  form->section = set.count > 0 ? model->beams[set.ids[0]].section : QN_NONE;
   return form->section != QN_NONE;
 }
 
 static gpointer
-subject (gpointer form, QnModel *model, guint field)
+subject (QnForm *form, QnModel *model, guint field)
 {
   return &model->sections[((const Form *) form)->section];
 }
@@ -60,10 +58,9 @@ any_is_unused (const QnModel *model)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  const Form *form = data;
-  const QnModel *model = qn_canvas_get_model (form->base.canvas);
+  const Form *form = (const Form *) data;
   const QnSection *section = &model->sections[form->section];
   gboolean rectangle = section->height > 0.0;
   guint users = 0;
@@ -99,10 +96,9 @@ show (gpointer data, guint field, QnValue *value)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  const Form *form = data;
-  QnModel *model = &draft->model;
+  const Form *form = (const Form *) data;
   switch (field) {
   case NAME:
     return qn_edit_take_name (&model->sections[form->section].name, value->text, error);
@@ -110,9 +106,8 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
     return qn_edit_set_section_shape (model, form->section, value->number == 0.0, error);
   case ADD: /* like the one that the beams have */
     return qn_edit_add_section (model, form->section, error)
-           && qn_edit_set_beams (
-             model, qn_selection_get_parts (form->base.canvas->selection).beams,
-             QN_BEAM_SECTION, (double) model->section_count - 1, error);
+           && qn_edit_set_beams (model, form->base.parts.beams, QN_BEAM_SECTION,
+                                 (double) model->section_count - 1, error);
   case UNUSED:
     qn_edit_remove_unused_sections (model);
     return TRUE;

@@ -1,5 +1,5 @@
 /* Stages of loading: their order, and what the selected one drives, how, and how far. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "core/model/cycles.h"
@@ -41,17 +41,15 @@ dup_row (const QnModel *model, gsize index)
 
 /* A cyclic protocol is one item of the list: the first of its stages. */
 static gboolean
-look (gpointer data)
+look (QnForm *form, const QnModel *model)
 {
-  QnBoundForm *form = data;
-  const QnModel *model = qn_canvas_get_model (form->canvas);
   while (form->selected >= 0 && model->stages[form->selected].leg > 1)
     form->selected--;
   return TRUE;
 }
 
 static gboolean
-show_stage (const QnBoundForm *form, const QnModel *model, guint field, QnValue *value)
+show_stage (const QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
   const QnStage *stage = &model->stages[form->selected];
   gboolean controlled = qn_stage_get_end (stage) == QN_STAGE_END_DISPLACEMENT;
@@ -97,10 +95,8 @@ show_stage (const QnBoundForm *form, const QnModel *model, guint field, QnValue 
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
-  const QnBoundForm *form = data;
-  const QnModel *model = qn_canvas_get_model (form->canvas);
   switch (field) {
   case ADD:
     return TRUE;
@@ -127,10 +123,9 @@ show (gpointer data, guint field, QnValue *value)
 
 /* The selected block, or the second end of the selected beam where it stands free. */
 static gboolean
-take_control (const QnBoundForm *form, const QnModel *model, QnStage *stage,
-              GError **error)
+take_control (const QnForm *form, const QnModel *model, QnStage *stage, GError **error)
 {
-  const QnPartSet set = qn_selection_get_parts (form->canvas->selection);
+  const QnPartSet set = form->parts;
   if (set.blocks.count == 0 && set.beams.count == 0)
     return qn_edit_refuse (
       error, _ ("Select the block or the beam whose displacement ends the stage"));
@@ -143,7 +138,7 @@ take_control (const QnBoundForm *form, const QnModel *model, QnStage *stage,
 /* The protocol as it is, or what is entered of it. Where its ends are told otherwise it is one cycle of the
  * end that the stage has now. */
 static gboolean
-change_cycles (const QnBoundForm *form, QnModel *model, guint field, const QnValue *value,
+change_cycles (const QnForm *form, QnModel *model, guint field, const QnValue *value,
                const QnStage *stage, GError **error)
 {
   const gsize first = (gsize) form->selected;
@@ -168,7 +163,7 @@ change_cycles (const QnBoundForm *form, QnModel *model, guint field, const QnVal
 
 /* Where nothing is said yet the load doubles, or the block moves a little. */
 static gboolean
-change (const QnBoundForm *form, QnModel *model, guint field, const QnValue *value,
+change (const QnForm *form, QnModel *model, guint field, const QnValue *value,
         GError **error)
 {
   QnStage stage = model->stages[form->selected];
@@ -193,10 +188,8 @@ change (const QnBoundForm *form, QnModel *model, guint field, const QnValue *val
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *form, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  QnBoundForm *form = data;
-  QnModel *model = &draft->model;
   gsize stage = (gsize) MAX (form->selected, 0);
   switch (field) {
   case ADD:
@@ -219,4 +212,4 @@ static const QnFormList list =
   QN_FORM_LIST (STAGES, EMPTY, stages, stage_count, dup_row, QN_PICK_NOTHING);
 
 const QnFormKind qn_stage_form =
-  QN_FORM_KIND ("stage-form", QnBoundForm, .list = &list, .look = look);
+  QN_FORM_KIND ("stage-form", QnForm, .list = &list, .look = look);

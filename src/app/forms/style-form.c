@@ -1,5 +1,5 @@
 /* What the current tool draws with; only what concerns it is shown. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/tools/tools.h"
 #include <glib/gi18n.h>
@@ -92,24 +92,21 @@ fields_of (const QnTool *tool)
 }
 
 static gboolean
-look (gpointer data)
+look (QnForm *form, const QnModel *model)
 {
-  const QnBoundForm *form = data;
   return fields_of (form->canvas->tool) != 0;
 }
 
 static gpointer
-subject (gpointer form, QnModel *model, guint field)
+subject (QnForm *form, QnModel *model, guint field)
 {
-  return ((QnBoundForm *) form)->canvas->settings;
+  return form->canvas->settings;
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
-  const QnBoundForm *form = data;
   const QnTool *tool = form->canvas->tool;
-  const QnModel *model = qn_canvas_get_model (form->canvas);
   QnToolSettings *settings = form->canvas->settings;
   const QnMasonryStyle *style = &settings->masonry;
   switch (field) {
@@ -162,10 +159,8 @@ take_name (char **kept, const char *name)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *form, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  const QnBoundForm *form = data;
-  const QnModel *model = qn_canvas_get_model (form->canvas);
   QnToolSettings *settings = form->canvas->settings;
   QnMasonryStyle *style = &settings->masonry;
   guint row = (guint) MAX (value->number, 0.0);
@@ -198,4 +193,4 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 }
 
 const QnFormKind qn_style_form = QN_FORM_KIND (
-  "style-form", QnBoundForm, .look = look, .subject = subject, .follows = QN_FOLLOW_TOOL);
+  "style-form", QnForm, .look = look, .subject = subject, .follows = QN_FOLLOW_TOOL);

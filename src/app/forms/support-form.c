@@ -1,5 +1,5 @@
 /* What is fixed: blocks and nodes of beams. The buttons of the file are actions on what is selected. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include <glib/gi18n.h>
 
@@ -25,11 +25,8 @@ dup_row (const char *name, const bool support[QN_DOF_COUNT])
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
-  const QnBoundForm *form = data;
-  const QnModel *model = qn_canvas_get_model (form->canvas);
-  const QnBlockSet set = qn_selection_get_parts (form->canvas->selection).blocks;
   guint count = 0;
   value->number = -1;
   for (gsize i = 0; i < model->block_count + model->node_count; i++) {
@@ -38,7 +35,7 @@ show (gpointer data, guint field, QnValue *value)
     const bool *support = block ? model->blocks[i].support : node->support;
     if (!qn_support_is_any (support))
       continue;
-    if (block && set.count == 1 && set.ids[0] == (QnId) i)
+    if (block && form->parts.blocks.count == 1 && form->parts.blocks.ids[0] == (QnId) i)
       value->number = count;
     if (count++ < MOST_SHOWN && field == SUPPORTS)
       qn_value_take_row (value,
@@ -54,10 +51,8 @@ show (gpointer data, guint field, QnValue *value)
 
 /* The support that was clicked is selected in the drawing, of a node a beam that ends there. */
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *form, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  const QnBoundForm *form = data;
-  const QnModel *model = qn_canvas_get_model (form->canvas);
   int row = (int) value->number;
   for (QnId i = 0; i < (QnId) model->block_count; i++)
     if (qn_support_is_any (model->blocks[i].support) && row-- == 0)
@@ -71,4 +66,4 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 }
 
 const QnFormKind qn_support_form =
-  QN_FORM_KIND ("support-form", QnBoundForm, .follows = QN_FOLLOW_SELECTION);
+  QN_FORM_KIND ("support-form", QnForm, .follows = QN_FOLLOW_SELECTION);

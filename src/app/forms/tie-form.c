@@ -1,6 +1,6 @@
 /* Ties: a list of them, and what the selected one is made of, how it is tensioned and where it ends. The
  * selected one is that of the drawing. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/settings.h"
 #include "core/model/bar.h"
@@ -79,7 +79,7 @@ show_diameters (QnValue *value, const QnTie *tie)
 
 /* What the tie is, and where a run is shown, what it does at the step. */
 static char *
-dup_facts (const QnBoundForm *form, const QnTie *tie)
+dup_facts (const QnForm *form, const QnTie *tie)
 {
   const QnUnits units = qn_settings_get_units ();
   const QnModel *model;
@@ -103,11 +103,9 @@ dup_facts (const QnBoundForm *form, const QnTie *tie)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
-  const QnBoundForm *form = data;
-  const QnModel *model = qn_canvas_get_model (form->canvas);
-  const QnTie *tie = qn_bound_form_item (form, model);
+  const QnTie *tie = qn_form_item (form, model);
   if (tie == NULL) {
     value->disabled = TRUE;
     return (field == DUPLICATE || field == REMOVE) && model->tie_count > 0;
@@ -146,11 +144,9 @@ show (gpointer data, guint field, QnValue *value)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *form, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  QnBoundForm *form = data;
-  QnModel *model = &draft->model;
-  QnTie *tie = qn_bound_form_item (form, model);
+  QnTie *tie = qn_form_item (form, model);
   const int row = qn_value_int (value);
   switch (field) {
   case NAME:
@@ -195,4 +191,4 @@ static const QnFormList list =
   QN_FORM_LIST (TIES, EMPTY, ties, tie_count, dup_row, QN_PICK_TIE);
 
 const QnFormKind qn_tie_form =
-  QN_FORM_KIND ("tie-form", QnBoundForm, .list = &list, .follows = QN_FOLLOW_SELECTION);
+  QN_FORM_KIND ("tie-form", QnForm, .list = &list, .follows = QN_FOLLOW_SELECTION);

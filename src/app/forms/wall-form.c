@@ -1,11 +1,11 @@
 /* A wall that is listed course by course: its place and unit, and the way to a parametric one. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "doc/edit/edit-masonry.h"
 #include <glib/gi18n.h>
 
 typedef struct Form {
-  QnBoundForm base;
+  QnForm base;
   QnId wall;
 } Form;
 
@@ -21,37 +21,34 @@ typedef struct Form {
 QN_FORM_FIELDS;
 
 static gboolean
-look (gpointer data)
+look (QnForm *data, const QnModel *model)
 {
-  Form *form = data;
-  QnBlockSet set = qn_selection_get_parts (form->base.canvas->selection).blocks;
-  form->wall = set.count > 0
-                 ? qn_canvas_get_model (form->base.canvas)->blocks[set.ids[0]].wall
-                 : QN_NONE;
+  Form *form = (Form *) data;
+  QnBlockSet set = form->base.parts.blocks;
+  form->wall = set.count > 0 ? model->blocks[set.ids[0]].wall : QN_NONE;
   return form->wall != QN_NONE;
 }
 
 static gpointer
-subject (gpointer form, QnModel *model, guint field)
+subject (QnForm *form, QnModel *model, guint field)
 {
   return &model->walls[((const Form *) form)->wall];
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  const Form *form = data;
+  const Form *form = (const Form *) data;
   if (field == TITLE)
-    value->text = g_strdup_printf (
-      _ ("Wall %s"), qn_canvas_get_model (form->base.canvas)->walls[form->wall].name);
+    value->text = g_strdup_printf (_ ("Wall %s"), model->walls[form->wall].name);
   return TRUE;
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  const Form *form = data;
-  return field != CONVERT || qn_edit_convert_wall (draft, form->wall, error);
+  const Form *form = (const Form *) data;
+  return field != CONVERT || qn_edit_convert_wall (data->draft, form->wall, error);
 }
 
 const QnFormKind qn_wall_form = QN_FORM_KIND (

@@ -2,7 +2,7 @@
  * plot, the checks of both codes, pictures and tables of them. */
 #include "app/pages/pages.h"
 
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/help.h"
@@ -29,7 +29,7 @@ enum { TYPE_1, TYPE_2, FROM_FILE, NONE };
 static const char *const units[] = { NULL, "g", "m/s2", "cm/s2" };
 
 typedef struct Form {
-  QnBoundForm base;
+  QnForm base;
   QnDocument *document;
   QnCapacitySettings
     entered; /* numbers, the control block, and in `spectrum` the path of a file */
@@ -161,7 +161,7 @@ say (gpointer data, const char *message)
   Form *form = data;
   g_free (form->message);
   form->message = g_strdup (message);
-  qn_bound_form_show (form);
+  qn_form_show (form);
 }
 
 static void
@@ -175,7 +175,7 @@ on_found (GObject *source, GAsyncResult *result, gpointer data)
     check (form);
   if (!form->base.closed)
     say (form, error != NULL ? error->message : NULL);
-  qn_bound_form_unref (form);
+  qn_form_unref (form);
 }
 
 static void
@@ -323,9 +323,9 @@ fill_table (Form *form)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  const Form *form = data;
+  const Form *form = (const Form *) data;
   gboolean busy = form->cancellable != NULL;
   gboolean code = form->kind == TYPE_1 || form->kind == TYPE_2;
   switch (field) {
@@ -370,7 +370,7 @@ show (gpointer data, guint field, QnValue *value)
     return TRUE;
   case TABLE:
     if (form->found && form->answer.has_spectrum)
-      fill_table (data);
+      fill_table ((Form *) data);
     return form->found && form->answer.has_spectrum;
   case CANCEL:
     qn_actions_enable (form->base.root, "cancel", busy);
@@ -401,9 +401,9 @@ take_selected (Form *form)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  Form *form = data;
+  Form *form = (Form *) data;
   g_clear_pointer (&form->message, g_free);
   switch (field) {
   case MECHANISM:
@@ -506,7 +506,7 @@ on_model_changed (Form *form)
     qn_project_dup_extra (qn_document_get_project (form->document), QN_CAPACITY_MEMBER);
   if (g_strcmp0 (kept, form->stored) != 0)
     load (form); /* undone or done again */
-  qn_bound_form_show (form);
+  qn_form_show (form);
 }
 
 static void
@@ -516,9 +516,9 @@ on_destroy (Form *form)
 }
 
 static void
-clear (gpointer data)
+clear (QnForm *data)
 {
-  Form *form = data;
+  Form *form = (Form *) data;
   clear_curve (form);
   qn_record_clear (&form->points);
   qn_capacity_settings_clear (&form->entered);
@@ -532,12 +532,11 @@ clear (gpointer data)
 GtkWidget *
 qn_capacity_page_new (QnDocument *document)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("capacity-page", Form);
+  static const QnFormKind kind = QN_FORM_KIND ("capacity-page", Form, .clear = clear);
   static const QnPlotHand hand = { .text_share = TEXT_SHARE, .make = make_plot };
   static const GActionEntry entries[] = { { .name = "run", .activate = find },
                                           { .name = "cancel", .activate = cancel } };
-  Form *form = qn_bound_form_new (&kind, NULL);
-  form->base.clear = clear;
+  Form *form = qn_form_new (&kind, NULL);
   form->document = g_object_ref (document);
   qn_actions_insert (form->base.root, "capacity", entries, G_N_ELEMENTS (entries), form);
   g_signal_connect_swapped (form->base.root, "destroy", G_CALLBACK (on_destroy), form);
@@ -547,5 +546,5 @@ qn_capacity_page_new (QnDocument *document)
   qn_watch (form->base.root, document, "changed", G_CALLBACK (on_model_changed), form);
   qn_help_set_page (form->base.root, "earthquakes");
   load (form);
-  return qn_bound_form_show (form);
+  return qn_form_show (form);
 }

@@ -2,7 +2,7 @@
  * over the same axis. What is chosen is kept with the project; the answers are found again. */
 #include "app/pages/pages.h"
 
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/chooser.h"
 #include "app/widgets/help.h"
@@ -24,7 +24,7 @@
 #define NEAR 40.0
 
 typedef struct Page {
-  QnBoundForm base;
+  QnForm base;
   QnDocument *document;
   char *told; /* below the picture */
 
@@ -63,7 +63,7 @@ tell (Page *self, const char *text)
 {
   g_free (self->told);
   self->told = g_strdup (text);
-  qn_bound_form_show (self);
+  qn_form_show (self);
 }
 
 static const QnLoad *
@@ -245,9 +245,9 @@ dup_chosen (char **names, guint32 moved)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  Page *self = data;
+  Page *self = (Page *) data;
   const QnLoad *load = load_of (self);
   const QnEnvelope *e = &self->envelope;
   guint32 moved;
@@ -292,9 +292,9 @@ show (gpointer data, guint field, QnValue *value)
 
 /* What is entered becomes a step, by which all is shown again. */
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  Page *self = data;
+  Page *self = (Page *) data;
   const QnLoad *load = load_of (self);
   QnEnvelopePlace at = self->figure.shown;
   guint32 moved;
@@ -530,9 +530,9 @@ export_file (GSimpleAction *action, GVariant *path, gpointer data)
 /* ---- the page ---- */
 
 static void
-clear (gpointer data)
+clear (QnForm *data)
 {
-  Page *self = data;
+  Page *self = (Page *) data;
   qn_model_clear (&self->moved);
   qn_envelope_settings_clear (&self->settings);
   g_object_unref (self->document);
@@ -569,9 +569,8 @@ connect (Page *self)
 GtkWidget *
 qn_envelope_page_new (QnDocument *document)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("envelope-page", Page);
-  Page *self = qn_bound_form_new (&kind, NULL);
-  self->base.clear = clear;
+  static const QnFormKind kind = QN_FORM_KIND ("envelope-page", Page, .clear = clear);
+  Page *self = qn_form_new (&kind, NULL);
   self->document = g_object_ref (document);
   self->figure = (QnEnvelopeFigure){ &self->envelope, &self->moved, .phase = 1 };
   qn_help_set_page (self->base.root, "bridges");

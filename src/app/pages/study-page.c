@@ -62,7 +62,7 @@ update_actions (QnStudyPage *self)
 void
 qn_study_page_show (QnStudyPage *self)
 {
-  qn_bound_form_show (self);
+  qn_form_show (self);
   update_actions (self);
 }
 
@@ -329,9 +329,9 @@ dup_statistics (QnStudyPage *self)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  QnStudyPage *self = data;
+  QnStudyPage *self = (QnStudyPage *) data;
   GtkWidget *widget = self->base.widgets[field];
   const gboolean surface = self->figure == QN_STUDY_FIGURE_SURFACE;
   int count;
@@ -382,9 +382,9 @@ show (gpointer data, guint field, QnValue *value)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  QnStudyPage *self = data;
+  QnStudyPage *self = (QnStudyPage *) data;
   const QnAnalysisSettings *analysis = &self->document->project.model.analysis;
   const int number = qn_value_int (value);
   int count;
@@ -488,9 +488,9 @@ on_destroy (QnStudyPage *self)
 }
 
 static void
-clear (gpointer data)
+clear (QnForm *data)
 {
-  QnStudyPage *self = data;
+  QnStudyPage *self = (QnStudyPage *) data;
   qn_study_page_forget_results (self);
   g_object_unref (self->document);
   g_object_unref (self->state);
@@ -560,12 +560,11 @@ take_draft (QnDocument *document, const char *path, GError **error)
 GtkWidget *
 qn_study_page_new (QnViewState *state, const char *path, GError **error)
 {
-  static const QnFormKind kind = QN_FORM_KIND ("study-page", QnStudyPage);
+  static const QnFormKind kind = QN_FORM_KIND ("study-page", QnStudyPage, .clear = clear);
   QnDraft *draft = take_draft (state->document, path, error);
   if (draft == NULL)
     return NULL;
-  QnStudyPage *self = qn_bound_form_new (&kind, NULL);
-  self->base.clear = clear;
+  QnStudyPage *self = qn_form_new (&kind, NULL);
   self->document = g_object_ref (state->document);
   self->state = g_object_ref (state);
   self->draft = draft;
@@ -590,7 +589,7 @@ takes_fractions (QnStudyPage *self, const char *path, double base)
 void
 qn_study_page_vary (GtkWidget *page, const char *path, double base)
 {
-  QnStudyPage *self = g_object_get_data (G_OBJECT (page), QN_BOUND_FORM);
+  QnStudyPage *self = g_object_get_data (G_OBJECT (page), QN_FORM);
   g_autofree char *words = qn_path_dup_text (&self->document->project.model, path);
   gboolean added =
     qn_draft_vary (self->draft, path, base, !takes_fractions (self, path, base));
@@ -603,6 +602,6 @@ qn_study_page_vary (GtkWidget *page, const char *path, double base)
 const char *
 qn_study_page_get_path (GtkWidget *page)
 {
-  QnStudyPage *self = g_object_get_data (G_OBJECT (page), QN_BOUND_FORM);
+  QnStudyPage *self = g_object_get_data (G_OBJECT (page), QN_FORM);
   return qn_draft_get_path (self->draft);
 }

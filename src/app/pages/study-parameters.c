@@ -9,7 +9,7 @@
 #include <string.h>
 
 typedef struct Row {
-  QnBoundForm base;
+  QnForm base;
   QnStudyPage *page;
   guint index; /* of the parameter */
 } Row;
@@ -82,9 +82,9 @@ make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer row)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  const Row *row = data;
+  const Row *row = (const Row *) data;
   QnStudyPage *page = row->page;
   const QnDraftParameter parameter = qn_draft_parameter (page->draft, row->index);
   const gboolean limits =
@@ -129,10 +129,9 @@ show (gpointer data, guint field, QnValue *value)
 }
 
 static gboolean
-take (gpointer data, QnProject *project, guint field, const QnValue *value,
-      GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  Row *row = data;
+  Row *row = (Row *) data;
   QnStudyPage *page = row->page;
   QnDraft *draft = page->draft;
   if (field == NAME)
@@ -143,10 +142,9 @@ take (gpointer data, QnProject *project, guint field, const QnValue *value,
     qn_draft_remove (draft, row->index);
   else
     qn_draft_set_values (
-      draft, row->index, (QnDraftKind) (int) qn_bound_form_get_number (row, KIND),
-      qn_bound_form_get_number (row, FIRST), qn_bound_form_get_number (row, SECOND),
-      (int) qn_to_integer (qn_bound_form_get_number (row, LEVELS), 0,
-                           QN_STUDY_MAX_VALUES));
+      draft, row->index, (QnDraftKind) (int) qn_form_get_number (row, KIND),
+      qn_form_get_number (row, FIRST), qn_form_get_number (row, SECOND),
+      (int) qn_to_integer (qn_form_get_number (row, LEVELS), 0, QN_STUDY_MAX_VALUES));
   qn_study_page_show (page); /* with the removed one this form may go */
   return TRUE;
 }
@@ -161,7 +159,7 @@ qn_study_page_show_parameters (QnStudyPage *self, GtkListBox *list)
     gtk_list_box_remove (list, last->base.root);
   }
   while (self->rows->len < count) {
-    Row *row = qn_bound_form_new (&kind, NULL);
+    Row *row = qn_form_new (&kind, NULL);
     row->page = self;
     row->index = self->rows->len;
     qn_context_menu_attach (row->base.root, make_menu, row);
@@ -169,5 +167,5 @@ qn_study_page_show_parameters (QnStudyPage *self, GtkListBox *list)
     g_ptr_array_add (self->rows, row);
   }
   for (guint i = 0; i < count; i++)
-    qn_bound_form_show (self->rows->pdata[i]);
+    qn_form_show (self->rows->pdata[i]);
 }

@@ -1,14 +1,14 @@
 /* The inside of the page of studies, shared by the files that make it up. */
 #pragma once
 
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/pages/pages.h"
 #include "study/cases/run.h"
 #include "study/plan/draft.h"
 #include "study/report/figures.h"
 
 typedef struct QnStudyPage {
-  QnBoundForm base;
+  QnForm base;
   QnDocument *document;
   QnViewState *state;
   const char *exported; /* what a file is asked for */

@@ -1,4 +1,4 @@
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "doc/edit/edit-dynamic.h"
 #include "doc/view/pair-text.h"
@@ -117,7 +117,7 @@ procedure_row (const QnAnalysisSettings *analysis)
 }
 
 static gpointer
-subject (gpointer form, QnModel *model, guint field)
+subject (QnForm *form, QnModel *model, guint field)
 {
   return model;
 }
@@ -214,10 +214,8 @@ dup_explanation (const QnAnalysisSettings *a)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
-  const QnBoundForm *form = data;
-  const QnModel *model = qn_canvas_get_model (form->canvas);
   QnAnalysisSettings a = model->analysis;
   gboolean timed = a.procedure == QN_PROCEDURE_DYNAMIC, staged = model->stage_count > 0;
   gboolean path = a.procedure != QN_PROCEDURE_LIMIT && !timed;
@@ -326,13 +324,13 @@ take_contact (gpointer form, QnModel *model, guint field, const QnValue *value,
   if (field == COUNT)
     rule->count = MAX (qn_value_int (value), 1);
   else if (field == PLACEMENT && (QnPlacement) value->number != QN_PLACEMENT_EXPLICIT) {
-    QnValue count = { .number = qn_bound_form_get_number (form, COUNT) };
+    QnValue count = { .number = qn_form_get_number (form, COUNT) };
     rule->placement = (QnPlacement) value->number;
     rule->count =
       rule->placement == QN_PLACEMENT_LOBATTO ? 0 : MAX (qn_value_int (&count), 1);
   } else {
-    g_autofree char *positions = qn_bound_form_dup_text (form, POSITIONS);
-    g_autofree char *weights = qn_bound_form_dup_text (form, WEIGHTS);
+    g_autofree char *positions = qn_form_dup_text (form, POSITIONS);
+    g_autofree char *weights = qn_form_dup_text (form, WEIGHTS);
     return qn_pair_rule_parse (rule, positions, weights, error);
   }
   return TRUE;
@@ -344,15 +342,13 @@ take_load (gpointer form, QnModel *model, guint field, GError **error)
   gboolean live = field >= LOAD + 2;
   guint x = live ? LOAD + 2 : LOAD;
   return qn_edit_set_weight_load (
-    model, live,
-    qn_vec2 (qn_bound_form_get_number (form, x), qn_bound_form_get_number (form, x + 1)),
+    model, live, qn_vec2 (qn_form_get_number (form, x), qn_form_get_number (form, x + 1)),
     error);
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  QnModel *model = &draft->model;
   QnAnalysisSettings *a = &model->analysis;
   guint row = (guint) MAX (value->number, 0.0);
   if (field == TITLE)
@@ -386,7 +382,7 @@ GtkWidget *
 qn_analysis_panel_new (QnCanvas *canvas)
 {
   static const QnFormKind kind =
-    QN_FORM_KIND ("analysis-panel", QnBoundForm, .subject = subject);
+    QN_FORM_KIND ("analysis-panel", QnForm, .subject = subject);
   static const struct {
     const QnFormKind *part;
     guint card;
@@ -398,15 +394,15 @@ qn_analysis_panel_new (QnCanvas *canvas)
     { &qn_bar_form, TIES, FALSE },        { &qn_tie_form, TIES, FALSE },
     { &qn_dynamic_form, GROUND, TRUE },
   };
-  QnBoundForm *form = qn_bound_form_new (&kind, canvas);
+  QnForm *form = qn_form_new (&kind, canvas);
   for (gsize i = 0; i < G_N_ELEMENTS (parts); i++) {
-    QnBoundForm *part = qn_bound_form_new (parts[i].part, canvas);
+    QnForm *part = qn_form_new (parts[i].part, canvas);
     part->card = GTK_EXPANDER (form->widgets[parts[i].card]);
     GtkBox *box = GTK_BOX (gtk_expander_get_child (part->card));
-    (parts[i].first ? gtk_box_prepend : gtk_box_append) (box, qn_bound_form_show (part));
+    (parts[i].first ? gtk_box_prepend : gtk_box_append) (box, qn_form_show (part));
   }
   for (guint hint = MATERIALS_HINT; hint <= GROUND_HINT; hint++)
     gtk_box_reorder_child_after (GTK_BOX (gtk_widget_get_parent (form->widgets[hint])),
                                  form->widgets[hint], NULL);
-  return qn_bound_form_show (form);
+  return qn_form_show (form);
 }

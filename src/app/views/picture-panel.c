@@ -1,5 +1,5 @@
 /* The picture behind the drawing: opacity, size, place and angle; only there when it is. */
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "doc/document/underlay.h"
 #include "io/text/io-error.h"
@@ -33,16 +33,16 @@ number_of (QnUnderlay *underlay, guint field)
 }
 
 static gboolean
-look (gpointer data)
+look (QnForm *data, const QnModel *model)
 {
-  QnViewState *state = ((QnBoundForm *) data)->canvas->state;
+  QnViewState *state = ((QnForm *) data)->canvas->state;
   return state->options.underlay.image != NULL || state->image_error != NULL;
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  QnViewState *state = ((QnBoundForm *) data)->canvas->state;
+  QnViewState *state = ((QnForm *) data)->canvas->state;
   const GError *error = state->image_error;
   QnUnderlay underlay = *&state->options.underlay;
   if (field == ALLOW)
@@ -79,9 +79,9 @@ take_corner (QnUnderlay *underlay, guint corner, const char *text, GError **erro
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  QnCanvas *canvas = ((QnBoundForm *) data)->canvas;
+  QnCanvas *canvas = ((QnForm *) data)->canvas;
   QnUnderlay underlay = canvas->state->options.underlay;
   gboolean fade = field == OPACITY;
   if (field == ALLOW) {
@@ -107,4 +107,4 @@ take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError
 }
 
 const QnFormKind qn_picture_form =
-  QN_FORM_KIND ("picture-panel", QnBoundForm, .look = look, .follows = QN_FOLLOW_VIEW);
+  QN_FORM_KIND ("picture-panel", QnForm, .look = look, .follows = QN_FOLLOW_VIEW);

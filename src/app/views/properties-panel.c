@@ -33,10 +33,11 @@ qn_properties_panel_new (QnCanvas *canvas)
     &qn_face_form,       &qn_beam_form,    &qn_first_end_form,
     &qn_second_end_form, &qn_section_form, &qn_array_form
   };
-  gtk_box_prepend (GTK_BOX (box), qn_form_new (&qn_style_form, canvas));
+  gtk_box_prepend (GTK_BOX (box), qn_form_show (qn_form_new (&qn_style_form, canvas)));
   for (gsize i = 0; i < G_N_ELEMENTS (parts); i++) /* the table is no form */
-    gtk_box_append (GTK_BOX (box), parts[i] != NULL ? qn_form_new (parts[i], canvas)
-                                                    : qn_corner_table_new (canvas));
+    gtk_box_append (GTK_BOX (box), parts[i] != NULL
+                                     ? qn_form_show (qn_form_new (parts[i], canvas))
+                                     : qn_corner_table_new (canvas));
   qn_own (box, panel);
   qn_watch (box, canvas->selection, "changed", G_CALLBACK (update), panel);
   update (panel);

@@ -1,4 +1,4 @@
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 #include "app/forms/panel.h"
 #include "app/widgets/builder.h"
 #include "app/widgets/context-menu.h"
@@ -9,7 +9,7 @@
 #include <glib/gi18n.h>
 
 typedef struct Panel {
-  QnBoundForm base;
+  QnForm base;
   GtkWidget *curve;
 } Panel;
 
@@ -100,9 +100,9 @@ follow_stage (Panel *panel)
 }
 
 static gboolean
-show (gpointer data, guint field, QnValue *value)
+show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
-  Panel *panel = data;
+  Panel *panel = (Panel *) data;
   QnDocument *document = document_of (panel);
   const QnRun *run = document->run;
   const gboolean busy = document->job != NULL;
@@ -159,9 +159,9 @@ go_to_stage (const Panel *panel, const QnRun *run, int32_t stage)
 }
 
 static gboolean
-take (gpointer data, QnProject *draft, guint field, const QnValue *value, GError **error)
+take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  const Panel *panel = data;
+  const Panel *panel = (const Panel *) data;
   const GPtrArray *runs = document_of (panel)->runs;
   const QnRun *run = document_of (panel)->run;
   const guint row = (guint) qn_value_int (value);
@@ -193,19 +193,18 @@ qn_result_panel_new (QnCanvas *canvas)
 {
   static const QnFormKind kind =
     QN_FORM_KIND ("result-panel", Panel, .follows = QN_FOLLOW_RUNS);
-  QnViewState *state = canvas->state;
-  Panel *panel = qn_bound_form_new (&kind, canvas);
+  Panel *panel = qn_form_new (&kind, canvas);
   GtkBox *views = GTK_BOX (panel->base.widgets[VIEWS]);
   GtkBox *tables = GTK_BOX (panel->base.widgets[TABLES]);
-  panel->curve = qn_curve_view_new (state);
+  panel->curve = qn_curve_view_new (canvas->state);
   gtk_box_append (views, qn_answer_card_new (document_of (panel)));
   gtk_box_append (views, qn_inspector_new (canvas));
   gtk_box_append (views, panel->curve);
-  gtk_box_append (views, qn_energy_view_new (state));
-  gtk_box_append (tables, qn_step_table_new (state));
+  gtk_box_append (views, qn_energy_view_new (canvas->state));
+  gtk_box_append (tables, qn_step_table_new (canvas->state));
   gtk_box_append (tables, qn_contact_table_new (canvas));
   gtk_box_append (tables, qn_beam_table_new (canvas));
   qn_context_menu_attach (panel->base.widgets[RUNS], make_run_menu, NULL);
-  qn_watch (panel->base.root, state, "changed", G_CALLBACK (follow_stage), panel);
-  return qn_bound_form_show (panel);
+  qn_watch (panel->base.root, canvas->state, "changed", G_CALLBACK (follow_stage), panel);
+  return qn_form_show (panel);
 }

@@ -399,7 +399,8 @@ build_panels (QnWindow *self)
 {
   GtkWidget *drawing = gtk_box_new (GTK_ORIENTATION_VERTICAL, 0);
   gtk_box_append (GTK_BOX (drawing), qn_properties_panel_new (self->canvas));
-  gtk_box_append (GTK_BOX (drawing), qn_form_new (&qn_picture_form, self->canvas));
+  gtk_box_append (GTK_BOX (drawing),
+                  qn_form_show (qn_form_new (&qn_picture_form, self->canvas)));
   gtk_scrolled_window_set_child (self->properties_scroller, drawing);
   gtk_scrolled_window_set_child (self->analysis_scroller,
                                  qn_analysis_panel_new (self->canvas));

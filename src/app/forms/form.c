@@ -1,4 +1,4 @@
-#include "app/forms/bound-form.h"
+#include "app/forms/form.h"
 
 #include "app/widgets/builder.h"
 #include "app/widgets/choice-list.h"
@@ -16,10 +16,20 @@ static GMenuModel *make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer da
 
 /* ---- members ---- */
 
-gpointer
-qn_bound_form_item (gconstpointer data, const QnModel *model)
+/* What is selected is looked at; returns the document's model, which only steps change; NULL in dialogs. */
+static QnModel *
+look_at_document (QnForm *form)
 {
-  const QnBoundForm *form = data;
+  if (form->canvas == NULL)
+    return NULL;
+  form->parts = qn_selection_get_parts (form->canvas->selection);
+  return (QnModel *) qn_canvas_get_model (form->canvas);
+}
+
+gpointer
+qn_form_item (gconstpointer data, const QnModel *model)
+{
+  const QnForm *form = data;
   const QnFormList *list = form->kind->list;
   return form->selected < 0 ? NULL
                             : G_STRUCT_MEMBER (char *, model, list->items)
@@ -28,14 +38,14 @@ qn_bound_form_item (gconstpointer data, const QnModel *model)
 
 /* Takes a value into the member of a field, or shows it; nothing where it has none, or there is no subject. */
 static void
-exchange_member (QnBoundForm *form, QnModel *model, guint field, QnValue *value,
+exchange_member (QnForm *form, QnModel *model, guint field, QnValue *value,
                  gboolean takes)
 {
   const QnFormKind *kind = form->kind;
   if (field >= kind->field_count || kind->fields[field].size == 0)
     return;
   char *subject = kind->subject != NULL ? kind->subject (form, model, field)
-                  : kind->list != NULL  ? qn_bound_form_item (form, model)
+                  : kind->list != NULL  ? qn_form_item (form, model)
                                         : (gpointer) form;
   if (subject == NULL)
     return;
@@ -110,7 +120,7 @@ exchange_number (GtkWidget *widget, const char *property, double *number, gboole
 }
 
 static void
-show_list (QnBoundForm *form, GtkListBox *list, const QnValue *value)
+show_list (QnForm *form, GtkListBox *list, const QnValue *value)
 {
   GtkWidget *child = gtk_widget_get_first_child (GTK_WIDGET (list));
   for (char **row = value->rows; row != NULL && *row != NULL; row++) {
@@ -194,7 +204,7 @@ show_text (GtkEditable *entry, const char *text)
 }
 
 static void
-show_value (QnBoundForm *form, GtkWidget *widget, const QnValue *value)
+show_value (QnForm *form, GtkWidget *widget, const QnValue *value)
 {
   const Way *way = way_of (widget);
   double number = value->mixed ? 0.0 : value->number;
@@ -248,18 +258,17 @@ take_value (GtkWidget *widget)
 /* ---- the list ---- */
 
 static gsize
-count_items (const QnBoundForm *form)
+count_items (const QnForm *form, const QnModel *model)
 {
-  return G_STRUCT_MEMBER (size_t, qn_canvas_get_model (form->canvas),
-                          form->kind->list->count);
+  return G_STRUCT_MEMBER (size_t, model, form->kind->list->count);
 }
 
 /* What an edit has added is selected; what was selected in the drawing is shown. */
 static void
-follow_list (QnBoundForm *form)
+follow_list (QnForm *form, const QnModel *model)
 {
   const QnFormList *list = form->kind->list;
-  const int count = (int) count_items (form), before = form->selected;
+  const int count = (int) count_items (form, model), before = form->selected;
   if (list->kind == QN_PICK_NOTHING) {
     form->selected = MIN (form->wanted >= 0 ? form->wanted : before, count - 1);
     form->wanted = -1;
@@ -273,17 +282,17 @@ follow_list (QnBoundForm *form)
   if (form->selected >= count)
     form->selected = -1;
   if (form->selected >= 0 && form->selected != before)
-    qn_bound_form_reveal (form);
+    qn_form_reveal (form);
 }
 
 static gboolean
-is_list (const QnBoundForm *form, guint field)
+is_list (const QnForm *form, guint field)
 {
   return form->kind->list != NULL && field == form->kind->list->list;
 }
 
 static void
-select_item (QnBoundForm *form, int item)
+select_item (QnForm *form, int item)
 {
   const QnFormList *list = form->kind->list;
   if (list->kind != QN_PICK_NOTHING)
@@ -294,40 +303,39 @@ select_item (QnBoundForm *form, int item)
 
 /* FALSE: the field hides. */
 static gboolean
-find_value (QnBoundForm *form, guint field, QnValue *value)
+find_value (QnForm *form, QnModel *model, guint field, QnValue *value)
 {
-  QnModel *model =
-    form->canvas != NULL ? (QnModel *) qn_canvas_get_model (form->canvas) : NULL;
   if (!is_list (form, field)) {
     exchange_member (form, model, field, value, FALSE);
-    return form->kind->show (form, field, value);
+    return form->kind->show (form, model, field, value);
   }
   value->number = form->selected;
-  for (gsize i = 0; i < count_items (form); i++)
+  for (gsize i = 0; i < count_items (form, model); i++)
     qn_value_take_row (value, form->kind->list->dup_row (model, i));
   return value->row_count > 0;
 }
 
 GtkWidget *
-qn_bound_form_show (gpointer data)
+qn_form_show (gpointer data)
 {
-  QnBoundForm *form = data;
+  QnForm *form = data;
   if (form->showing)
     return form->root;
   form->showing = TRUE;
   const QnFormList *list = form->kind->list;
   if (list != NULL)
-    follow_list (form);
-  gboolean there = form->kind->look == NULL || form->kind->look (form);
+    follow_list (form, qn_canvas_get_model (form->canvas));
+  QnModel *model = look_at_document (form);
+  gboolean there = form->kind->look == NULL || form->kind->look (form, model);
   if (!GTK_IS_WINDOW (form->root))
     gtk_widget_set_visible (form->root, there);
   for (guint field = 0; there && form->widgets[field] != NULL; field++) {
     if (list != NULL && field == list->empty) {
-      gtk_widget_set_visible (form->widgets[field], count_items (form) == 0);
+      gtk_widget_set_visible (form->widgets[field], count_items (form, model) == 0);
       continue;
     }
     QnValue value = { 0 };
-    gboolean shown = find_value (form, field, &value);
+    gboolean shown = find_value (form, model, field, &value);
     gtk_widget_set_visible (form->widgets[field], shown);
     if (shown)
       show_value (form, form->widgets[field], &value);
@@ -358,7 +366,7 @@ scroll_to_part (GtkWidget *part)
 static gboolean
 scroll_to (GtkWidget *root, GdkFrameClock *clock, gpointer data)
 {
-  QnBoundForm *form = data;
+  QnForm *form = data;
   if (form->frames++ < 2)
     return G_SOURCE_CONTINUE;
   for (guint i = 0; form->widgets[i] != NULL; i++) {
@@ -373,9 +381,9 @@ scroll_to (GtkWidget *root, GdkFrameClock *clock, gpointer data)
 }
 
 void
-qn_bound_form_reveal (gpointer data)
+qn_form_reveal (gpointer data)
 {
-  QnBoundForm *form = data;
+  QnForm *form = data;
   if (form->card != NULL)
     gtk_expander_set_expanded (form->card, TRUE);
   GtkRoot *window = gtk_widget_get_root (form->root);
@@ -392,23 +400,23 @@ qn_bound_form_reveal (gpointer data)
 /* ---- taking ---- */
 
 double
-qn_bound_form_get_number (gpointer data, guint field)
+qn_form_get_number (gpointer data, guint field)
 {
-  const QnBoundForm *form = data;
+  const QnForm *form = data;
   return form->taken != NULL && form->taken_field == field
            ? form->taken->number
            : take_value (form->widgets[field]).number;
 }
 
 char *
-qn_bound_form_dup_text (gpointer data, guint field)
+qn_form_dup_text (gpointer data, guint field)
 {
-  const QnBoundForm *form = data;
+  const QnForm *form = data;
   return take_value (form->widgets[field]).text;
 }
 
 typedef struct Entered {
-  QnBoundForm *form;
+  QnForm *form;
   guint field;
   QnValue value;
 } Entered;
@@ -416,18 +424,20 @@ typedef struct Entered {
 static gboolean
 take (const Entered *entered, QnProject *draft, GError **error)
 {
+  QnForm *form = entered->form;
   QnValue value = entered->value;
-  exchange_member (entered->form, draft != NULL ? &draft->model : NULL, entered->field,
-                   &value, TRUE);
-  return entered->form->kind->take (entered->form, draft, entered->field, &entered->value,
-                                    error);
+  QnModel *shown = look_at_document (form),
+          *model = draft != NULL ? &draft->model : shown;
+  exchange_member (form, model, entered->field, &value, TRUE);
+  return form->kind->take (form, model, entered->field, &entered->value, error);
 }
 
 static gboolean
 edit (QnProject *draft, gpointer data, GError **error)
 {
   const Entered *entered = data;
-  QnBoundForm *form = entered->form;
+  QnForm *form = entered->form;
+  form->draft = draft;
   form->taken = &entered->value;
   form->taken_field = entered->field;
   gboolean done = take (entered, draft, error);
@@ -437,7 +447,7 @@ edit (QnProject *draft, gpointer data, GError **error)
 
 /* What was typed stays, with the reason beside it; what was chosen is as before. */
 static void
-refuse (QnBoundForm *form, GtkWidget *widget, const GError *error)
+refuse (QnForm *form, GtkWidget *widget, const GError *error)
 {
   if (QN_IS_QUANTITY_ENTRY (widget) && error != NULL)
     qn_quantity_entry_refuse (QN_QUANTITY_ENTRY (widget), error->message);
@@ -448,7 +458,7 @@ refuse (QnBoundForm *form, GtkWidget *widget, const GError *error)
     gtk_widget_add_css_class (widget, "error");
     gtk_widget_set_tooltip_text (widget, error->message);
   } else
-    qn_bound_form_show (form);
+    qn_form_show (form);
   if (error != NULL && form->canvas != NULL)
     qn_canvas_tell (form->canvas, error->message);
 }
@@ -467,7 +477,7 @@ dup_step (const char *step, GtkWidget *widget)
 
 /* The name of the step that a new value of this field is; NULL where it changes no document. */
 static const char *
-step_of (const QnBoundForm *form, guint field)
+step_of (const QnForm *form, guint field)
 {
   const QnFormKind *kind = form->kind;
   if (field < kind->field_count)
@@ -477,7 +487,7 @@ step_of (const QnBoundForm *form, guint field)
 }
 
 static guint
-field_of (const QnBoundForm *form, const GtkWidget *widget)
+field_of (const QnForm *form, const GtkWidget *widget)
 {
   guint field = 0;
   while (form->widgets[field] != widget)
@@ -487,7 +497,7 @@ field_of (const QnBoundForm *form, const GtkWidget *widget)
 
 /* The context menu offers to vary the number of the file that another value of the field would change. */
 static void
-on_menu (QnQuantityEntry *entry, QnBoundForm *form)
+on_menu (QnQuantityEntry *entry, QnForm *form)
 {
   Entered same = { .form = form,
                    .field = field_of (form, GTK_WIDGET (entry)),
@@ -514,7 +524,7 @@ on_menu (QnQuantityEntry *entry, QnBoundForm *form)
 static void
 on_entered (GtkWidget *widget)
 {
-  QnBoundForm *form = g_object_get_data (G_OBJECT (widget), QN_BOUND_FORM);
+  QnForm *form = g_object_get_data (G_OBJECT (widget), QN_FORM);
   /* Lists that are being taken apart say that nothing is selected any more; the form is gone by then. */
   if (gtk_widget_get_root (widget) == NULL || form->showing)
     return;
@@ -540,7 +550,7 @@ on_entered (GtkWidget *widget)
     done = take (&entered, NULL, &error);
   }
   if (!form->closed && done) {
-    qn_bound_form_show (form);
+    qn_form_show (form);
     if (form->told != NULL)
       qn_canvas_tell (form->canvas, form->told);
   } else if (!form->closed) {
@@ -548,13 +558,13 @@ on_entered (GtkWidget *widget)
     refuse (form, widget, error);
   }
   form->told = NULL;
-  qn_bound_form_unref (form);
+  qn_form_unref (form);
   qn_value_clear (&entered.value);
 }
 
 /* The widget of that id, where the form has one that can be used now. */
 static GtkWidget *
-find_usable (const QnBoundForm *form, const char *id)
+find_usable (const QnForm *form, const char *id)
 {
   for (guint field = 0; field < form->kind->field_count; field++)
     if (g_str_equal (form->kind->fields[field].id, id)
@@ -566,7 +576,7 @@ find_usable (const QnBoundForm *form, const char *id)
 
 /* A double click or Enter goes to the name of what is selected in a list. */
 static void
-on_row_activated (GtkListBox *list, GtkListBoxRow *row, QnBoundForm *form)
+on_row_activated (GtkListBox *list, GtkListBoxRow *row, QnForm *form)
 {
   GtkWidget *name = find_usable (form, "name");
   if (name != NULL)
@@ -576,7 +586,7 @@ on_row_activated (GtkListBox *list, GtkListBoxRow *row, QnBoundForm *form)
 /* F2 does so, too; Delete removes it, as the button that is called "remove" does. */
 static gboolean
 on_list_key (GtkEventControllerKey *keys, guint key, guint code, GdkModifierType state,
-             QnBoundForm *form)
+             QnForm *form)
 {
   gboolean removes = key == GDK_KEY_Delete || key == GDK_KEY_KP_Delete;
   GtkWidget *wanted = removes             ? find_usable (form, "remove")
@@ -589,7 +599,7 @@ on_list_key (GtkEventControllerKey *keys, guint key, guint code, GdkModifierType
 
 /* Not while the window goes, nor what was taken, or refused, already. */
 static void
-on_left (GtkEventController *focus, QnBoundForm *form)
+on_left (GtkEventController *focus, QnForm *form)
 {
   GtkWidget *entry = gtk_event_controller_get_widget (focus);
   if (gtk_widget_get_mapped (entry)
@@ -600,16 +610,16 @@ on_left (GtkEventController *focus, QnBoundForm *form)
 }
 
 static void
-on_refused (QnQuantityEntry *entry, const char *reason, QnBoundForm *form)
+on_refused (QnQuantityEntry *entry, const char *reason, QnForm *form)
 {
   if (form->canvas != NULL)
     qn_canvas_tell (form->canvas, reason);
 }
 
 static void
-connect (QnBoundForm *form, GtkWidget *widget)
+connect (QnForm *form, GtkWidget *widget)
 {
-  g_object_set_data (G_OBJECT (widget), QN_BOUND_FORM, form);
+  g_object_set_data (G_OBJECT (widget), QN_FORM, form);
   /* Where buttons have little room their words go below each other. */
   GtkWidget *words =
     GTK_IS_BUTTON (widget) ? gtk_button_get_child (GTK_BUTTON (widget)) : NULL;
@@ -665,7 +675,7 @@ is_command (GtkWidget *widget)
 static GMenuModel *
 make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data)
 {
-  QnBoundForm *form = data;
+  QnForm *form = data;
   GtkWidget *row = gtk_widget_get_ancestor (widget, GTK_TYPE_LIST_BOX_ROW);
   GMenu *menu = g_menu_new (), *commands = g_menu_new (), *text = g_menu_new ();
   if (row != NULL) {
@@ -687,13 +697,13 @@ make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data)
 static void
 press (GSimpleAction *action, GVariant *field, gpointer data)
 {
-  QnBoundForm *form = data;
+  QnForm *form = data;
   g_signal_emit_by_name (form->widgets[g_variant_get_int32 (field)], "clicked");
 }
 
 /* Choices of what the form is about have the menu, and the rows of lists. */
 static void
-add_menus (QnBoundForm *form)
+add_menus (QnForm *form)
 {
   static const GActionEntry entries[] = {
     { .name = "press", .activate = press, .parameter_type = "i" }
@@ -710,7 +720,7 @@ add_menus (QnBoundForm *form)
 /* ---- life ---- */
 
 static void
-on_destroy (QnBoundForm *form)
+on_destroy (QnForm *form)
 {
   form->closed = TRUE;
 }
@@ -718,14 +728,14 @@ on_destroy (QnBoundForm *form)
 static void
 free_form (gpointer data)
 {
-  QnBoundForm *form = data;
-  if (form->clear != NULL)
-    form->clear (form);
+  QnForm *form = data;
+  if (form->kind->clear != NULL)
+    form->kind->clear (form);
   g_free (form->widgets);
 }
 
 void
-qn_bound_form_unref (gpointer form)
+qn_form_unref (gpointer form)
 {
   g_rc_box_release_full (form, free_form);
 }
@@ -749,10 +759,10 @@ align_rows (GtkWidget *widget, GtkSizeGroup *labels, GtkSizeGroup *fields)
 }
 
 gpointer
-qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
+qn_form_new (const QnFormKind *kind, QnCanvas *canvas)
 {
   g_autoptr (GtkBuilder) builder = qn_builder_new (kind->name);
-  QnBoundForm *form = g_rc_box_alloc0 (kind->size);
+  QnForm *form = g_rc_box_alloc0 (kind->size);
   form->kind = kind;
   form->canvas = canvas;
   form->selected = form->wanted = -1;
@@ -776,8 +786,7 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
   g_autoptr (GtkSizeGroup) labels = gtk_size_group_new (GTK_SIZE_GROUP_HORIZONTAL);
   g_autoptr (GtkSizeGroup) fields = gtk_size_group_new (GTK_SIZE_GROUP_HORIZONTAL);
   align_rows (form->root, labels, fields);
-  g_object_set_data_full (G_OBJECT (form->root), QN_BOUND_FORM, form,
-                          qn_bound_form_unref);
+  g_object_set_data_full (G_OBJECT (form->root), QN_FORM, form, qn_form_unref);
   g_signal_connect_swapped (form->root, "destroy", G_CALLBACK (on_destroy), form);
   if (kind->init != NULL)
     kind->init (form);
@@ -793,16 +802,10 @@ qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas)
                   { QN_FOLLOW_RUNS, canvas->document, "job-changed" },
                   { QN_FOLLOW_VIEW, canvas->state, "changed" },
                   { QN_FOLLOW_TOOL, canvas, "tool-changed" } };
-  GCallback callback = G_CALLBACK (qn_bound_form_show);
+  GCallback callback = G_CALLBACK (qn_form_show);
   qn_watch (form->root, canvas->document, "changed", callback, form);
   for (gsize i = 0; i < G_N_ELEMENTS (signals); i++)
     if ((kind->follows & signals[i].what) != 0)
       qn_watch (form->root, signals[i].object, signals[i].signal, callback, form);
   return form;
-}
-
-GtkWidget *
-qn_form_new (const QnFormKind *kind, QnCanvas *canvas)
-{
-  return qn_bound_form_show (qn_bound_form_new (kind, canvas));
 }

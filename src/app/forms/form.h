@@ -13,9 +13,52 @@
 #pragma once
 
 #include "app/canvas/canvas.h"
-#include "app/forms/form-value.h"
 #include "doc/document/selection.h"
 #include "doc/masonry/masonry-field.h"
+
+/* What a field shows, or what the user has entered. Zeroed to begin with. */
+typedef struct QnValue {
+  double number; /* in SI; row of a choice or a list, -1 for none; 1 for on */
+  char *text;    /* owned */
+  char **rows;   /* of a choice or a list, anew; owned; NULL: as they are in the file */
+  guint row_count;
+  const char *
+    *icons; /* of the rows of a list; owned, the names are not; NULL: they have none */
+  gboolean mixed;    /* a check or number that is not the same for all that is selected */
+  gboolean disabled; /* shown, but not to be used now */
+} QnValue;
+
+/* The number as a whole one, of 0 or more; as a row, and whether it is on. */
+int qn_value_int (const QnValue *value);
+
+/* One more row of a choice or a list; `row` is taken over, or copied. */
+void qn_value_take_row (QnValue *value, char *row);
+void qn_value_add_row (QnValue *value, const char *row);
+/* The icon of the last row; every row has one, or none has. */
+void qn_value_set_icon (QnValue *value, const char *icon);
+
+/* Names of laws as rows, with `first` (nullable) before them for none, and the row of `law`; the law
+ * of such a row. */
+void qn_value_set_laws (QnValue *value, const QnModel *model, const char *first,
+                        QnId law);
+QnId qn_value_get_law (const QnValue *value);
+
+/* Names of sections likewise, without a row for none. */
+void qn_value_set_sections (QnValue *value, const QnModel *model, QnId section);
+
+/* What a field shows of where pairs lie on a face of a law; FALSE where the rule has no such number. */
+typedef enum {
+  QN_PAIRS_PLACEMENT,
+  QN_PAIRS_OFFSET,
+  QN_PAIRS_COUNT,
+  QN_PAIRS_POSITIONS,
+  QN_PAIRS_WEIGHTS
+} QnPairField;
+gboolean qn_value_set_pairs (QnValue *value, const QnModel *model, const QnPairRule *rule,
+                             QnId law, QnPairField field);
+
+/* Frees what it holds. */
+void qn_value_clear (QnValue *value);
 
 typedef struct QnFormField {
   const char *id; /* in the .ui file */
@@ -61,7 +104,7 @@ typedef struct QnFormList {
       sizeof *((QnModel *) NULL)->array, row, kind                                       \
   }
 
-typedef struct QnBoundForm QnBoundForm;
+typedef struct QnForm QnForm;
 
 typedef enum {
   QN_FOLLOW_SELECTION = 1 << 0,
@@ -72,7 +115,7 @@ typedef enum {
 
 typedef struct QnFormKind {
   const char *name; /* of the file */
-  gsize size;       /* of the struct that begins with a QnBoundForm */
+  gsize size;       /* of the struct that begins with a QnForm */
   const QnFormField *fields;
   guint field_count;
   /* Numbers behind these fields, each with a row in the box "rows" of the file: how many, and what they are. */
@@ -80,18 +123,19 @@ typedef struct QnFormKind {
   QnFieldInfo (*row_info) (guint row);
   const QnFormList *list;       /* or NULL */
   QnFollow follows;             /* besides the model */
-  void (*init) (gpointer form); /* NULL, or fills the struct before anything is shown */
+  void (*init) (QnForm *form);  /* NULL, or fills the struct before anything is shown */
+  void (*clear) (QnForm *form); /* NULL, or frees what it holds */
+  /* `model` is the one that a step changes, or else the document's, which stays; NULL in dialogs. */
   /* Looks at what the form is about; FALSE: nothing, the form hides. NULL: always shown. */
-  gboolean (*look) (gpointer form);
-  /* The struct of the members that fields have, in `model` (NULL in dialogs and for fields without a
-   * step); NULL: there is none, as where nothing is selected. Without this, the item of the list, or where
-   * there is none the form itself. */
-  gpointer (*subject) (gpointer form, QnModel *model, guint field);
+  gboolean (*look) (QnForm *form, const QnModel *model);
+  /* The struct of the members that fields have; NULL: there is none, as where nothing is selected. Without
+   * this, the item of the list, or where there is none the form itself. */
+  gpointer (*subject) (QnForm *form, QnModel *model, guint field);
   /* What a field shows, its member already; FALSE: its row hides. */
-  gboolean (*show) (gpointer form, guint field, QnValue *value);
-  /* Takes a new value, which its member has already, into `draft`, or, for fields without a step, into the
-   * form (draft: NULL). FALSE with an error refuses it; without one it is silently as before. */
-  gboolean (*take) (gpointer form, QnProject *draft, guint field, const QnValue *value,
+  gboolean (*show) (QnForm *form, const QnModel *model, guint field, QnValue *value);
+  /* Takes a new value, which its member has already, into the model, or, for fields without a step, into the
+   * form. FALSE with an error refuses it; without one it is silently as before. */
+  gboolean (*take) (QnForm *form, QnModel *model, guint field, const QnValue *value,
                     GError **error);
 } QnFormKind;
 
@@ -102,17 +146,18 @@ typedef struct QnFormKind {
     .field_count = G_N_ELEMENTS (fields), .show = show, .take = take, __VA_ARGS__        \
   }
 
-struct QnBoundForm {
+struct QnForm {
   const QnFormKind *kind;
   QnCanvas *canvas;  /* NULL in dialogs */
   GtkWidget *root;   /* "form" of the .ui file */
   GtkExpander *card; /* that the form lies in, or NULL */
   GtkWidget **widgets;
-  void (*clear) (gpointer form); /* NULL, or frees what the struct holds */
-  int selected;                  /* item of the list; -1: none */
-  int wanted;                    /* to be selected once an edit has added it; -1: none */
-  const char *told;              /* once the step is made; NULL: nothing */
-  const QnValue *taken;          /* the value that a step takes, of the field … */
+  QnPartSet parts;      /* the selected blocks and beams, of the canvas */
+  int selected;         /* item of the list; -1: none */
+  int wanted;           /* to be selected once an edit has added it; -1: none */
+  const char *told;     /* once the step is made; NULL: nothing */
+  QnProject *draft;     /* that a step changes, while it does */
+  const QnValue *taken; /* the value that it takes, of the field … */
   guint taken_field;
   gboolean showing; /* values are being shown: nobody has entered them */
   gboolean closed;  /* its widgets are gone; work that has not ended keeps the struct */
@@ -120,24 +165,21 @@ struct QnBoundForm {
 };
 
 /* A form of that kind; its root, of which it is the object data, as of its fields, keeps the struct, as does
- * whoever g_rc_box_acquire()s it. `canvas` is NULL for dialogs, whose fields have no steps. Shows nothing before qn_bound_form_show(). */
-#define QN_BOUND_FORM "qn-form"
-gpointer qn_bound_form_new (const QnFormKind *kind, QnCanvas *canvas);
-void qn_bound_form_unref (gpointer form);
-
-/* The root of a new form that shows its values. */
-GtkWidget *qn_form_new (const QnFormKind *kind, QnCanvas *canvas);
+ * whoever g_rc_box_acquire()s it. `canvas` is NULL for dialogs, whose fields have no steps. Shows nothing before qn_form_show(). */
+#define QN_FORM "qn-form"
+gpointer qn_form_new (const QnFormKind *kind, QnCanvas *canvas);
+void qn_form_unref (gpointer form);
 
 /* Makes all fields show their values. Returns the root. */
-GtkWidget *qn_bound_form_show (gpointer form);
+GtkWidget *qn_form_show (gpointer form);
 
 /* Unfolds a form and brings it into view, because what it is about was chosen elsewhere; where the
  * focus is in it, it is in view already. */
-void qn_bound_form_reveal (gpointer form);
+void qn_form_reveal (gpointer form);
 
 /* The selected item of its list, in `model`; NULL: there is none. */
-gpointer qn_bound_form_item (gconstpointer form, const QnModel *model);
+gpointer qn_form_item (gconstpointer form, const QnModel *model);
 
 /* As entered by the user: the number of a field, or its text; while a step takes a value, that. */
-double qn_bound_form_get_number (gpointer form, guint field);
-char *qn_bound_form_dup_text (gpointer form, guint field); /* the caller frees it */
+double qn_form_get_number (gpointer form, guint field);
+char *qn_form_dup_text (gpointer form, guint field); /* the caller frees it */
