@@ -574,9 +574,8 @@ add_files (GSimpleAction *action, GVariant *parameter, gpointer data)
 {
   Compare *compare = data;
   gboolean folder = g_str_equal (g_action_get_name (G_ACTION (action)), "add-folders");
-  static const char *const suffixes[] = { "quoin", "json", NULL };
   static const QnFileKind kind = { .name = N_ ("Projects and results"),
-                                   .suffixes = suffixes };
+                                   .suffixes = { "quoin", "json" } };
   const QnFileQuestion question = { .title = folder ? _ ("Add Folders") : _ ("Add Files"),
                                     .accept = _ ("_Open"),
                                     .use = use_file,

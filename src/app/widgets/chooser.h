@@ -7,11 +7,12 @@
 /* Files of one kind that a window opens. Titles and names are marked for translation, not
  * translated yet. */
 typedef struct QnFileKind {
-  const char *title;           /* of the chooser */
-  const char *accept;          /* what its button is called */
-  const char *name;            /* of the kind */
-  const char *const *suffixes; /* without their dots, NULL-terminated */
-  const char *action;          /* of the window, with the chosen path as its parameter */
+  const char *asked;       /* by this action of the window */
+  const char *title;       /* of the chooser */
+  const char *accept;      /* what its button is called */
+  const char *name;        /* of the kind */
+  const char *suffixes[8]; /* without their dots, NULL-terminated */
+  const char *action;      /* of the window, with the chosen path as its parameter */
 } QnFileKind;
 
 /* The next chooser begins in the folder of this file: that of the project. */

@@ -229,25 +229,13 @@ qn_window_open_result (QnWindow *self, const char *path)
     qn_view_state_set_view (self->state, qn_view_of_result (&run->result));
 }
 
-static void
-open_result (QnWindow *self, const char *name)
-{
-  static const char *const suffixes[] = { "json", NULL };
-  static const QnFileKind results = { .title = N_ ("Open Result"),
-                                      .accept = N_ ("_Open"),
-                                      .name = N_ ("Result files"),
-                                      .suffixes = suffixes,
-                                      .action = "win.open-result-path" };
-  qn_window_choose_file (self, &results);
-}
-
 const QnWindowAction qn_window_export_actions[] = {
   { "export", NULL, { export_figure }, QN_NEEDS_DRAWN },
   { "repeat-export", NULL, { repeat_export }, QN_NEEDS_WORK | QN_NEEDS_EXPORTED },
   { "export-result", "s", { export_result }, QN_NEEDS_RUN },
   { "export-drawing", NULL, { export_drawing }, QN_NEEDS_DRAWN },
   { "export-path", "(ss)", { .take = export_path }, 0 },
-  { "open-result", NULL, { open_result }, QN_NEEDS_DRAWN },
+  { "open-result", NULL, { qn_window_choose_file }, QN_NEEDS_DRAWN },
   { "open-result-path", "s", { qn_window_open_result }, QN_NEEDS_DRAWN },
   { .name = NULL },
 };

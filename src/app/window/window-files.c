@@ -4,14 +4,34 @@
 #include "doc/view/figures.h"
 #include <glib/gi18n.h>
 
-static const char *const project_suffixes[] = { "quoin", NULL };
-static const QnFileKind projects = { .title = N_ ("Open"),
-                                     .accept = N_ ("_Open"),
-                                     .name = N_ ("Quoin projects"),
-                                     .suffixes = project_suffixes,
-                                     .action = "win.open-path" };
-
 /* ---- opening ---- */
+
+static const QnFileKind kinds[] = {
+  { "open",
+    N_ ("Open"),
+    N_ ("_Open"),
+    N_ ("Quoin projects"),
+    { "quoin" },
+    "win.open-path" },
+  { "import",
+    N_ ("Import Drawing"),
+    N_ ("_Import"),
+    N_ ("Drawings: DXF, SVG, COMPAS, HybriDFEM"),
+    { "dxf", "svg", "svgz", "json", "txt" },
+    "win.take-path" },
+  { "picture",
+    N_ ("Picture behind the Drawing"),
+    N_ ("_Open"),
+    N_ ("Pictures"),
+    { "png", "jpg", "jpeg", "tif", "bmp", "tiff", "webp" },
+    "win.take-path" },
+  { "open-result",
+    N_ ("Open Result"),
+    N_ ("_Open"),
+    N_ ("Result files"),
+    { "json" },
+    "win.open-result-path" },
+};
 
 static gboolean
 use_chosen (gpointer data, const char *path, GError **error)
@@ -21,8 +41,11 @@ use_chosen (gpointer data, const char *path, GError **error)
 }
 
 void
-qn_window_choose_file (QnWindow *self, const QnFileKind *kind)
+qn_window_choose_file (QnWindow *self, const char *name)
 {
+  const QnFileKind *kind = kinds;
+  while (!g_str_equal (kind->asked, name))
+    kind++;
   const QnFileQuestion question = { .title = _ (kind->title),
                                     .accept = _ (kind->accept),
                                     .use = use_chosen,
@@ -75,12 +98,6 @@ static void
 open_example (QnWindow *self, const char *path)
 {
   qn_window_open_with (self, path, qn_window_open_copy);
-}
-
-static void
-open_dialog (QnWindow *self, const char *name)
-{
-  qn_window_choose_file (self, &projects);
 }
 
 void
@@ -176,7 +193,7 @@ save_as (QnWindow *self, const char *name)
                                     .use = use_saved,
                                     .failed = qn_window_show_error,
                                     .left = stop_closing,
-                                    .kind = &projects,
+                                    .kind = &kinds[0],
                                     .path = self->document->path };
   qn_chooser_ask (GTK_WIDGET (self), &question, self);
 }
@@ -362,7 +379,7 @@ close_window (QnWindow *self, const char *name)
 }
 
 const QnWindowAction qn_window_file_actions[] = {
-  { "open", NULL, { open_dialog }, 0 },
+  { "open", NULL, { qn_window_choose_file }, 0 },
   { "open-path", "s", { qn_window_open }, 0 },
   { "open-example", "s", { open_example }, 0 },
   { "save", NULL, { save }, QN_NEEDS_WORK },

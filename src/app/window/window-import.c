@@ -94,39 +94,11 @@ qn_window_accept_drops (QnWindow *self)
   qn_accept_files (GTK_WIDGET (self), &question, self);
 }
 
-/* ---- choosing ---- */
-
-static void
-import_drawing (QnWindow *self, const char *name)
-{
-  static const char *const suffixes[] = { "dxf", "svg", "svgz", "json", "txt", NULL };
-  static const QnFileKind drawings = { .title = N_ ("Import Drawing"),
-                                       .accept = N_ ("_Import"),
-                                       .name =
-                                         N_ ("Drawings: DXF, SVG, COMPAS, HybriDFEM"),
-                                       .suffixes = suffixes,
-                                       .action = "win.take-path" };
-  qn_window_choose_file (self, &drawings);
-}
-
-static void
-picture (QnWindow *self, const char *name)
-{
-  static const char *const suffixes[] = { "png", "jpg",  "jpeg", "tif",
-                                          "bmp", "tiff", "webp", NULL };
-  static const QnFileKind pictures = { .title = N_ ("Picture behind the Drawing"),
-                                       .accept = N_ ("_Open"),
-                                       .name = N_ ("Pictures"),
-                                       .suffixes = suffixes,
-                                       .action = "win.take-path" };
-  qn_window_choose_file (self, &pictures);
-}
-
 const QnWindowAction qn_window_import_actions[] = {
-  { "import", NULL, { import_drawing }, 0 },
+  { "import", NULL, { qn_window_choose_file }, 0 },
   { "facade-strip", NULL, { facade_strip }, 0 },
   { "take-path", "s", { qn_window_take_file }, 0 },
-  { "picture", NULL, { picture }, 0 },
+  { "picture", NULL, { qn_window_choose_file }, 0 },
   { "remove-picture", NULL, { remove_picture }, 0 },
   { .name = NULL },
 };

@@ -123,8 +123,8 @@ void qn_window_accept_drops (QnWindow *window);
 /* Opens, imports or lays behind the drawing, by the kind of file. */
 void qn_window_take_file (QnWindow *window, const char *path);
 
-/* Asks for a file of a kind, which must outlive the chooser, and activates its action. */
-void qn_window_choose_file (QnWindow *window, const QnFileKind *kind);
+/* Asks for a file of the kind that the action of that name opens. */
+void qn_window_choose_file (QnWindow *window, const char *name);
 
 /* window-analysis.c: run, progress, live mode. */
 void qn_window_connect_analysis (QnWindow *window);
