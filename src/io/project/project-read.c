@@ -219,25 +219,6 @@ read_project (QnProject *project, GError **error)
 }
 
 gboolean
-qn_project_load (const char *path, const char *const *overrides, QnProject *project,
-                 GError **error)
-{
-  *project = (QnProject){ 0 };
-  gsize length;
-  char *text = qn_file_read (path, &length, error);
-  if (text == NULL)
-    return FALSE;
-
-  qn_project_init (project);
-  project->name = g_strdup (path);
-  project->path = g_strdup (path);
-  project->overrides = g_strdupv ((char **) overrides);
-  project->text = text;
-  project->text_length = length;
-  return read_project (project, error);
-}
-
-gboolean
 qn_project_parse (const char *text, gsize length, const char *name,
                   const char *const *overrides, QnProject *project, GError **error)
 {
@@ -249,4 +230,17 @@ qn_project_parse (const char *text, gsize length, const char *name,
     memcpy (project->text, text, length);
   project->text_length = length;
   return read_project (project, error);
+}
+
+gboolean
+qn_project_load (const char *path, const char *const *overrides, QnProject *project,
+                 GError **error)
+{
+  gsize length;
+  *project = (QnProject){ 0 };
+  g_autofree char *text = qn_file_read (path, &length, error);
+  if (text == NULL || !qn_project_parse (text, length, path, overrides, project, error))
+    return FALSE;
+  project->path = g_strdup (path);
+  return TRUE;
 }
