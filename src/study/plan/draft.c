@@ -247,7 +247,7 @@ count_at (const cJSON *object, const char *key)
 static const struct {
   QnDistributionKind distribution;
   const char *first, *second;
-} known[] = {
+} form_kinds[] = {
   [QN_DRAFT_UNIFORM] = { QN_DISTRIBUTION_UNIFORM, "min", "max" },
   [QN_DRAFT_NORMAL] = { QN_DISTRIBUTION_NORMAL, "mean", "deviation" },
   [QN_DRAFT_LOGNORMAL] = { QN_DISTRIBUTION_LOGNORMAL, "mean", "deviation" },
@@ -274,11 +274,11 @@ qn_draft_parameter (const QnDraft *draft, guint index)
                                          0, QN_STUDY_MAX_VALUES);
     return result;
   }
-  for (gsize i = 0; kind != NULL && i < G_N_ELEMENTS (known); i++) {
-    if (strcmp (kind, qn_distribution_kind_names[known[i].distribution]) != 0)
+  for (gsize i = 0; kind != NULL && i < G_N_ELEMENTS (form_kinds); i++) {
+    if (strcmp (kind, qn_distribution_kind_names[form_kinds[i].distribution]) != 0)
       continue;
-    result.first = number_at (distribution, known[i].first);
-    result.second = number_at (distribution, known[i].second);
+    result.first = number_at (distribution, form_kinds[i].first);
+    result.second = number_at (distribution, form_kinds[i].second);
     if (isnan (result.second)) /* a normal one by its cov */
       result.second = number_at (distribution, "cov") * fabs (result.first);
     if (!isnan (result.first) && !isnan (result.second))
@@ -409,10 +409,10 @@ qn_draft_set_values (QnDraft *draft, guint index, QnDraftKind kind, double first
     set (item, "range", cJSON_CreateDoubleArray (range, 3));
   } else {
     cJSON *distribution = cJSON_CreateObject ();
-    const char *name = qn_distribution_kind_names[known[kind].distribution];
+    const char *name = qn_distribution_kind_names[form_kinds[kind].distribution];
     set (distribution, "kind", cJSON_CreateString (name));
-    set (distribution, known[kind].first, cJSON_CreateNumber (first));
-    set (distribution, known[kind].second, cJSON_CreateNumber (second));
+    set (distribution, form_kinds[kind].first, cJSON_CreateNumber (first));
+    set (distribution, form_kinds[kind].second, cJSON_CreateNumber (second));
     set (item, "distribution", distribution);
     if (levels > 0)
       set (item, "levels", cJSON_CreateNumber (levels));
