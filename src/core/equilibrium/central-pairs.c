@@ -8,14 +8,6 @@
 
 enum { MOST_ROWS = 4 };
 
-/* Whether a pair is one of strengths and flows: the others are as Newton's method would have them, or
- * carry nothing. */
-static bool
-takes_part (const QnAssembly *as, size_t p)
-{
-  return qn_pair_is_plastic (&as->springs[p], &as->committed[p]) && !as->inactive[p];
-}
-
 void
 qn_central_pairs_init (QnCentralPairs *pairs, QnAssembly *as, const QnIpTuning *tuning)
 {
@@ -117,10 +109,11 @@ start_pair (QnCentralPairs *pairs, size_t p, double size)
 void
 qn_central_pairs_start (QnCentralPairs *pairs, double size, bool again)
 {
-  size_t count = pairs->assembly->pair_count;
+  const QnAssembly *as = pairs->assembly;
+  size_t count = as->pair_count;
 
   for (size_t p = 0; p < count && !again; p++)
-    pairs->slips[p] = pairs->assembly->committed[p].a.slip;
+    pairs->slips[p] = as->committed[p].a.slip;
   pairs->turned = false;
   pairs->others = false;
   memset (pairs->ip.at.y, 0, 2 * count * sizeof (double));
@@ -128,9 +121,9 @@ qn_central_pairs_start (QnCentralPairs *pairs, double size, bool again)
   pairs->problem.bound_count = 0;
   for (size_t p = 0; p < count; p++) {
     pairs->problem.cells[p] = (QnIpCell){ .first_bound = pairs->problem.bound_count };
-    if (takes_part (pairs->assembly, p))
+    if (qn_pair_is_plastic (&as->springs[p], &as->committed[p]) && !as->inactive[p])
       start_pair (pairs, p, size);
-    else
+    else /* as Newton's method would have it, or without force */
       pairs->others = true;
   }
 }

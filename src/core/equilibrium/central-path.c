@@ -50,20 +50,8 @@ struct QnCentralPath {
   double gap;             /* mean of s z */
   double elongation;      /* the largest, at least 1 */
   double complementarity; /* asked for */
-  double watched_gap;     /* when it had last halved, */
-  int watched_since;      /* and that iteration */
   double near_gap;        /* complementarity of `near`, INFINITY without */
 };
-
-static bool
-has_joints (const QnAssembly *as)
-{
-  for (size_t p = 0; p < as->pair_count; p++)
-    if (as->springs[p].equal && qn_spring_is_plastic (&as->springs[p].a)
-        && !as->inactive[p])
-      return true;
-  return false;
-}
 
 /* Everything at eq->u: residuals, tangents, the pairs of other laws. */
 static bool
@@ -147,9 +135,13 @@ qn_central_path_new (QnEquilibrium *eq, bool together, QnCentralPath **made)
 {
   const QnAssembly *as = &eq->assembly;
   size_t n = (size_t) as->unknown_count;
+  bool has_joints = false;
 
   *made = NULL;
-  if (!has_joints (as))
+  for (size_t p = 0; p < as->pair_count; p++)
+    has_joints |= as->springs[p].equal && qn_spring_is_plastic (&as->springs[p].a)
+                  && !as->inactive[p];
+  if (!has_joints)
     return true;
   QnCentralPath *path = qn_alloc (1, sizeof *path);
   if (path == NULL)
@@ -280,17 +272,6 @@ fall_back (QnCentralPath *path)
   return adopt (path);
 }
 
-/* Whether complementarity still improves. */
-static bool
-makes_headway (QnCentralPath *path, int iteration)
-{
-  if (path->gap <= 0.5 * path->watched_gap || iteration == 0) {
-    path->watched_gap = path->gap;
-    path->watched_since = iteration;
-  }
-  return iteration - path->watched_since < PATIENCE;
-}
-
 /* One iteration. Where a measure advances, or time, and the path may turn back, residuals go down with the mean
  * of s z, at one rate: if they vanish sooner, iterates leave the path and get stuck between strengths where it does
  * not turn back at all. Where the multiplier is prescribed, fewer increments get through like that. In nonlinear
@@ -323,7 +304,8 @@ improve (QnCentralPath *path)
 static QnSolveStatus
 iterate_path (QnCentralPath *path)
 {
-  int finishes = 0;
+  int finishes = 0, halved = 0; /* the iteration when complementarity had last halved, */
+  double gap = INFINITY;        /* and what it was */
 
   for (int iteration = 0;; iteration++) {
     if (!prepare_path (path) || !isfinite (path->gap))
@@ -338,7 +320,11 @@ iterate_path (QnCentralPath *path)
       prepare_path (path);
       has_converged (path);
     }
-    if (iteration == QN_TRIED || !makes_headway (path, iteration))
+    if (path->gap <= 0.5 * gap) {
+      gap = path->gap;
+      halved = iteration;
+    }
+    if (iteration == QN_TRIED || iteration - halved >= PATIENCE)
       return fall_back (path);
     QnSolveStatus status = improve (path);
     if (status == QN_SOLVE_FAILED)
@@ -346,17 +332,6 @@ iterate_path (QnCentralPath *path)
     if (status != QN_SOLVE_CONVERGED)
       return status;
   }
-}
-
-/* The mean displacement that the target asks for, in units of the path: what elongations will
- * be like. */
-static double
-expected_elongation (const QnCentralPath *path, const QnTarget *target)
-{
-  if (target->direction == NULL)
-    return 1;
-  double sum = qn_assembly_total (&path->eq->assembly, target->direction);
-  return sum > 0 ? fabs (target->advance) / (sum * path->pairs.length) : 1;
 }
 
 /* One central path from the current displacements and forces, from mean products of `size`; another one from
@@ -386,12 +361,14 @@ QnSolveStatus
 qn_central_path_solve (QnCentralPath *path, const QnTarget *target, double viscosity)
 {
   QnEquilibrium *eq = path->eq;
-  double size = expected_elongation (path, target);
+  const QnAssembly *as = &eq->assembly;
+  double sum = target->direction != NULL ? qn_assembly_total (as, target->direction) : 0;
+  /* The mean displacement that the target asks for, in units of the path: what elongations will be like. */
+  double size = sum > 0 ? fabs (target->advance) / (sum * path->pairs.length) : 1;
 
   if (viscosity > 0)
-    size =
-      PART_OF_MOTION
-      * (qn_assembly_elastic_displacements (&eq->assembly, eq->motion, NULL) / viscosity);
+    size = PART_OF_MOTION
+           * (qn_assembly_elastic_displacements (as, eq->motion, NULL) / viscosity);
   else
     qn_equilibrium_restore (eq);
   if (target->direction == NULL)

@@ -194,17 +194,6 @@ way_to_boundary (const QnIpStep *ip, const QnIpVector *step)
   return 1 / most;
 }
 
-/* What has to be added to a product that would leave the neighbourhood of the target. */
-static double
-centre (double product, double target, double spread)
-{
-  double low = target / spread, high = target * spread;
-
-  if (product < low)
-    return low - product;
-  return product > high ? fmax (high - product, -high) : 0;
-}
-
 double
 qn_ip_step_find (QnIpStep *ip, double *part)
 {
@@ -224,16 +213,17 @@ qn_ip_step_find (QnIpStep *ip, double *part)
                 ip->power > 0 ? pow (left / ip->power, tuning->exponent) : 0);
   double share = ip->together ? 1 - *part : 1;
   double target = *part * ip->power / bounds;
+  double low = target / tuning->spread, high = target * tuning->spread;
   for (int32_t i = 0; i < bounds; i++)
     ip->products[i] = target - at->s[i] * at->z[i] - step->s[i] * step->z[i];
   solve_for_share (ip, share, step);
   double length = way_to_boundary (ip, step);
   for (int32_t k = 0; k < tuning->correctors && length < tuning->full_step; k++) {
     double aim = fmin (1, 1.3 * length + 0.1);
-    for (int32_t i = 0; i < bounds; i++)
-      ip->products[i] +=
-        centre ((at->s[i] + aim * step->s[i]) * (at->z[i] + aim * step->z[i]), target,
-                tuning->spread);
+    for (int32_t i = 0; i < bounds; i++) { /* back into the neighbourhood of the target */
+      double product = (at->s[i] + aim * step->s[i]) * (at->z[i] + aim * step->z[i]);
+      ip->products[i] += fmax (low - product, 0) + fmax (fmin (high - product, 0), -high);
+    }
     solve_for_share (ip, share, &ip->trial);
     double reached = way_to_boundary (ip, &ip->trial);
     if (reached < length + tuning->gain)

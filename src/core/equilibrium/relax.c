@@ -67,21 +67,6 @@ update_velocity (QnEquilibrium *eq, Relaxation *relaxation)
   relaxation->change = norm > 0 ? sqrt (change / norm) : INFINITY;
 }
 
-/* Motion since the committed state. */
-static double
-elastic_displacements (const QnEquilibrium *eq)
-{
-  return qn_assembly_elastic_displacements (&eq->assembly, eq->u, eq->committed.u);
-}
-
-/* Time until the structure has run away at the present velocity. */
-static double
-time_to_run_away (const QnEquilibrium *eq)
-{
-  return eq->runaway
-         / qn_assembly_elastic_displacements (&eq->assembly, eq->motion, NULL);
-}
-
 /* Joints, then ties. */
 static size_t
 gap_count (const QnAssembly *as)
@@ -152,11 +137,13 @@ is_falling (QnEquilibrium *eq, Relaxation *relaxation)
 static bool
 is_mechanism (QnEquilibrium *eq, Relaxation *relaxation)
 {
-  double time_step = 1 / relaxation->viscosity, left = time_to_run_away (eq);
+  const QnAssembly *as = &eq->assembly;
+  double speed = qn_assembly_elastic_displacements (as, eq->motion, NULL);
+  double time_step = 1 / relaxation->viscosity, left = eq->runaway / speed;
 
-  if (eq->assembly.nonlinear)
+  if (as->nonlinear)
     return !relaxation->held && is_falling (eq, relaxation);
-  if (elastic_displacements (eq) > eq->runaway)
+  if (qn_assembly_elastic_displacements (as, eq->u, eq->committed.u) > eq->runaway)
     return true;
   return relaxation->change < STEADY && 2 * time_step >= relaxation->elapsed
          && !(relaxation->change * left > time_step)
@@ -181,29 +168,6 @@ find_duration (const QnEquilibrium *eq, const QnTarget *target)
   double largest = qn_assembly_largest (as, target->direction, NULL);
   double force = largest * fabs (target->advance) / yielding; /* at unit duration */
   return as->force_scale > 0 ? force / (DRIVE * as->force_scale) : 0;
-}
-
-/* The target at the end of the next viscous step. */
-static QnTarget
-target_in_time (const Relaxation *relaxation, const QnTarget *target)
-{
-  double time = relaxation->elapsed + 1 / relaxation->viscosity;
-  QnTarget now = *target;
-
-  if (time < relaxation->duration)
-    now.advance *= time / relaxation->duration;
-  return now;
-}
-
-/* How many times as long the next step may be for a motion that gets faster: motion that grows like exp (rate
- * time) is 1 / (1 - rate step) times as fast after an implicit step, and a step of 1 / rate has no
- * solution. It may get LONGER times as fast. */
-static double
-growth_of_fall (const Relaxation *relaxation)
-{
-  double before = relaxation->speed_before, now = relaxation->speed;
-
-  return before > 0 && now > before ? (1 - 1.0 / LONGER) / (1 - before / now) : INFINITY;
 }
 
 /* How many times as long the next step may be, by how many iterations the last one of Newton's method took. */
@@ -289,7 +253,10 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
     fall->first = QN_FALL_STATES;
   for (int step = 0; step < budget; step++) {
     int32_t before = eq->statistics.iterations;
-    QnTarget now = target_in_time (&relaxation, target);
+    double time = relaxation.elapsed + 1 / relaxation.viscosity;
+    QnTarget now = *target;
+    if (time < relaxation.duration)
+      now.advance *= time / relaxation.duration;
     qn_equilibrium_save (eq, &eq->anchor);
     qn_equilibrium_note_gaps (eq);
     QnSolveStatus status =
@@ -325,9 +292,13 @@ qn_equilibrium_relax (QnEquilibrium *eq, QnCentralPath *central, const QnTarget 
       return QN_SOLVE_MECHANISM;
     double longer =
       by_central ? LONGER : growth (&relaxation, eq->statistics.iterations - before);
-    /* Without central paths a step that fails costs two or three factorisations. */
-    relaxation.viscosity /=
-      central != NULL ? fmin (longer, growth_of_fall (&relaxation)) : longer;
+    /* Motion that grows like exp (rate time) is 1 / (1 - rate step) times as fast after an implicit step, and a
+     * step of 1 / rate has no solution: it may get LONGER times as fast. Without central paths a step that fails
+     * costs two or three factorisations. */
+    double slower = relaxation.speed_before / relaxation.speed;
+    if (central != NULL && slower > 0 && slower < 1)
+      longer = fmin (longer, (1 - 1.0 / LONGER) / (1 - slower));
+    relaxation.viscosity /= longer;
   }
   return QN_SOLVE_FAILED;
 }

@@ -250,14 +250,6 @@ factorize_collapse (QnCollapse *c)
   return qn_ip_kkt_factorize (&c->kkt);
 }
 
-/* Whether the matrix has as many negative eigenvalues as one of associative flow, or by an even number
- * more. */
-static bool
-is_stable (const QnCollapse *c)
-{
-  return !c->own_flow || (qn_block_lu_sign (c->kkt.lu) > 0) == (c->kkt.border_power > 0);
-}
-
 /* d lambda / d log (1 / compliance) at a collapse: the tangent of its equations. */
 static void
 find_growth (QnCollapse *c)
@@ -358,7 +350,10 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
     if (!count_iteration (c) || enough)
       return QN_OUTCOME_CANCELLED;
     ok = factorize_collapse (c);
-    if (ok && is_stable (c))
+    /* As many negative eigenvalues as one of associative flow has, or by an even number more. */
+    if (ok
+        && (!c->own_flow
+            || (qn_block_lu_sign (c->kkt.lu) > 0) == (c->kkt.border_power > 0)))
       length = step_on (c, &ok);
     else if (*coupling <= least)
       least = c->holds_flows ? least - collapse_tuning.less : 0;

@@ -210,15 +210,6 @@ correct (QnIpKkt *kkt, QnIpVector *out)
   out->lambda += kkt->step_lambda;
 }
 
-/* Takes the last correction back. */
-static double
-undo (QnIpKkt *kkt, const QnIpVector *right, QnIpVector *out)
-{
-  qn_ip_add_multiple (out->v, -1, kkt->step_v, kkt->ip->problem->row_count);
-  out->lambda -= kkt->step_lambda;
-  return follow_rates (kkt, right, NULL, -1.0, out);
-}
-
 void
 qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpVector *right, QnIpVector *out)
 {
@@ -233,8 +224,11 @@ qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpVector *right, QnIpVector *out)
     correct (kkt, out);
     double now = follow_rates (kkt, right, round == 0 ? right->y : NULL, 1.0, out);
     /* The first pass is the solution; later ones refine it while they gain a digit. */
-    if (round > 0 && now > last)
-      now = undo (kkt, right, out);
+    if (round > 0 && now > last) { /* takes the last correction back */
+      qn_ip_add_multiple (out->v, -1, kkt->step_v, kkt->ip->problem->row_count);
+      out->lambda -= kkt->step_lambda;
+      now = follow_rates (kkt, right, NULL, -1.0, out);
+    }
     if (now <= REFINEMENT_TARGET || (round > 0 && now > 0.1 * last)) {
       last = now;
       break;

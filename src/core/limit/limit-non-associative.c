@@ -107,12 +107,6 @@ reach_of (const Search *search, const Collapse *a, const Collapse *b)
 }
 
 static bool
-are_same (const Search *search, const Collapse *a, const Collapse *b)
-{
-  return fabs (a->multiplier - b->multiplier) <= reach_of (search, a, b);
-}
-
-static bool
 is_of_interest (const Search *search, const Collapse *found)
 {
   const Collapse known = { .multiplier = search->known };
@@ -134,7 +128,9 @@ keep (Search *search, double compliance, QnDiag *diag)
                    .gap = qn_limit_problem_multiplier (limit, c->gap) };
   int32_t place = 0;
 
-  while (place < search->count && !are_same (search, &search->found[place], &new))
+  while (place < search->count
+         && fabs (search->found[place].multiplier - new.multiplier)
+              > reach_of (search, &search->found[place], &new))
     place++;
   bool known = place < search->count;
   if (place == QN_LIMIT_STARTS || search->gives > search_tuning.rigid

@@ -99,17 +99,8 @@ has_law (const QnModel *model, const QnBlock *block, QnId law)
   return (block->law != QN_NONE ? block->law : model->contact.law) == law;
 }
 
-/* Areas grow where both blocks become thicker, or the thinner one does. */
-static bool
-thickens (const QnModel *model, const QnContactFace *face, QnId law)
-{
-  const QnBlock *a = &model->blocks[face->a], *b = &model->blocks[face->b];
-
-  return (a->thickness > b->thickness || has_law (model, a, law))
-         && (b->thickness > a->thickness || has_law (model, b, law));
-}
-
-/* What joints dissipate grows with their area: forces times rates. */
+/* What joints dissipate grows with their area: forces times rates. An area grows where both blocks become thicker,
+ * or the thinner one does. */
 static double
 area_power (const QnModel *model, const QnContacts *contacts, const QnResult *result,
             const double *v, QnId law)
@@ -122,21 +113,16 @@ area_power (const QnModel *model, const QnContacts *contacts, const QnResult *re
     const QnPairResult *force = &result->pairs[p];
     double unit;
     QnId id = governing_law (model, contacts, p, force, &unit);
-    if (pair->bar != QN_NONE || model->laws[id].basis == QN_BASIS_CONTACT
-        || !thickens (model, face, law))
+    const QnBlock *a = &model->blocks[face->a], *b = &model->blocks[face->b];
+    bool thickens = (a->thickness > b->thickness || has_law (model, a, law))
+                    && (b->thickness > a->thickness || has_law (model, b, law));
+    if (pair->bar != QN_NONE || model->laws[id].basis == QN_BASIS_CONTACT || !thickens)
       continue;
     Rates rates = pair_rates (model, face, pair->point, v);
     power +=
       force->normal_force * rates.opening + fabs (force->shear_force) * rates.sliding;
   }
   return power;
-}
-
-/* Whether a load is a pressure, which the thickness of the block makes a force of. */
-static bool
-is_pressure (QnLoadKind kind)
-{
-  return kind != QN_LOAD_EDGE && kind != QN_LOAD_VEHICLE && qn_load_is_on_edges (kind);
 }
 
 /* What of a load acts at collapse. */
@@ -158,11 +144,12 @@ add_blocks (const QnModel *model, const QnContacts *contacts, const QnResult *re
     for (size_t i = 0; grows && i < qn_model_acting_count (model); i++) {
       const QnLoad load = qn_model_acting_load (model, i);
       double part = part_of (&load, lambda);
+      QnLoadKind source = qn_model_load (model, qn_model_acting_source (model, i))->kind;
+      bool is_pressure = source != QN_LOAD_EDGE && source != QN_LOAD_VEHICLE
+                         && qn_load_is_on_edges (source);
       if (load.kind == QN_LOAD_WEIGHT)
         power += part * weight_power (model, b, &load, v);
-      else if (is_pressure (
-                 qn_model_load (model, qn_model_acting_source (model, i))->kind)
-               && load.kind == QN_LOAD_FORCE && load.block == (QnId) b)
+      else if (is_pressure && load.kind == QN_LOAD_FORCE && load.block == (QnId) b)
         pressure += part * load_power (model, &load, v);
     }
   }

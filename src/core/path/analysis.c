@@ -247,18 +247,6 @@ add_broken_bound (const QnModel *model, const QnContacts *contacts, QnBudget *bu
 
 /* --- A path ------------------------------------------------------------------------------- */
 
-/* Whether a path that was to go on to collapse came to the largest multiplier there is. */
-static bool
-is_unbounded (const QnModel *model, const QnResult *result)
-{
-  bool has_end = model->stage_count > 0 ? model->stages[model->stage_count - 1].has_target
-                                        : model->analysis.max_multiplier < QN_UNBOUNDED;
-  return result->outcome == QN_OUTCOME_TARGET_REACHED && !has_end
-         && result->step_count > 0
-         && result->steps[result->step_count - 1].multiplier
-              >= QN_UNBOUNDED * (1 - QN_TOLERANCE_TARGET);
-}
-
 /* Dead load, then time. */
 static QnStatus
 run_in_time (QnPath *path, QnDiag *diag)
@@ -342,7 +330,13 @@ run (const QnModel *model, const QnContacts *contacts, QnBudget *budget, QnResul
              : status;
   }
   QnStatus status = follow_load (model, contacts, budget, result, diag);
-  if (status == QN_OK && is_unbounded (model, result))
+  /* A path that was to go on to collapse may have come to the largest multiplier there is. */
+  bool has_end = model->stage_count > 0 ? model->stages[model->stage_count - 1].has_target
+                                        : model->analysis.max_multiplier < QN_UNBOUNDED;
+  if (status == QN_OK && result->outcome == QN_OUTCOME_TARGET_REACHED && !has_end
+      && result->step_count > 0
+      && result->steps[result->step_count - 1].multiplier
+           >= QN_UNBOUNDED * (1 - QN_TOLERANCE_TARGET))
     result->outcome = QN_OUTCOME_UNBOUNDED;
   if (status == QN_OK && result->has_collapse_multiplier)
     status = add_bound (model, contacts, budget, result, diag);

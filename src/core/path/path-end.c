@@ -86,19 +86,6 @@ is_plateau (QnPathTrace *trace)
          && may_move_on (trace, motion);
 }
 
-/* Whether a structure in nonlinear geometry has moved far since its highest multiplier: below it, or, where
- * blocks slide, on a plateau. */
-static bool
-has_collapsed (const QnPathTrace *trace)
-{
-  const QnEquilibrium *eq = &trace->path->equilibrium;
-  const QnPathEvents *events = &trace->events;
-  double moved = events->displacement - events->highest_displacement;
-
-  return trace->load_control && !qn_path_trace_is_linear (trace)
-         && moved > QN_PATH_COLLAPSED * eq->assembly.length;
-}
-
 void
 qn_path_end_finish (QnPathTrace *trace, QnOutcome outcome, QnStop stop)
 {
@@ -112,8 +99,13 @@ qn_path_end_check (QnPathTrace *trace)
   const QnEquilibrium *eq = &trace->path->equilibrium;
   const QnPathEvents *events = &trace->events;
   /* In linear geometry load control goes on below zero: what moves then is the mechanism. */
+  bool linear = qn_path_trace_is_linear (trace);
   bool falls = trace->measure.unknown == QN_NONE && events->below
-               && !(trace->load_control && qn_path_trace_is_linear (trace));
+               && !(trace->load_control && linear);
+  /* In large displacements far since the highest multiplier: below it, or, where blocks slide, on a plateau. */
+  double moved = events->displacement - events->highest_displacement;
+  bool has_collapsed =
+    trace->load_control && !linear && moved > QN_PATH_COLLAPSED * eq->assembly.length;
 
   if (events->below && trace->path->settings->snap == QN_SNAP_THROUGH_STOP
       && (!trace->load_control || qn_path_events_has_snapped (events)))
@@ -126,7 +118,7 @@ qn_path_end_check (QnPathTrace *trace)
     qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_ZERO);
   else if (!events->below && events->displacement > trace->extent)
     qn_path_end_finish (trace, QN_OUTCOME_UNBOUNDED, QN_STOP_MULTIPLIER);
-  else if (has_collapsed (trace))
+  else if (has_collapsed)
     qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_FALL);
   else if (is_plateau (trace))
     qn_path_end_finish (trace, QN_OUTCOME_COLLAPSE, QN_STOP_PLATEAU);

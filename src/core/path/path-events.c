@@ -92,19 +92,6 @@ jump_size (double before, double after)
   return after > 0 ? (after - before) / after : 0;
 }
 
-/* Takes the current state, with this displacement, as the highest. */
-static void
-take_highest (QnPathEvents *events, double displacement)
-{
-  const QnEquilibrium *eq = &events->path->equilibrium;
-
-  events->highest = eq->multiplier;
-  events->highest_displacement = displacement;
-  events->energy = 0;
-  events->below = false;
-  memcpy (events->highest_u, eq->u, (size_t) eq->assembly.unknown_count * sizeof *eq->u);
-}
-
 bool
 qn_path_events_climbs (const QnPathEvents *events)
 {
@@ -140,7 +127,11 @@ qn_path_events_observe (QnPathEvents *events, bool jumped, bool *snap)
                  events->highest, before, after))
       return false;
   }
-  take_highest (events, now);
+  events->highest = to;
+  events->highest_displacement = now;
+  events->energy = 0;
+  events->below = false;
+  memcpy (events->highest_u, eq->u, (size_t) eq->assembly.unknown_count * sizeof *eq->u);
   return true;
 }
 

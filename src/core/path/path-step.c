@@ -206,17 +206,6 @@ look_across (QnPathTrace *trace)
   return status;
 }
 
-/* Whether the distance to the last unstable equilibrium is at most QN_PATH_NONE of the motion. */
-static bool
-is_same_branch (const QnPathTrace *trace)
-{
-  const QnEquilibrium *eq = &trace->path->equilibrium;
-  const QnAssembly *as = &eq->assembly;
-  double moved = qn_assembly_largest (as, eq->u, trace->events.rest);
-
-  return qn_assembly_largest (as, eq->u, eq->anchor.u) <= QN_PATH_NONE * moved;
-}
-
 /* Where the branch of a path that climbs loses its stability within a step, *step on entry: CONVERGED with
  * the last stable equilibrium, to a tenth of the multiplier tolerance, and *step that leads to it; FAILED,
  * and nothing has changed, where it does not. */
@@ -224,6 +213,7 @@ static QnSolveStatus
 find_end_of_branch (QnPathTrace *trace, double *step)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
+  const QnAssembly *as = &eq->assembly;
   double tolerance = 0.1 * trace->path->settings->multiplier_tolerance;
   double from = eq->committed.multiplier, to = from;
   double low = 0, high = *step, middle = high;
@@ -245,7 +235,9 @@ find_end_of_branch (QnPathTrace *trace, double *step)
       break; /* stable after all */
     if (k == QN_PATH_BISECTIONS || to - from <= tolerance * fabs (to)) {
       status = probe (trace, low);
-      if (status != QN_SOLVE_CONVERGED || !is_same_branch (trace))
+      double moved = qn_assembly_largest (as, eq->u, trace->events.rest);
+      if (status != QN_SOLVE_CONVERGED /* or on another branch */
+          || qn_assembly_largest (as, eq->u, eq->anchor.u) > QN_PATH_NONE * moved)
         break;
       *step = low;
       return status;

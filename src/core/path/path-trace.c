@@ -248,20 +248,6 @@ falls_too_far (const QnPathTrace *trace, double step)
              && part > QN_PATH_SMALLEST_STEP * QN_PATH_SMALLEST_STEP);
 }
 
-/* Whether the state just solved, the first one, takes work from the driven loads on the way to the control
- * target, or, where work or length are prescribed, leads away from that: which way a structure that has
- * yielded goes back is not told by its tangent. */
-static bool
-goes_back (const QnPathTrace *trace)
-{
-  const QnEquilibrium *eq = &trace->path->equilibrium;
-  int32_t unknown = trace->measure.unknown;
-  double way = (trace->measure.end - eq->committed.u[unknown])
-               * (eq->u[unknown] - eq->committed.u[unknown]);
-
-  return way * qn_equilibrium_live_work (eq, eq->committed.u) < 0;
-}
-
 /* No further step converges: tries to find the collapse directly. */
 static bool
 give_up (QnPathTrace *trace, QnSolveStatus solve)
@@ -294,8 +280,13 @@ advance (QnPathTrace *trace)
   if (status != QN_SOLVE_CONVERGED || (trace->jumped && stops))
     return give_up (trace, status);
 
+  /* The first state may take work from the driven loads on the way to the control target, or, where work or length
+   * are prescribed, lead away from that: which way a structure that has yielded goes back is not told by its
+   * tangent. */
   if (trace->reverses != NULL) {
-    *trace->reverses = goes_back (trace);
+    double start = eq->committed.u[trace->measure.unknown];
+    double way = (trace->measure.end - start) * (eq->u[trace->measure.unknown] - start);
+    *trace->reverses = way * qn_equilibrium_live_work (eq, eq->committed.u) < 0;
     if (*trace->reverses) {
       qn_equilibrium_restore (eq);
       trace->stop = QN_STOP_DISPLACEMENT;
