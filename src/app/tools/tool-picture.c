@@ -49,10 +49,10 @@ motion (QnCanvas *canvas, const QnToolEvent *event)
     qn_canvas_set_in_gesture (canvas, TRUE);
     gesture->dragging = TRUE;
   }
-  QnUnderlay moved = *&canvas->state->options.underlay;
-  moved.origin = qn_vec2_add (moved.origin, qn_vec2_sub (event->point, gesture->to));
+  QnVec2 *origin = &canvas->state->options.underlay.origin;
+  *origin = qn_vec2_add (*origin, qn_vec2_sub (event->point, gesture->to));
   gesture->to = event->point;
-  qn_view_state_show_underlay_at (canvas->state, &moved);
+  qn_view_state_changed (canvas->state);
 }
 
 static void

@@ -45,9 +45,10 @@ moves_by_phase (const Bar *bar)
 static void
 show_share (Bar *bar, double share)
 {
-  if (moves_by_phase (bar))
-    qn_view_state_set_phase (bar->state, share);
-  else
+  if (moves_by_phase (bar)) {
+    bar->state->options.phase = share;
+    qn_view_state_changed (bar->state);
+  } else
     qn_view_state_set_step (
       bar->state, (int) qn_to_integer (round (share * last_step (bar)), 0, G_MAXINT));
 }

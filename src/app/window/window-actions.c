@@ -153,7 +153,8 @@ on_diagram (GSimpleAction *action, GVariant *value, gpointer data)
                      QN_DIAGRAM_COUNT, &diagram))
     return;
   g_simple_action_set_state (action, value);
-  qn_view_state_set_diagram (self->state, diagram);
+  self->state->options.diagram = diagram;
+  qn_view_state_changed (self->state);
   if (self->document->run != NULL)
     qn_view_state_set_view (self->state, QN_VIEW_DIAGRAMS);
 }
@@ -167,7 +168,8 @@ on_field (GSimpleAction *action, GVariant *value, gpointer data)
                      &field))
     return;
   g_simple_action_set_state (action, value);
-  qn_view_state_set_field (self->state, field);
+  self->state->options.field = field;
+  qn_view_state_changed (self->state);
 }
 
 static void

@@ -35,8 +35,8 @@ qn_view_state_init (QnViewState *self)
   self->options.titles = false;
 }
 
-static void
-emit_changed (QnViewState *self)
+void
+qn_view_state_changed (QnViewState *self)
 {
   g_signal_emit_by_name (self, "changed");
 }
@@ -87,7 +87,7 @@ void
 qn_view_state_refresh_underlay (QnViewState *self)
 {
   update_underlay (self);
-  emit_changed (self);
+  qn_view_state_changed (self);
 }
 
 /* Another run has other steps; without one only the model can be shown. */
@@ -102,7 +102,7 @@ on_runs_changed (QnDocument *document, QnViewState *self)
     g_clear_pointer (&self->onion, qn_run_unref);
   if (run == NULL && qn_view_needs_result (self->options.view))
     self->options.view = QN_VIEW_MODEL;
-  emit_changed (self);
+  qn_view_state_changed (self);
 }
 
 QnViewState *
@@ -166,7 +166,7 @@ qn_view_state_set_view (QnViewState *self, QnView view)
     return;
   self->options.view = view;
   self->options.phase = 1.0;
-  emit_changed (self);
+  qn_view_state_changed (self);
 }
 
 int
@@ -197,7 +197,7 @@ qn_view_state_set_step (QnViewState *self, int step)
   if (self->options.step == clamped)
     return;
   self->options.step = clamped;
-  emit_changed (self);
+  qn_view_state_changed (self);
 }
 
 void
@@ -217,7 +217,7 @@ qn_view_state_set_scale (QnViewState *self, double scale)
   if (*own == scale)
     return;
   *own = scale;
-  emit_changed (self);
+  qn_view_state_changed (self);
 }
 
 double
@@ -230,15 +230,6 @@ qn_view_state_get_shown_scale (QnViewState *self)
     self->fitting_scale =
       run != NULL ? qn_motion_result_scale (&run->model, &run->result) : 1.0;
   return self->fitting_scale;
-}
-
-void
-qn_view_state_set_phase (QnViewState *self, double phase)
-{
-  if (self->options.phase == phase)
-    return;
-  self->options.phase = phase;
-  emit_changed (self);
 }
 
 static bool *
@@ -265,34 +256,7 @@ qn_view_state_set_switch (QnViewState *self, const char *name, gboolean on)
   if (*value == (on != FALSE))
     return;
   *value = on != FALSE;
-  emit_changed (self);
-}
-
-void
-qn_view_state_set_field (QnViewState *self, QnField field)
-{
-  if (self->options.field == field)
-    return;
-  self->options.field = field;
-  emit_changed (self);
-}
-
-void
-qn_view_state_set_diagram (QnViewState *self, QnDiagram diagram)
-{
-  if (self->options.diagram == diagram)
-    return;
-  self->options.diagram = diagram;
-  emit_changed (self);
-}
-
-void
-qn_view_state_show_underlay_at (QnViewState *self, const QnUnderlay *underlay)
-{
-  cairo_surface_t *image = self->options.underlay.image;
-  self->options.underlay = *underlay;
-  self->options.underlay.image = image;
-  emit_changed (self);
+  qn_view_state_changed (self);
 }
 
 void
@@ -304,7 +268,7 @@ qn_view_state_set_onion (QnViewState *self, QnRun *run)
     return;
   g_clear_pointer (&self->onion, qn_run_unref);
   self->onion = run != NULL ? qn_run_ref (run) : NULL;
-  emit_changed (self);
+  qn_view_state_changed (self);
 }
 
 gboolean

@@ -11,8 +11,10 @@
 #define QN_TYPE_VIEW_STATE (qn_view_state_get_type ())
 G_DECLARE_FINAL_TYPE (QnViewState, qn_view_state, QN, VIEW_STATE, GObject)
 
-/* Read by all, changed by the functions below alone. The underlay is the picture as the document has it, or as
- * it is being moved; its image is NULL where there is none or it cannot be read. */
+/* Read by all, changed by the functions below; but field, diagram, phase and the place of the underlay are set
+ * in the options, before qn_view_state_changed(). A field that is not known at the step shown (stresses where
+ * forces were not kept) is left out. The underlay is the picture as the document has it, or as it is being
+ * moved until the document changes; its image is NULL where there is none or it cannot be read. */
 struct _QnViewState {
   GObject parent_instance;
   QnDocument *document;
@@ -28,6 +30,9 @@ struct _QnViewState {
 
 /* Shows the model; holds the document. */
 QnViewState *qn_view_state_new (QnDocument *document);
+
+/* Announces that something was set. */
+void qn_view_state_changed (QnViewState *state);
 
 /* Current options, step resolved to a number where there is a run. */
 QnViewOptions qn_view_state_get_options (QnViewState *state);
@@ -51,26 +56,12 @@ void qn_view_state_set_scale (QnViewState *state, double scale);
  * of the current run; 1 without a run. */
 double qn_view_state_get_shown_scale (QnViewState *state);
 
-/* Share of the motion shown, 0 to 1. */
-void qn_view_state_set_phase (QnViewState *state, double phase);
-
-/* Quantity shown by colour in the views of results; the views of the model show none. One that is not
- * known at the step shown (stresses where forces were not kept) is left out. */
-void qn_view_state_set_field (QnViewState *state, QnField field);
-
 /* Switches by the names of the window's actions: "ghost", "symbols", "loads", "dimensions",
  * "names", "values". Loads have one for the views of the model, on at first, and one for those of results. */
 gboolean qn_view_state_get_switch (QnViewState *state, const char *name);
 void qn_view_state_set_switch (QnViewState *state, const char *name, gboolean on);
 
-/* Section force that the view of diagrams shows. */
-void qn_view_state_set_diagram (QnViewState *state, QnDiagram diagram);
-
-/* Shows the picture elsewhere while it is being moved; the next change of the document ends
- * it. */
-void qn_view_state_show_underlay_at (QnViewState *state, const QnUnderlay *underlay);
-
-/* Ends that: the picture is again where the document has it. */
+/* The picture is again where the document has it. */
 void qn_view_state_refresh_underlay (QnViewState *state);
 
 /* Only a run of the same structure is taken. */
