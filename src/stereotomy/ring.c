@@ -21,29 +21,13 @@ qn_ring_clear (QnRing *ring)
 double
 qn_ring_area (const QnRing *ring)
 {
-  double twice = 0;
-  for (size_t i = 2; i < ring->count; i++)
-    twice += qn_vec2_cross (qn_vec2_sub (ring->points[i - 1], ring->points[0]),
-                            qn_vec2_sub (ring->points[i], ring->points[0]));
-  return twice / 2;
+  return ring->count < 3 ? 0 : qn_polygon_properties (ring->points, ring->count).area;
 }
 
 QnVec2
 qn_ring_centroid (const QnRing *ring)
 {
-  double twice = 0;
-  QnVec2 moment = { 0, 0 };
-  for (size_t i = 2; i < ring->count; i++) {
-    QnVec2 a = qn_vec2_sub (ring->points[i - 1], ring->points[0]);
-    QnVec2 b = qn_vec2_sub (ring->points[i], ring->points[0]);
-    double cross = qn_vec2_cross (a, b);
-    twice += cross;
-    moment = qn_vec2_add_scaled (moment, cross / 3, qn_vec2_add (a, b));
-  }
-  if (ring->count == 0)
-    return moment;
-  return twice == 0 ? ring->points[0]
-                    : qn_vec2_add_scaled (ring->points[0], 1 / twice, moment);
+  return qn_polygon_properties (ring->points, ring->count).centroid;
 }
 
 double
@@ -113,16 +97,6 @@ qn_ring_simplify (QnRing *ring, double tolerance)
   return before - ring->count;
 }
 
-static void
-reverse_points (QnVec2 *points, size_t count)
-{
-  for (size_t i = 0; i < count / 2; i++) {
-    QnVec2 swap = points[i];
-    points[i] = points[count - 1 - i];
-    points[count - 1 - i] = swap;
-  }
-}
-
 void
 qn_ring_normalize (QnRing *ring)
 {
@@ -132,11 +106,11 @@ qn_ring_normalize (QnRing *ring)
     if (p.y < q.y || (p.y == q.y && p.x < q.x))
       first = i;
   }
-  if (first == 0)
-    return;
-  reverse_points (ring->points, first);
-  reverse_points (ring->points + first, ring->count - first);
-  reverse_points (ring->points, ring->count);
+  QnRing before = *ring;
+  *ring = qn_ring_of (before.points, before.count);
+  for (size_t i = 0; first > 0 && i < ring->count; i++)
+    ring->points[i] = before.points[(first + i) % before.count];
+  qn_ring_clear (&before);
 }
 
 void

@@ -34,8 +34,7 @@ typedef struct QnRings {
 QnRing qn_ring_of (const QnVec2 *points, size_t count);
 void qn_ring_clear (QnRing *ring);
 
-/* Signed area, m2, positive counter-clockwise; centroid; perimeter, m; extents. Area and centroid
- * are summed relative to the first vertex, so that they keep their digits far from the origin. */
+/* Signed area, m2, positive counter-clockwise; centroid, of at least one point; perimeter, m; extents. */
 double qn_ring_area (const QnRing *ring);
 QnVec2 qn_ring_centroid (const QnRing *ring);
 double qn_ring_perimeter (const QnRing *ring);

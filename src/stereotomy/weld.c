@@ -177,49 +177,45 @@ may_be_near (QnVec2 p, QnVec2 a, QnVec2 b, double tolerance)
                        (QnBox){ p, p });
 }
 
-/* Best place for `p` on the ring within *distance: vertices before edges. */
-static bool
-attract (QnVec2 p, const QnRing *ring, double tolerance, double *vertex_distance,
-         double *edge_distance, QnVec2 *vertex, QnVec2 *edge)
+/* A place near to a point. */
+typedef struct Foot {
+  QnVec2 at;
+  double distance; /* INFINITY: none is within the tolerance */
+} Foot;
+
+static void
+take_nearer (QnVec2 at, double distance, double tolerance, Foot *foot)
 {
-  bool found = false;
-  for (size_t i = 0; i < ring->count; i++) {
-    QnVec2 a = ring->points[i], b = ring->points[(i + 1) % ring->count], foot;
-    if (!may_be_near (p, a, b, tolerance))
-      continue;
-    double to_vertex = qn_vec2_length (qn_vec2_sub (p, a));
-    if (to_vertex <= tolerance && to_vertex < *vertex_distance) {
-      *vertex_distance = to_vertex;
-      *vertex = a;
-      found = true;
-    }
-    double to_edge = distance_to_segment (p, a, b, &foot);
-    if (to_edge <= tolerance && to_edge < *edge_distance) {
-      *edge_distance = to_edge;
-      *edge = foot;
-      found = true;
-    }
-  }
-  return found;
+  if (distance <= tolerance && distance < foot->distance)
+    *foot = (Foot){ at, distance };
 }
 
-/* Moves the vertices of ring `index` onto the rings before it. */
+/* Moves the vertices of ring `index` onto the rings before it: to vertices before edges. */
 static void
 fit_vertices (QnRings *rings, size_t index, const QnBoxTree *tree, const size_t *near,
               double tolerance, QnHealing *healing)
 {
   QnRing *ring = &rings->items[index];
   for (size_t k = 0; k < ring->count; k++) {
-    QnVec2 p = ring->points[k], vertex = p, edge = p;
-    double to_vertex = INFINITY, to_edge = INFINITY;
+    QnVec2 p = ring->points[k];
+    Foot vertex = { p, INFINITY }, edge = vertex;
     QnBoxQuery query = qn_box_tree_query (tree, (QnBox){ p, p });
-    for (QnId i; (i = qn_box_query_next (&query)) != QN_NONE;)
-      if ((size_t) i < index && near[i] == index + 1)
-        attract (p, &rings->items[i], tolerance, &to_vertex, &to_edge, &vertex, &edge);
-    double way = isfinite (to_vertex) ? to_vertex : to_edge;
-    if (isfinite (way) && way > NEGLIGIBLE * tolerance) {
-      ring->points[k] = isfinite (to_vertex) ? vertex : edge;
-      qn_healing_note (healing, p, ring->points[k]);
+    for (QnId i; (i = qn_box_query_next (&query)) != QN_NONE;) {
+      const QnRing *other = &rings->items[i];
+      for (size_t m = 0; (size_t) i < index && near[i] == index + 1 && m < other->count;
+           m++) {
+        QnVec2 a = other->points[m], b = other->points[(m + 1) % other->count], foot;
+        if (!may_be_near (p, a, b, tolerance))
+          continue;
+        take_nearer (a, qn_vec2_length (qn_vec2_sub (p, a)), tolerance, &vertex);
+        double way = distance_to_segment (p, a, b, &foot);
+        take_nearer (foot, way, tolerance, &edge);
+      }
+    }
+    const Foot *to = isfinite (vertex.distance) ? &vertex : &edge;
+    if (isfinite (to->distance) && to->distance > NEGLIGIBLE * tolerance) {
+      ring->points[k] = to->at;
+      qn_healing_note (healing, p, to->at);
     }
   }
 }

@@ -17,38 +17,26 @@
 static char *check_result_path;
 static gboolean check_json;
 
-/* "name (ux, uy, rz)" */
-static void
-print_support (const char *separator, const char *name, const bool support[QN_DOF_COUNT])
-{
-  const char *comma = "";
-  qn_print ("%s%s (", separator, name);
-  for (int dof = 0; dof < QN_DOF_COUNT; dof++)
-    if (support[dof]) {
-      qn_print ("%s%s", comma, qn_dof_names[dof]);
-      comma = ", ";
-    }
-  qn_print (")");
-}
-
-/* For every supported block and node. */
+/* "name (ux, uy, rz)" for every supported block and node. */
 static void
 print_supports (const QnModel *model)
 {
-  qn_print (_ ("supports:"));
   const char *separator = " ";
-  for (size_t i = 0; i < model->block_count; i++) {
-    const QnBlock *block = &model->blocks[i];
-    if (!qn_support_is_any (block->support))
+  qn_print (_ ("supports:"));
+  for (size_t i = 0; i < qn_model_body_count (model); i++) {
+    const bool is_block = i < model->block_count;
+    const QnNode *node = is_block ? NULL : &model->nodes[i - model->block_count];
+    const bool *support = is_block ? model->blocks[i].support : node->support;
+    const char *comma = " (";
+    if (!qn_support_is_any (support))
       continue;
-    print_support (separator, block->name, block->support);
-    separator = ", ";
-  }
-  for (size_t i = 0; i < model->node_count; i++) {
-    const QnNode *node = &model->nodes[i];
-    if (!qn_support_is_any (node->support))
-      continue;
-    print_support (separator, node->name, node->support);
+    qn_print ("%s%s", separator, is_block ? model->blocks[i].name : node->name);
+    for (int dof = 0; dof < QN_DOF_COUNT; dof++)
+      if (support[dof]) {
+        qn_print ("%s%s", comma, qn_dof_names[dof]);
+        comma = ", ";
+      }
+    qn_print (")");
     separator = ", ";
   }
   qn_print ("\n");
