@@ -2,7 +2,7 @@
 #include "cli/base/message.h"
 #include "cli/base/progress.h"
 #include "cli/base/subcommand.h"
-#include "cli/verify/verify-cases.h"
+#include "core/base/word.h"
 #include "core/modal/modal.h"
 #include "core/path/analysis.h"
 #include "core/path/stability.h"
@@ -14,6 +14,41 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Where the models and verify.desktop lie: files of examples/, compiled into the program, so that it can be verified
+ * wherever it is installed. */
+#define RESOURCES "/io/github/quoin/verify/"
+
+/* What a case compares; verify.desktop explains them. */
+typedef enum {
+  COLLAPSE,
+  DISPLACEMENT,
+  MULTIPLIER,
+  REACTION,
+  CRITICAL,
+  FREQUENCY,
+  BRANCH,
+  QUANTITY_COUNT
+} Quantity;
+
+typedef struct Case {
+  const char *name, *model, *body; /* `name` is translatable */
+  double reference;
+  double
+    tolerance; /* relative to the reference, or to `scale`; INFINITY: only reported */
+  double published; /* 0 where there is no value */
+  Quantity quantity;
+  QnDof dof;
+  int number;   /* of a stage or mode, from 1; 0: the last step */
+  double scale; /* what errors are relative to; 0: the reference */
+  double at;
+} Case;
+
+/* A table of cases: a group of verify.desktop, whose rows have its name with a slash and a number. */
+typedef struct Table {
+  GKeyFile *file;
+  const char *name;
+} Table;
+
 static char *verify_keep; /* folder for result files, or NULL */
 
 /* Tally over all cases. */
@@ -22,20 +57,70 @@ typedef struct Tally {
   guint uncertain; /* rows whose mechanism was not settled */
 } Tally;
 
-/* Loads a model that is compiled in. */
-static void
-load_case (const QnVerifyGroup *group, const QnVerifyCase *test, QnInput *input)
+/* The bytes of a file that is compiled in. */
+static GBytes *
+look_up (const char *name)
 {
-  g_autofree char *path = g_strconcat (QN_VERIFY_RESOURCES, test->model, NULL);
+  g_autofree char *path = g_strconcat (RESOURCES, name, NULL);
+  GBytes *bytes = g_resources_lookup_data (path, 0, QN_TROUBLE);
+  qn_cli_must (bytes != NULL);
+  return bytes;
+}
+
+static const char *
+text_of (GKeyFile *file, const char *group, const char *key)
+{
+  char *text = g_key_file_get_string (file, group, key, NULL);
+  return text != NULL ? qn_cli_keep (text) : NULL;
+}
+
+/* A word of a list; the first one where none is given. */
+static int
+word_of (GKeyFile *file, const char *group, const char *key, const char *const *words,
+         size_t count)
+{
+  int found = 0;
+  const char *word = text_of (file, group, key);
+  if (word != NULL && !qn_find_word (word, words, count, &found))
+    g_error ("%s: %s: %s", group, key, word);
+  return found;
+}
+
+static Case
+read_case (GKeyFile *file, const char *row)
+{
+  static const char *const quantities[QUANTITY_COUNT] = { "collapse",   "displacement",
+                                                          "multiplier", "reaction",
+                                                          "critical",   "frequency",
+                                                          "branch" };
+  gboolean judged = g_key_file_has_key (file, row, "Tolerance", NULL);
+  return (Case){
+    .name = text_of (file, row, "Name"),
+    .model = text_of (file, row, "Model"),
+    .body = text_of (file, row, "Body"),
+    .reference = g_key_file_get_double (file, row, "Reference", NULL),
+    .tolerance = judged ? g_key_file_get_double (file, row, "Tolerance", NULL) : INFINITY,
+    .published = g_key_file_get_double (file, row, "Published", NULL),
+    .quantity = (Quantity) word_of (file, row, "Quantity", quantities, QUANTITY_COUNT),
+    .dof = (QnDof) word_of (file, row, "Dof", qn_dof_names, QN_DOF_COUNT),
+    .number = g_key_file_get_integer (file, row, "Number", NULL),
+    .scale = g_key_file_get_double (file, row, "Scale", NULL),
+    .at = g_key_file_get_double (file, row, "At", NULL),
+  };
+}
+
+static void
+load_case (Table table, const Case *test, QnInput *input)
+{
+  const char *const overrides[] = { text_of (table.file, table.name, "Set"), NULL };
   gsize length = 0;
   QnDiag diag = { 0 };
   *input = (QnInput){ 0 };
 
-  g_autoptr (GBytes) bytes = g_resources_lookup_data (path, 0, QN_TROUBLE);
-  qn_cli_must (bytes != NULL);
+  g_autoptr (GBytes) bytes = look_up (test->model);
   const char *text = g_bytes_get_data (bytes, &length);
-  qn_cli_must (qn_project_parse (text, length, test->model, group->overrides,
-                                 &input->project, QN_TROUBLE));
+  qn_cli_must (
+    qn_project_parse (text, length, test->model, overrides, &input->project, QN_TROUBLE));
   if (qn_contacts_detect (&input->project.model, &input->contacts, &diag) != QN_OK)
     qn_input_refuse (&input->project, &diag);
 }
@@ -62,8 +147,8 @@ print_value (double value, gboolean known)
 
 /* Prints a row; returns whether the reference was met. */
 static gboolean
-print_row (const QnVerifyCase *test, const QnInput *input, const QnResult *result,
-           double found, double bound)
+print_row (const Case *test, const QnInput *input, const QnResult *result, double found,
+           double bound)
 {
   double scale = test->scale > 0 ? test->scale : fabs (test->reference);
   double error = (found - test->reference) / scale;
@@ -79,7 +164,7 @@ print_row (const QnVerifyCase *test, const QnInput *input, const QnResult *resul
   print_cell (name, 23, TRUE);
   qn_print (" %6zu %5zu", free_blocks, input->contacts.face_count);
   print_value (test->reference, TRUE);
-  print_value (test->paper, test->paper > 0);
+  print_value (test->published, test->published > 0);
   print_value (found, isfinite (found));
   qn_print (" %+8.4f", 100 * error);
   if (isfinite (test->tolerance))
@@ -96,11 +181,11 @@ print_row (const QnVerifyCase *test, const QnInput *input, const QnResult *resul
 
 /* Writes the result as FOLDER/GROUP/<name of the model file>.json. */
 static void
-keep_result (const QnVerifyGroup *group, const QnInput *input, const QnResult *result)
+keep_result (const char *table, const QnInput *input, const QnResult *result)
 {
   if (verify_keep == NULL)
     return;
-  g_autofree char *folder = g_build_filename (verify_keep, group->name, NULL);
+  g_autofree char *folder = g_build_filename (verify_keep, table, NULL);
   g_autofree char *base = g_path_get_basename (input->project.name);
   char *ending = g_strrstr (base, ".quoin");
   if (ending != NULL)
@@ -127,9 +212,9 @@ find_step (const QnResult *result, int stage)
 }
 
 static double
-find_reaction (const QnVerifyCase *test, const QnModel *model, const QnResult *result)
+find_reaction (const Case *test, const QnModel *model, const QnResult *result)
 {
-  QnId block = qn_model_find_block (model, test->block);
+  QnId block = qn_model_find_block (model, test->body);
   for (size_t s = 0; s < result->support_count; s++)
     if (result->supports[s] == block)
       return qn_result_step_reactions (
@@ -154,9 +239,9 @@ corner_displacement (const QnModel *model, QnId block, const double *u)
 
 /* Not-a-number where the path does not come there. */
 static double
-read_branch (const QnVerifyCase *test, const QnModel *model, const QnResult *result)
+read_branch (const Case *test, const QnModel *model, const QnResult *result)
 {
-  QnId block = qn_model_find_block (model, test->block);
+  QnId block = qn_model_find_block (model, test->body);
   double before = NAN;
   if (block == QN_NONE)
     return NAN;
@@ -176,21 +261,21 @@ read_branch (const QnVerifyCase *test, const QnModel *model, const QnResult *res
 
 /* Results of the path of an analysis. */
 static double
-read_path (const QnVerifyCase *test, const QnModel *model, const QnResult *result)
+read_path (const Case *test, const QnModel *model, const QnResult *result)
 {
-  if (test->quantity == QN_VERIFY_COLLAPSE)
+  if (test->quantity == COLLAPSE)
     return result->outcome == QN_OUTCOME_COLLAPSE ? result->collapse_multiplier : NAN;
-  if (test->quantity == QN_VERIFY_BRANCH)
+  if (test->quantity == BRANCH)
     return read_branch (test, model, result);
   gssize step = find_step (result, test->number);
   if (result->outcome != QN_OUTCOME_TARGET_REACHED || step < 0)
     return NAN;
-  if (test->quantity == QN_VERIFY_MULTIPLIER)
+  if (test->quantity == MULTIPLIER)
     return result->steps[step].multiplier;
-  if (test->quantity == QN_VERIFY_REACTION)
+  if (test->quantity == REACTION)
     return find_reaction (test, model, result);
-  QnId block = qn_model_find_block (model, test->block);
-  QnId node = qn_model_find_node (model, test->block);
+  QnId block = qn_model_find_block (model, test->body);
+  QnId node = qn_model_find_node (model, test->body);
   if (block == QN_NONE && node == QN_NONE)
     return NAN;
   size_t body = block != QN_NONE ? (size_t) block : model->block_count + (size_t) node;
@@ -199,8 +284,8 @@ read_path (const QnVerifyCase *test, const QnModel *model, const QnResult *resul
 }
 
 static QnStatus
-run_modes (const QnVerifyCase *test, const QnInput *input, QnResult *result,
-           double *value, QnDiag *diag)
+run_modes (const Case *test, const QnInput *input, QnResult *result, double *value,
+           QnDiag *diag)
 {
   QnModes modes;
   size_t wanted = (size_t) test->number;
@@ -218,8 +303,8 @@ run_modes (const QnVerifyCase *test, const QnInput *input, QnResult *result,
 /* Runs the analysis that the case asks for. *value is not-a-number where it did not come to what is
  * compared. *result is overwritten, empty on failure. */
 static QnStatus
-run_analysis (const QnVerifyCase *test, const QnInput *input, QnResult *result,
-              double *value, QnDiag *diag)
+run_analysis (const Case *test, const QnInput *input, QnResult *result, double *value,
+              QnDiag *diag)
 {
   const QnModel *model = &input->project.model;
   const QnContacts *contacts = &input->contacts;
@@ -227,19 +312,20 @@ run_analysis (const QnVerifyCase *test, const QnInput *input, QnResult *result,
 
   *value = NAN;
   switch (test->quantity) {
-  case QN_VERIFY_FREQUENCY:
+  case FREQUENCY:
     return run_modes (test, input, result, value, diag);
-  case QN_VERIFY_CRITICAL:
+  case CRITICAL:
     status =
       qn_stability_run (model, contacts, qn_terminal_progress_update, NULL, result, diag);
     if (status == QN_OK && result->outcome == QN_OUTCOME_SNAP)
       *value = result->first_limit_multiplier;
     return status;
-  case QN_VERIFY_COLLAPSE:
-  case QN_VERIFY_DISPLACEMENT:
-  case QN_VERIFY_MULTIPLIER:
-  case QN_VERIFY_REACTION:
-  case QN_VERIFY_BRANCH:
+  case COLLAPSE:
+  case DISPLACEMENT:
+  case MULTIPLIER:
+  case REACTION:
+  case BRANCH:
+  case QUANTITY_COUNT:
     break;
   }
   status =
@@ -252,14 +338,14 @@ run_analysis (const QnVerifyCase *test, const QnInput *input, QnResult *result,
 /* --- All of it --- */
 
 static void
-run_case (const QnVerifyGroup *group, const QnVerifyCase *test, Tally *tally)
+run_case (Table table, const Case *test, Tally *tally)
 {
   QnInput input;
   QnResult result = { 0 };
   QnDiag diag = { 0 };
   double found = NAN;
 
-  load_case (group, test, &input);
+  load_case (table, test, &input);
   qn_terminal_progress_begin ();
   QnStatus status = run_analysis (test, &input, &result, &found, &diag);
   gsize memory = qn_terminal_progress_done ();
@@ -268,47 +354,40 @@ run_case (const QnVerifyGroup *group, const QnVerifyCase *test, Tally *tally)
     qn_input_refuse (&input.project, &diag);
   if (qn_interrupt_seen ())
     qn_cli_fail (QN_EXIT_CANCELLED, _ ("cancelled"));
-  double bound =
-    group->bounded && result.has_associative_bound ? result.associative_bound : NAN;
+  double bound = result.has_associative_bound
+                     && g_key_file_get_boolean (table.file, table.name, "Bounded", NULL)
+                   ? result.associative_bound
+                   : NAN;
   gboolean met = print_row (test, &input, &result, found, bound);
   tally->uncertain += result.mechanism_uncertain;
   *(!isfinite (test->tolerance) ? &tally->reported
     : met                       ? &tally->met
                                 : &tally->missed) += 1;
-  keep_result (group, &input, &result);
+  keep_result (table.name, &input, &result);
   qn_result_clear (&result);
   qn_contacts_clear (&input.contacts);
   qn_project_clear (&input.project);
 }
 
-/* Refuses names that no group has. */
-static void
-check_names (char **names)
-{
-  gsize count;
-  const QnVerifyGroup *groups = qn_verify_groups (&count);
-  for (; *names != NULL; names++) {
-    gboolean known = FALSE;
-    for (gsize i = 0; i < count; i++)
-      known = known || strcmp (groups[i].name, *names) == 0;
-    if (!known)
-      qn_cli_usage_error (_ ("no group is called “%s”"), *names);
-  }
-}
-
 static void
 run_verify (char **names)
 {
-  gsize count;
-  const QnVerifyGroup *groups = qn_verify_groups (&count);
+  g_autoptr (GBytes) bytes = look_up ("verify.desktop");
+  g_autoptr (GKeyFile) file = g_key_file_new ();
+  qn_cli_must (g_key_file_load_from_bytes (file, bytes, G_KEY_FILE_NONE, QN_TROUBLE));
+  g_auto (GStrv) groups = g_key_file_get_groups (file, NULL);
   Tally tally = { 0 };
 
-  check_names (names);
-  for (gsize i = 0; i < count; i++) {
-    if (*names != NULL && !g_strv_contains ((const char *const *) names, groups[i].name))
+  for (char **name = names; *name != NULL; name++)
+    if (strchr (*name, '/') != NULL || !g_key_file_has_group (file, *name))
+      qn_cli_usage_error (_ ("no group is called “%s”"), *name);
+  for (char **group = groups; *group != NULL; group++) {
+    const Table table = { file, *group };
+    if (strchr (*group, '/') != NULL
+        || (*names != NULL && !g_strv_contains ((const char *const *) names, *group)))
       continue;
-    const QnVerifyGroup *group = &groups[i];
-    qn_print ("%s (%s)\n", _ (group->title), _ (group->source));
+    qn_print ("%s (%s)\n", _ (text_of (file, *group, "Name")),
+              _ (text_of (file, *group, "Comment")));
     print_cell ("", 23, TRUE);
     print_cell (_ ("blocks"), 6, FALSE);
     print_cell (_ ("faces"), 5, FALSE);
@@ -322,8 +401,10 @@ run_verify (char **names)
     print_cell (_ ("seconds"), 7, FALSE);
     print_cell (_ ("factorisations"), 14, FALSE);
     qn_print ("\n");
-    for (gsize k = 0; k < group->case_count; k++)
-      run_case (group, &group->cases[k], &tally);
+    for (char **row = group + 1; *row != NULL && strchr (*row, '/') != NULL; row++) {
+      const Case test = read_case (file, *row);
+      run_case (table, &test, &tally);
+    }
     qn_print ("\n");
   }
   qn_print (_ ("* HybriDFEM as published, for comparison.\n"
