@@ -22,13 +22,9 @@ QnStatus qn_masonry_lay_buttress (const QnMasonry *masonry, QnPieces *pieces,
 QnStatus qn_masonry_lay_portal (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag);
 QnStatus qn_masonry_lay_rubble (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag);
 
-/* Wall, step by step: the units of one leaf from x = `left`; what the openings cut away and put
- * in; the minimum piece rule. */
-QnStatus qn_bond_lay_leaf (const QnMasonry *masonry, size_t leaf, double left,
-                           QnPieces *pieces, QnDiag *diag);
+/* What the openings of a wall cut away and put in. */
 QnStatus qn_openings_cut (const QnMasonry *masonry, QnBox wall, QnPieces *pieces,
                           QnDiag *diag);
-void qn_slivers_merge (double minimum_piece, QnPieces *pieces);
 
 /* A number that breaks a rule: QN_ERROR_INVALID at `field`. The callers fill in the object's
  * index. */
@@ -50,3 +46,10 @@ bool qn_require_pieces (QnSubject of, const char *field, int32_t value, int32_t 
 QnStatus qn_arch_check (const QnArch *arch, QnDiag *diag);
 void qn_arch_lay_ring (const QnArch *arch, QnVec2 at, const char *prefix,
                        QnPieces *pieces);
+
+/* Joints that are not quite where the drawing has them: moves corners that pieces share as one, at random
+ * (perturbation.c); size: 0 to QN_MAX_PERTURBATION. */
+void qn_pieces_perturb (double size, uint32_t seed, QnPieces *pieces);
+
+/* A number in [-1, 1) that depends on a seed and a place alone, whatever the size of the object. */
+double qn_noise (uint32_t seed, uint32_t a, uint32_t b, uint32_t direction);

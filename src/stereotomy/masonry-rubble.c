@@ -3,7 +3,6 @@
 #include "core/base/polygon.h"
 #include "stereotomy/geos.h"
 #include "stereotomy/masonry-parts.h"
-#include "stereotomy/noise.h"
 #include "stereotomy/polygon-ops.h"
 #include "stereotomy/weld.h"
 

@@ -1,7 +1,6 @@
 #include "stereotomy/masonry.h"
 #include "core/base/memory.h"
 #include "stereotomy/masonry-parts.h"
-#include "stereotomy/perturbation.h"
 #include "stereotomy/polygon-ops.h"
 
 #include <stdlib.h>

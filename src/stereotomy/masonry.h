@@ -221,6 +221,9 @@ typedef struct QnRubble {
   uint32_t seed;
 } QnRubble;
 
+/* Greatest perturbation: two neighbours cannot pass each other. */
+#define QN_MAX_PERTURBATION 0.4
+
 typedef struct QnMasonry {
   QnMasonryKind kind;
   char *name; /* owned */
@@ -233,8 +236,8 @@ typedef struct QnMasonry {
   QnId ring_law; /* of the joints between the rings of arches; QN_NONE: as the others */
   double foundation; /* m: depth of fixed blocks below; 0: none */
   double
-    perturbation; /* how far corners are moved at random, 0 … QN_MAX_PERTURBATION; see
-                          perturbation.h */
+    perturbation; /* how far corners are moved at random, part of their distance from what they
+                          do not belong to; 0 … QN_MAX_PERTURBATION */
   uint32_t perturbation_seed;
 
   /* The one that belongs to `kind`. */

@@ -1,8 +1,19 @@
-#include "stereotomy/perturbation.h"
+/* Joints that are not quite where the drawing has them.
+ *
+ * Corners that pieces share are moved as one, at random, so that who touches whom stays as it was
+ * and no gap opens:
+ *
+ *   - a corner in the middle of another piece's side stays on that side, and so do the ends of the
+ *     side: the bed joints of a wall stay straight, its head joints lean;
+ *   - what lies on a straight part of the outline stays on it;
+ *   - corners of the outline that belong to one piece alone, and corners of foundations, stay.
+ *
+ * A corner moves by `size` times its distance from what it does not belong to, at most.
+ */
 
 #include "core/base/box-tree.h"
 #include "core/base/polygon.h"
-#include "stereotomy/noise.h"
+#include "stereotomy/masonry-parts.h"
 
 #include <stdlib.h>
 
@@ -219,6 +230,21 @@ find_outline (const QnPieces *pieces, Net *net)
     else if (outside && node->pieces == 1)
       node->freedom = FIXED;
   }
+}
+
+/* splitmix64 (Steele, Lea & Flood, "Fast splittable pseudorandom number generators", 2014). */
+double
+qn_noise (uint32_t seed, uint32_t a, uint32_t b, uint32_t direction)
+{
+  uint64_t z =
+    ((uint64_t) seed << 32) ^ ((uint64_t) a << 17) ^ ((uint64_t) b << 1) ^ direction;
+  for (int i = 0; i < 2; i++) {
+    z += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    z ^= z >> 31;
+  }
+  return (double) (z >> 11) * 0x1p-52 - 1;
 }
 
 static QnVec2

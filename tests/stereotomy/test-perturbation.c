@@ -1,6 +1,6 @@
 /* Irregular joints: nothing but the places of corners changes. Whatever the seed, every two blocks
  * that touched still touch in as many faces, nothing else does, and no gap or overlap opens. */
-#include "stereotomy/perturbation.h"
+#include "stereotomy/masonry-parts.h"
 
 #include "core/contact/contacts.h"
 #include "stereotomy/masonry.h"
