@@ -49,8 +49,8 @@ probe_assert_tangent (const Probe *probe, double normal, double tangential)
     double dn = j == 0 ? step : 0, dt = j == 1 ? step : 0;
     QnSpringResponse up = probe_look (probe, normal + dn, tangential + dt);
     QnSpringResponse down = probe_look (probe, normal - dn, tangential - dt);
-    g_assert_cmpint (up.phase, ==, at.phase);
-    g_assert_cmpint (down.phase, ==, at.phase);
+    g_assert_cmpint (up.state, ==, at.state);
+    g_assert_cmpint (down.state, ==, at.state);
     for (int i = 0; i < 2; i++) {
       double slope = (up.force[i] - down.force[i]) / (2 * step);
       g_assert_cmpfloat_with_epsilon (at.tangent[i][j], slope, 1e-6 * largest);

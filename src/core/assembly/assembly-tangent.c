@@ -79,7 +79,7 @@ lets_go (const QnAssembly *as, size_t pair)
   const QnPairSprings *springs = &as->springs[pair];
 
   return springs->a.kind == QN_LAW_NO_TENSION && springs->b.kind == QN_LAW_NO_TENSION
-         && qn_pair_state (springs, as->responses[pair].phase) == QN_PAIR_SLIP;
+         && as->responses[pair].state == QN_PAIR_SLIP;
 }
 
 void

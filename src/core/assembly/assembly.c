@@ -303,7 +303,7 @@ qn_assembly_evaluate (QnAssembly *as, const double *u)
   for (size_t p = 0; p < as->pair_count; p++)
     if (as->inactive[p])
       as->responses[p] =
-        (QnPairResponse){ .memory = as->committed[p], .phase = QN_PHASE_OPEN };
+        (QnPairResponse){ .memory = as->committed[p], .state = QN_PAIR_OPEN };
     else
       ok &= qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
                               &as->responses[p]);
@@ -530,7 +530,7 @@ qn_assembly_pair_results (const QnAssembly *as, const double *u, QnPairResult *r
   for (size_t p = 0; p < as->pair_count; p++) {
     const QnPairResponse *response = &as->responses[p];
     results[p] = (QnPairResult){
-      .state = qn_pair_state (&as->springs[p], response->phase),
+      .state = response->state,
       .normal_force = response->force[0],
       .shear_force = response->force[1],
       .damage = qn_pair_damage (&as->springs[p], &response->memory),

@@ -496,13 +496,12 @@ state_suits_force (const QnCheck *check, size_t p, const double force[2],
 static bool
 comes_to_state (const QnCheck *check, size_t p, QnPairState state)
 {
-  const QnPairSprings *springs = &check->assembly.springs[p];
   QnPairResponse response = check->assembly.responses[p];
-  bool comes = qn_pair_state (springs, response.phase) == state;
+  bool comes = response.state == state;
 
   for (int way = 0; way < 4 && !comes; way++)
     comes = evaluate_near (check, p, way, QN_CHECK_STATE * check->scale, &response)
-            && qn_pair_state (springs, response.phase) == state;
+            && response.state == state;
   return comes;
 }
 
@@ -516,8 +515,7 @@ flows_to_state (const QnCheck *check, size_t p, const double force[2], QnPairSta
   QnPairResponse response = check->assembly.responses[p];
 
   return check->relaxed && qn_pair_damage (springs, &response.memory) > 0
-         && flow_to (check, p, force, &response)
-         && qn_pair_state (springs, response.phase) == state;
+         && flow_to (check, p, force, &response) && response.state == state;
 }
 
 /* Whether a pair has hardly flown since the step before, as its forces and displacements tell; without friction the
@@ -558,8 +556,7 @@ check_states (QnCheck *check, size_t step)
                        || flows_to_state (check, p, force, state)
                        || (told && state_suits_force (check, p, force, state));
     if (!suits)
-      qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, state,
-                          qn_pair_state (springs, as->responses[p].phase));
+      qn_check_tell_pair (check, QN_CLAIM_STATES, step, p, state, as->responses[p].state);
   }
 }
 

@@ -137,7 +137,7 @@ evaluate_joined (const QnPairSprings *springs, const QnPairMemory *committed,
     r->memory.qb[i] = share * q[i];
     r->memory.qa[i] = q[i] - r->memory.qb[i];
   }
-  r->phase = (int16_t) whole.phase;
+  r->state = whole.state;
   r->varies = whole.varies;
 }
 
@@ -145,6 +145,9 @@ evaluate_joined (const QnPairSprings *springs, const QnPairMemory *committed,
 static void
 take_series (const QnPairSeries *series, QnPairResponse *r)
 {
+  static const int ranks[QN_PAIR_STATE_COUNT] = {
+    [QN_PAIR_STICK] = 0, [QN_PAIR_YIELD] = 1, [QN_PAIR_SLIP] = 2, [QN_PAIR_OPEN] = 3
+  };
   const QnSpringResponse *a = &series->a, *b = &series->b;
   double inverse[2][2], share[2][2];
 
@@ -161,7 +164,7 @@ take_series (const QnPairSeries *series, QnPairResponse *r)
   }
   r->memory.a = a->memory;
   r->memory.b = b->memory;
-  r->phase = (int16_t) (a->phase * QN_PHASE_COUNT + b->phase);
+  r->state = ranks[a->state] > ranks[b->state] ? a->state : b->state;
   r->varies = a->varies || b->varies;
 }
 
@@ -275,34 +278,6 @@ qn_pair_bond_strain (const QnPairSprings *springs, const QnPairResponse *respons
 
   return springs->equal ? a
                         : fmax (a, qn_spring_bond_strain (&springs->b, response->force));
-}
-
-static QnPairState
-phase_state (QnPhase phase)
-{
-  if (phase == QN_PHASE_STICK || phase == QN_PHASE_CURVED)
-    return QN_PAIR_STICK;
-  if (phase == QN_PHASE_SLIP_POSITIVE || phase == QN_PHASE_SLIP_NEGATIVE)
-    return QN_PAIR_SLIP;
-  if (phase == QN_PHASE_OPEN || phase == QN_PHASE_SOFTEN || phase == QN_PHASE_CRACKED
-      || phase == QN_PHASE_BROKEN)
-    return QN_PAIR_OPEN;
-  return QN_PAIR_YIELD; /* on a plastic branch, crushed, or on a segment of a curve */
-}
-
-QnPairState
-qn_pair_state (const QnPairSprings *springs, int16_t phase)
-{
-  static const int ranks[QN_PAIR_STATE_COUNT] = {
-    [QN_PAIR_STICK] = 0, [QN_PAIR_YIELD] = 1, [QN_PAIR_SLIP] = 2, [QN_PAIR_OPEN] = 3
-  };
-
-  if (springs->equal)
-    return phase_state ((QnPhase) phase);
-
-  QnPairState a = phase_state ((QnPhase) (phase / QN_PHASE_COUNT));
-  QnPairState b = phase_state ((QnPhase) (phase % QN_PHASE_COUNT));
-  return ranks[a] > ranks[b] ? a : b;
 }
 
 QnPairState

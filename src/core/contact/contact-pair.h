@@ -25,8 +25,8 @@ typedef struct QnPairResponse {
   double force[2];
   double tangent[2][2];
   QnPairMemory memory;
-  int16_t phase; /* unless `varies`, equal phases have equal tangents */
-  bool varies;   /* the tangent also depends on the elongation */
+  QnPairState state;
+  bool varies; /* as of a spring */
 } QnPairResponse;
 
 /* The springs on the two sides of a pair in series; equal ones are joined into one. */
@@ -112,18 +112,6 @@ qn_pair_rigid_strength (const QnPairSprings *springs,
  * iteration did not converge; the response is then not to be used. */
 bool qn_pair_evaluate (const QnPairSprings *springs, const QnPairMemory *committed,
                        const double q[2], QnPairResponse *response);
-
-/* Reported state of a phase. Two different springs: OPEN if either is open, else SLIP if either slips, else
- * YIELD if either is crushed or on the plastic branch of a member's law. */
-typedef enum {
-  QN_PAIR_STICK,
-  QN_PAIR_SLIP,
-  QN_PAIR_OPEN,
-  QN_PAIR_YIELD,
-  QN_PAIR_STATE_COUNT
-} QnPairState;
-
-QnPairState qn_pair_state (const QnPairSprings *springs, int16_t phase);
 
 /* Corrects the state OPEN or SLIP of an elastic, perfectly plastic joint by its force, which the central
  * path finds more accurately than the flow: OPEN or SLIP remains if the force is within `little` (N) of

@@ -96,7 +96,7 @@ static void
 carry_nothing (QnAssembly *as, size_t pair)
 {
   as->responses[pair] =
-    (QnPairResponse){ .memory = as->committed[pair], .phase = QN_PHASE_OPEN };
+    (QnPairResponse){ .memory = as->committed[pair], .state = QN_PAIR_OPEN };
 }
 
 /* Loads, memory and forces of all pairs, and which are inactive, as they were before. */

@@ -79,7 +79,7 @@ allocate_for_pairs (QnEquilibrium *eq)
 
   eq->linsys =
     qn_linsys_new (as->unknown_count, as->ap, as->ai, as->model->analysis.workers);
-  eq->factored_phases = qn_pool_alloc (pool, as->pair_count, sizeof *eq->factored_phases);
+  eq->factored_pairs = qn_pool_alloc (pool, as->pair_count, sizeof *eq->factored_pairs);
   eq->gaps = qn_pool_alloc (pool, as->pair_count + as->beams.count, sizeof *eq->gaps);
   qn_equilibrium_state_init (&eq->committed, as, pool);
   qn_equilibrium_state_init (&eq->recorded, as, pool);
@@ -131,7 +131,7 @@ qn_equilibrium_renew (QnEquilibrium *eq)
   qn_assembly_update_kinematics (as, eq->u);
   qn_beam_assembly_evaluate (as);
   for (size_t p = 0; p < as->pair_count; p++)
-    if (!as->inactive[p] && as->responses[p].phase == QN_PHASE_OPEN)
+    if (!as->inactive[p] && as->responses[p].state == QN_PAIR_OPEN)
       qn_pair_evaluate (&as->springs[p], &as->committed[p], as->elongations + 2 * p,
                         &as->responses[p]);
   qn_equilibrium_record (eq);

@@ -72,7 +72,7 @@ typedef struct QnEquilibrium {
 
   double slope; /* d multiplier / d measure in that iteration; 0: unknown */
 
-  int16_t *factored_phases; /* phases and viscosity of the last factorised tangent */
+  QnPairResponse *factored_pairs; /* and viscosity, of the last factorised tangent */
   double factored_viscosity;
   bool factored;
   bool keeps_forces; /* since last cleared, some forces differ from the law's */

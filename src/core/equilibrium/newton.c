@@ -93,8 +93,18 @@ evaluate (Newton *newton)
     newton->equation.norm = INFINITY;
 }
 
-/* Whether the tangent is factorised already: it depends on the phases of the pairs and the viscosity
- * only, as long as geometry is linear. */
+/* Whether a pair is on the branch of its law that was factorised last. */
+static bool
+is_same (const QnEquilibrium *eq, size_t p)
+{
+  const QnPairResponse *was = &eq->factored_pairs[p], *is = &eq->assembly.responses[p];
+
+  return was->state == is->state && was->varies == is->varies
+         && (is->varies || memcmp (was->tangent, is->tangent, sizeof is->tangent) == 0);
+}
+
+/* Whether the tangent is factorised already: it depends on the branches of the pairs and the viscosity only, as
+ * long as geometry is linear. */
 static bool
 is_factored (const QnEquilibrium *eq, double viscosity)
 {
@@ -103,7 +113,7 @@ is_factored (const QnEquilibrium *eq, double viscosity)
               && !qn_beam_assembly_has_changed (as);
 
   for (size_t p = 0; p < as->pair_count && same; p++)
-    same = !as->responses[p].varies && eq->factored_phases[p] == as->responses[p].phase;
+    same = !as->responses[p].varies && is_same (eq, p);
   return same;
 }
 
@@ -137,7 +147,7 @@ apply_inverse (QnEquilibrium *eq, double viscosity, double *b)
   bool same = is_factored (eq, viscosity);
 
   for (size_t p = 0; p < as->pair_count; p++)
-    eq->factored_phases[p] = as->responses[p].phase;
+    eq->factored_pairs[p] = as->responses[p];
   if (same) {
     qn_equilibrium_solve (eq, b);
     return QN_SOLVE_CONVERGED;
@@ -373,7 +383,7 @@ qn_equilibrium_update_slope (QnEquilibrium *eq, const double *direction)
   double along_live = 0;
 
   for (size_t p = 0; p < as->pair_count && same; p++)
-    same = eq->factored_phases[p] == as->responses[p].phase;
+    same = is_same (eq, p);
   if (same)
     return true;
   QnSolveStatus status = qn_equilibrium_rate (eq, eq->live_step);

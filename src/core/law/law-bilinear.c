@@ -39,7 +39,7 @@ qn_law_bilinear_evaluate (const QnSpring *s, const QnSpringMemory *committed,
   *r = (QnSpringResponse){ .force = { trial, s->ks * q[1] },
                            .tangent = { { s->kn, 0 }, { 0, s->ks } },
                            .memory = *committed,
-                           .phase = QN_PHASE_STICK };
+                           .state = QN_PAIR_STICK };
   if (fabs (relative) <= s->yield)
     return;
 
@@ -51,13 +51,12 @@ qn_law_bilinear_evaluate (const QnSpring *s, const QnSpringMemory *committed,
     r->force[0] = sign * s->yield + back;
     r->memory.opening = plastic;
     r->tangent[0][0] = s->hardening * s->kn;
-    r->phase = sign > 0 ? QN_PHASE_YIELD_POSITIVE : QN_PHASE_YIELD_NEGATIVE;
   } else {
     r->force[0] = sign * s->yield + copysign (most, back);
     r->memory.opening = q[0] - r->force[0] / s->kn;
     r->tangent[0][0] = 0;
-    r->phase = QN_PHASE_YIELD_FULLY;
   }
+  r->state = QN_PAIR_YIELD;
 }
 
 static bool

@@ -35,30 +35,25 @@ crushed_at (const QnSpring *s)
   return s->ultimate - s->strength / s->kn + s->crushing;
 }
 
-/* s(e) and its derivative. */
+/* s(e), its derivative, and the state there; only the parabola's derivative varies. */
 static double
-compressive_force (const QnSpring *s, double e, double *slope, QnSpringResponse *r)
+compressive_force (const QnSpring *s, double e, double *slope, QnPairState *state)
 {
   double peak = 2 * s->strength / s->kn, x = e / peak;
 
-  r->varies = false;
   *slope = 0;
+  *state = e < peak ? QN_PAIR_STICK : QN_PAIR_YIELD;
   if (e < peak) {
-    r->phase = QN_PHASE_CURVED;
-    r->varies = true;
     *slope = s->kn * (1 - x);
     return s->strength * x * (2 - x);
   }
-  if (e <= s->ultimate) {
-    r->phase = QN_PHASE_YIELD_NEGATIVE;
+  if (e <= s->ultimate)
     return s->strength;
-  }
   double end = crushed_at (s);
   if (e >= end) {
-    r->phase = QN_PHASE_BROKEN;
+    *state = QN_PAIR_OPEN;
     return 0;
   }
-  r->phase = QN_PHASE_CRUSH;
   *slope = -s->strength / (end - s->ultimate);
   return -*slope * (end - e);
 }
@@ -66,8 +61,8 @@ compressive_force (const QnSpring *s, double e, double *slope, QnSpringResponse 
 static void
 compress (const QnSpring *s, double e, double plastic, QnSpringResponse *r)
 {
-  QnSpringResponse virgin = *r;
-  double slope, force = compressive_force (s, e, &slope, &virgin);
+  QnPairState state;
+  double slope, force = compressive_force (s, e, &slope, &state);
   double trial = s->kn * (e - plastic);
 
   if (trial <= force) {
@@ -78,8 +73,8 @@ compress (const QnSpring *s, double e, double plastic, QnSpringResponse *r)
   r->force[0] = -force;
   r->tangent[0][0] = slope;
   r->memory.opening = -(e - force / s->kn);
-  r->phase = virgin.phase;
-  r->varies = virgin.varies;
+  r->state = state;
+  r->varies = state == QN_PAIR_STICK;
 }
 
 static void
@@ -92,14 +87,14 @@ stretch (const QnSpring *s, double d, QnSpringResponse *r)
   if (widest <= crack || s->outlasts) {
     r->force[0] = s->kn * d;
     r->tangent[0][0] = s->kn;
-  } else if (widest >= open) {
-    r->phase = QN_PHASE_OPEN;
-  } else {
+    return;
+  }
+  r->state = QN_PAIR_OPEN;
+  if (widest < open) {
     double slope = -s->cap / (open - crack), force = slope * (widest - open);
     bool further = d == widest;
     r->force[0] = further ? force : force / widest * d;
     r->tangent[0][0] = further ? slope : force / widest;
-    r->phase = further ? QN_PHASE_SOFTEN : QN_PHASE_CRACKED;
     r->varies = !further;
   }
 }
@@ -113,7 +108,7 @@ evaluate_concrete (const QnSpring *s, const QnSpringMemory *committed, const dou
   *r = (QnSpringResponse){ .force = { 0, s->ks * q[1] },
                            .tangent = { { 0, 0 }, { 0, s->ks } },
                            .memory = *committed,
-                           .phase = QN_PHASE_STICK };
+                           .state = QN_PAIR_STICK };
   if (q[0] < -plastic)
     compress (s, -q[0], plastic, r);
   else

@@ -115,7 +115,7 @@ slide (const QnSpring *s, const double q[2], double sign, QnSpringResponse *r)
     r->tangent[1][1] = -mu * sign * r->tangent[0][1];
     r->memory.opening = qn_spring_risen (s, &r->memory, slip + sign * g);
     r->memory.slip = slip + sign * g;
-    r->phase = sign > 0 ? QN_PHASE_SLIP_POSITIVE : QN_PHASE_SLIP_NEGATIVE;
+    r->state = QN_PAIR_SLIP;
     return;
   }
 }
@@ -155,10 +155,7 @@ crush (const QnSpring *s, const double q[2], double t_trial, QnSpringResponse *r
   r->varies = s->crushing > 0;
   r->memory.opening = crushed;
   r->memory.slip = slip;
-  r->phase = force == 0 ? QN_PHASE_OPEN
-             : g == 0   ? QN_PHASE_CRUSH
-             : sign > 0 ? QN_PHASE_CRUSH_SLIP_POSITIVE
-                        : QN_PHASE_CRUSH_SLIP_NEGATIVE;
+  r->state = force == 0 ? QN_PAIR_OPEN : QN_PAIR_YIELD;
   return true;
 }
 
@@ -172,13 +169,13 @@ rub (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
   double open = qn_spring_risen (s, committed, q[1]);
   bool slips = fabs (t_trial) + s->residual * n_trial > 0 || is_too_deep (s, n_trial);
 
-  *r = (QnSpringResponse){ .memory = *committed, .phase = QN_PHASE_STICK };
+  *r = (QnSpringResponse){ .memory = *committed, .state = QN_PAIR_STICK };
   if (crush (s, q, t_trial, r))
     return;
   if (q[0] > open && (slips || n_trial > 0)) {
     r->memory.slip = q[1];
     r->memory.opening = open;
-    r->phase = QN_PHASE_OPEN;
+    r->state = QN_PAIR_OPEN;
   } else if (slips) {
     slide (s, q, t_trial < 0 ? -1 : 1, r);
   } else {
@@ -281,7 +278,7 @@ add_bond (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
   r->memory.extreme = holds ? QN_BOND_BREAKS : lost;
   if (lost == 0) {
     *r = (QnSpringResponse){ .memory = *committed,
-                             .phase = crushed ? QN_PHASE_CRUSH : QN_PHASE_STICK };
+                             .state = crushed ? QN_PAIR_YIELD : QN_PAIR_STICK };
     if (crushed)
       r->memory.opening = q[0] + most / s->kn;
     r->memory.extreme = holds ? QN_BOND_BREAKS : 0;

@@ -85,9 +85,9 @@ side_of (const QnSpring *s, bool tension)
   return side;
 }
 
-/* Force of a side at the elongation e >= 0, its slope, and the number of the segment. */
+/* Force of a side at the elongation e >= 0, and its slope. */
 static double
-side_force (const Side *side, double e, double *slope, int *segment)
+side_force (const Side *side, double e, double *slope)
 {
   double e0 = 0, f0 = 0;
 
@@ -95,14 +95,12 @@ side_force (const Side *side, double e, double *slope, int *segment)
     double f = point_force (side, i);
     double e1 = point_plastic (side, i) + f / side->spring->kn;
     if (e < e1) {
-      *segment = i;
       *slope = (f - f0) / (e1 - e0);
       return f0 + *slope * (e - e0);
     }
     e0 = e1;
     f0 = f;
   }
-  *segment = side->count;
   *slope = 0;
   return f0;
 }
@@ -120,13 +118,12 @@ evaluate_curve (const QnSpring *s, const QnSpringMemory *committed, const double
   *r = (QnSpringResponse){ .force = { trial, s->ks * q[1] },
                            .tangent = { { s->kn, 0 }, { 0, s->ks } },
                            .memory = *committed,
-                           .phase = QN_PHASE_STICK };
+                           .state = QN_PAIR_STICK };
   if (side.count == 0)
     return;
 
   double e = tension ? q[0] + compressed : stretched - q[0], slope;
-  int segment;
-  double force = side_force (&side, e, &slope, &segment);
+  double force = side_force (&side, e, &slope);
   if (fabs (trial) - force <= ELASTIC * fabs (trial))
     return;
   r->force[0] = sign * force;
@@ -138,8 +135,7 @@ evaluate_curve (const QnSpring *s, const QnSpringMemory *committed, const double
     r->memory.extreme = compressed;
   }
   r->memory.opening = stretched - compressed;
-  r->phase =
-    (QnPhase) (QN_PHASE_SEGMENT + segment + (tension ? 0 : QN_MAX_CURVE_POINTS + 1));
+  r->state = QN_PAIR_YIELD;
 }
 
 /* --- Parameters ------------------------------------------------------------------------- */

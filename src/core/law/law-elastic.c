@@ -9,7 +9,7 @@ evaluate_elastic (const QnSpring *spring, const QnSpringMemory *committed,
     .force = { spring->kn * q[0], spring->ks * q[1] },
     .tangent = { { spring->kn, 0 }, { 0, spring->ks } },
     .memory = *committed,
-    .phase = QN_PHASE_STICK,
+    .state = QN_PAIR_STICK,
   };
 }
 

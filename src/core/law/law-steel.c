@@ -62,7 +62,7 @@ evaluate_steel (const QnSpring *s, const QnSpringMemory *committed, const double
     return;
   r->tangent[0][0] = phi * r->tangent[0][0] + (further ? slope * r->force[0] : 0);
   r->force[0] *= phi;
-  r->phase = phi > 0 ? QN_PHASE_SOFTEN : QN_PHASE_BROKEN;
+  r->state = QN_PAIR_OPEN;
   r->varies = phi > 0;
 }
 

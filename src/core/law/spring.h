@@ -50,33 +50,22 @@ typedef struct QnSpringMemory {
   double extreme; /* other state of a law, described in its file */
 } QnSpringMemory;
 
-/* Branch of the law on which a spring, or a pair of springs, is. The tangent of a spring depends on its
- * law and its phase alone, unless its response says that it varies. */
+/* What a spring, or a pair of springs, does. Of two different springs: OPEN if either is open, else SLIP if
+ * either slips, else YIELD if either does. */
 typedef enum {
-  QN_PHASE_STICK,         /* elastic */
-  QN_PHASE_SLIP_POSITIVE, /* slips, shear force >= 0 */
-  QN_PHASE_SLIP_NEGATIVE,
-  QN_PHASE_OPEN,           /* open: no force, or that of a damaged bond */
-  QN_PHASE_YIELD_POSITIVE, /* plastic in tension */
-  QN_PHASE_YIELD_NEGATIVE, /* plastic in compression */
-  QN_PHASE_YIELD_FULLY,    /* plastic without hardening any more, either way */
-  QN_PHASE_CURVED,         /* on a branch that is no straight line */
-  QN_PHASE_SOFTEN,         /* a crack opens, a bar breaks */
-  QN_PHASE_CRACKED,        /* a crack closes or reopens, still carrying tension */
-  QN_PHASE_CRUSH,          /* is being crushed; a joint's shear is elastic meanwhile, */
-  QN_PHASE_CRUSH_SLIP_POSITIVE, /* or slips */
-  QN_PHASE_CRUSH_SLIP_NEGATIVE,
-  QN_PHASE_BROKEN,  /* carries nothing any more */
-  QN_PHASE_SEGMENT, /* on a segment of a curve: number added, tension before compression */
-  QN_PHASE_COUNT = QN_PHASE_SEGMENT + 2 * (QN_MAX_CURVE_POINTS + 1)
-} QnPhase;
+  QN_PAIR_STICK, /* elastic, or on the curve of concrete */
+  QN_PAIR_SLIP,
+  QN_PAIR_OPEN,  /* no force, or that of a bond, crack or bar that is damaged */
+  QN_PAIR_YIELD, /* plastic, crushed, or on a segment of a curve */
+  QN_PAIR_STATE_COUNT
+} QnPairState;
 
 typedef struct QnSpringResponse {
   double force[2];       /* N */
   double tangent[2][2];  /* d force[i] / d q[j], N/m */
   QnSpringMemory memory; /* to commit if the step is accepted */
-  QnPhase phase;
-  bool varies; /* the tangent does not follow from the phase */
+  QnPairState state;
+  bool varies; /* the tangent differs from elongation to elongation */
 } QnSpringResponse;
 
 /* A strength of a joint in terms of its normal force n (tension positive) and shear force t, and

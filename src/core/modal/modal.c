@@ -153,8 +153,7 @@ count_joints (const Pencil *pencil, QnModes *modes)
     const double *tangent = pencil->proof.tangents + 4 * p;
     bool open = tangent[0] == 0 && tangent[3] == 0;
     modes->open += open;
-    modes->slides +=
-      !open && qn_pair_state (&as->springs[p], as->responses[p].phase) == QN_PAIR_SLIP;
+    modes->slides += !open && as->responses[p].state == QN_PAIR_SLIP;
   }
 }
 

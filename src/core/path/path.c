@@ -145,8 +145,7 @@ bool
 qn_path_slips (const QnAssembly *as)
 {
   for (size_t p = 0; p < as->pair_count; p++)
-    if (as->responses[p].phase == QN_PHASE_SLIP_POSITIVE
-        || as->responses[p].phase == QN_PHASE_SLIP_NEGATIVE)
+    if (as->responses[p].state == QN_PAIR_SLIP)
       return true;
   return false;
 }

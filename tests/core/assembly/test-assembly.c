@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* Small random displacements that open, close and slide joints, pressed together so that
- * every phase occurs. */
+ * every state occurs. */
 static void
 random_displacements (const QnAssembly *as, GRand *random, double *u)
 {
@@ -54,7 +54,7 @@ turn_everything (const Solver *solver, double angle, double *u)
 }
 
 /* K against central differences of R, column by column, on a wall in a random state. Columns
- * whose difference straddles a change of phase are left out, and must be few. */
+ * whose difference straddles a change of a pair's tangent are left out, and must be few. */
 static void
 check_tangent (double dilatancy, QnGeometry geometry)
 {
@@ -70,7 +70,7 @@ check_tangent (double dilatancy, QnGeometry geometry)
   int32_t n = as->unknown_count;
   g_autofree double *u = g_new0 (double, n), *plus = g_new0 (double, n),
                     *minus = g_new0 (double, n);
-  g_autofree int16_t *phases = g_new0 (int16_t, as->pair_count);
+  g_autofree QnPairResponse *at = g_new0 (QnPairResponse, as->pair_count);
   GRand *random = g_rand_new_with_seed (11);
   int checked = 0;
 
@@ -80,7 +80,7 @@ check_tangent (double dilatancy, QnGeometry geometry)
   g_assert_true (qn_assembly_evaluate (as, u));
   qn_assembly_tangent (as, multiplier, 0);
   for (size_t p = 0; p < as->pair_count; p++)
-    phases[p] = as->responses[p].phase;
+    at[p] = as->responses[p];
 
   for (int32_t j = 0; j < n; j++) {
     double h = 1e-9, kept = u[j];
@@ -90,7 +90,9 @@ check_tangent (double dilatancy, QnGeometry geometry)
       g_assert_true (qn_assembly_evaluate (as, u));
       qn_assembly_residual (as, multiplier, side ? minus : plus);
       for (size_t p = 0; p < as->pair_count; p++)
-        same = same && phases[p] == as->responses[p].phase;
+        same =
+          same
+          && memcmp (at[p].tangent, as->responses[p].tangent, sizeof at[p].tangent) == 0;
     }
     u[j] = kept;
     if (!same)

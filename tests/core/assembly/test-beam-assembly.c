@@ -126,7 +126,7 @@ check_tangent (QnGeometry geometry)
   int32_t n = as->unknown_count, checked = 0;
   g_autofree double *u = g_new0 (double, n), *plus = g_new0 (double, n),
                     *minus = g_new0 (double, n);
-  g_autofree int16_t *phases = g_new0 (int16_t, as->pair_count);
+  g_autofree QnPairResponse *at = g_new0 (QnPairResponse, as->pair_count);
   g_autoptr (GRand) random = g_rand_new_with_seed (5);
   double largest = 0;
 
@@ -149,7 +149,7 @@ check_tangent (QnGeometry geometry)
   for (int32_t k = 0; k < as->ap[n]; k++)
     largest = fmax (largest, fabs (as->ax[k]));
   for (size_t p = 0; p < as->pair_count; p++)
-    phases[p] = as->responses[p].phase;
+    at[p] = as->responses[p];
 
   for (int32_t j = 0; j < n; j++) {
     double h = 1e-9, kept = u[j];
@@ -159,7 +159,9 @@ check_tangent (QnGeometry geometry)
       g_assert_true (qn_assembly_evaluate (as, u));
       qn_assembly_residual (as, 0.3, side ? minus : plus);
       for (size_t p = 0; p < as->pair_count; p++)
-        same = same && phases[p] == as->responses[p].phase;
+        same =
+          same
+          && memcmp (at[p].tangent, as->responses[p].tangent, sizeof at[p].tangent) == 0;
     }
     u[j] = kept;
     checked += same;

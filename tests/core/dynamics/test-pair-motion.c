@@ -175,6 +175,16 @@ test_impact (void)
   }
 }
 
+/* Whether no corner of the law lies between two elongations that are hardly apart. */
+static gboolean
+is_near (const QnPairResponse *one, const QnPairResponse *other)
+{
+  gboolean near = one->state == other->state;
+  for (int i = 0; i < 4; i++)
+    near = near && fabs (one->tangent[i / 2][i % 2] - other->tangent[i / 2][i % 2]) < 1e3;
+  return near;
+}
+
 static void
 test_tangent (void)
 {
@@ -189,7 +199,7 @@ test_tangent (void)
     init (&s, spring, spring, i % 2 == 0 ? 0 : 1e-3, q0);
     s.step.of = (QnDampingStiffness) (i / 2 % QN_DAMPING_STIFFNESS_COUNT);
     evaluate (&s, q1);
-    int16_t phase = s.after.phase;
+    QnPairResponse at = s.after;
     QnPairForces forces = qn_pair_motion (&s.elasticity, &s.step, &s.start, &s.end);
     const double h = 1e-9;
     for (int j = 0; j < 2; j++) {
@@ -197,9 +207,9 @@ test_tangent (void)
       left[j] -= h;
       right[j] += h;
       force_at (&s, left, low);
-      gboolean same = s.after.phase == phase;
+      gboolean same = is_near (&s.after, &at);
       force_at (&s, right, high);
-      same = same && s.after.phase == phase;
+      same = same && is_near (&s.after, &at);
       for (int k = 0; k < 2 && same; k++) {
         double slope = (high[k] - low[k]) / (2 * h);
         g_assert_cmpfloat (fabs (forces.tangent[k][j] - slope), <,

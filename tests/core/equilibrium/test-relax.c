@@ -96,7 +96,7 @@ test_restore (void)
   g_assert_cmpmem (u, sizeof u, eq->u, sizeof u);
   g_assert_cmpmem (&response.force, sizeof response.force,
                    &eq->assembly.responses[0].force, sizeof response.force);
-  g_assert_cmpint (response.phase, ==, eq->assembly.responses[0].phase);
+  g_assert_cmpint (response.state, ==, eq->assembly.responses[0].state);
   g_assert_cmpfloat (eq->committed.multiplier, ==, 0.3);
   solver_clear (&solver);
 }

@@ -70,13 +70,12 @@ test_shear (void)
 }
 
 static void
-test_phases (void)
+test_states (void)
 {
   Probe p = fibre (0.2);
-  g_assert_cmpint (probe_look (&p, 0.09, 0).phase, ==, QN_PHASE_STICK);
-  g_assert_cmpint (probe_look (&p, 0.11, 0).phase, ==, QN_PHASE_YIELD_POSITIVE);
-  g_assert_cmpint (probe_look (&p, -0.11, 0).phase, ==, QN_PHASE_YIELD_NEGATIVE);
-  g_assert_false (probe_look (&p, 0.11, 0).varies);
+  g_assert_cmpint (probe_look (&p, 0.09, 0).state, ==, QN_PAIR_STICK);
+  g_assert_cmpint (probe_look (&p, 0.11, 0).state, ==, QN_PAIR_YIELD);
+  g_assert_cmpint (probe_look (&p, -0.11, 0).state, ==, QN_PAIR_YIELD);
 }
 
 QN_TESTS
@@ -85,5 +84,5 @@ QN_TESTS
   g_test_add_func ("/law-bilinear/closed-cycle", test_closed_cycle);
   g_test_add_func ("/law-bilinear/steps", test_steps);
   g_test_add_func ("/law-bilinear/shear", test_shear);
-  g_test_add_func ("/law-bilinear/phases", test_phases);
+  g_test_add_func ("/law-bilinear/states", test_states);
 }

@@ -61,7 +61,7 @@ test_crack (void)
     QnSpringResponse r = probe_go (&p, rows[i][0], 0);
     probe_assert_force (&r, rows[i][1], 0);
   }
-  g_assert_cmpint (probe_look (&p, 0.02, 0).phase, ==, QN_PHASE_CRACKED);
+  g_assert_cmpint (probe_look (&p, 0.02, 0).state, ==, QN_PAIR_OPEN);
   probe_assert_tangent (&p, 0.02, 0);
   probe_assert_tangent (&p, 0.06, 0);
   QnSpringResponse r = probe_go (&p, -0.02, 0);
@@ -73,7 +73,7 @@ test_crack (void)
     r = probe_go (&p, rows[i][0], 0);
     probe_assert_force (&r, rows[i][1], 0);
   }
-  g_assert_cmpint (r.phase, ==, QN_PHASE_OPEN);
+  g_assert_cmpint (r.state, ==, QN_PAIR_OPEN);
 }
 
 /* A crack takes Gf per area to open, whatever the length of the block behind it. */

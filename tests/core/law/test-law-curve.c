@@ -56,23 +56,15 @@ test_cycle (void)
 }
 
 static void
-test_phases (void)
+test_states (void)
 {
   QnLaw law = curve (0);
   Probe p = probe_of_law (&law);
   static const double at[] = { 0.2, 0.4, 0.6, -0.5, -2 };
-  QnPhase phases[G_N_ELEMENTS (at)];
-  g_assert_cmpint (probe_look (&p, 0.09, 0).phase, ==, QN_PHASE_STICK);
-  g_assert_cmpint (probe_look (&p, -0.19, 0).phase, ==, QN_PHASE_STICK);
-  for (size_t i = 0; i < G_N_ELEMENTS (at); i++) {
-    QnSpringResponse r = probe_look (&p, at[i], 0);
-    g_assert_false (r.varies);
-    g_assert_cmpint (r.phase, >=, QN_PHASE_SEGMENT);
-    g_assert_cmpint (r.phase, <, QN_PHASE_COUNT);
-    phases[i] = r.phase;
-    for (size_t k = 0; k < i; k++)
-      g_assert_cmpint (phases[k], !=, phases[i]);
-  }
+  g_assert_cmpint (probe_look (&p, 0.09, 0).state, ==, QN_PAIR_STICK);
+  g_assert_cmpint (probe_look (&p, -0.19, 0).state, ==, QN_PAIR_STICK);
+  for (size_t i = 0; i < G_N_ELEMENTS (at); i++)
+    g_assert_cmpint (probe_look (&p, at[i], 0).state, ==, QN_PAIR_YIELD);
 }
 
 /* A side without points is elastic. */
@@ -137,7 +129,7 @@ QN_TESTS
 {
   g_test_add_func ("/law-curve/envelope", test_envelope);
   g_test_add_func ("/law-curve/cycle", test_cycle);
-  g_test_add_func ("/law-curve/phases", test_phases);
+  g_test_add_func ("/law-curve/states", test_states);
   g_test_add_func ("/law-curve/one-sided", test_one_sided);
   g_test_add_func ("/law-curve/energy", test_energy);
   g_test_add_func ("/law-curve/mesh-objective", test_mesh_objective);

@@ -45,15 +45,15 @@ test_crush_and_return (void)
   Probe p = with_dilatancy (0);
   probe_assert_tangent (&p, -6, 0.5);
   QnSpringResponse r = probe_go (&p, -6, 0.5);
-  g_assert_cmpint (r.phase, ==, QN_PHASE_CRUSH);
+  g_assert_cmpint (r.state, ==, QN_PAIR_YIELD);
   probe_assert_force (&r, -8, 0.5);
   g_assert_cmpfloat (r.memory.opening, ==, -2);
 
   r = probe_go (&p, -4, 0.5);
-  g_assert_cmpint (r.phase, ==, QN_PHASE_STICK);
+  g_assert_cmpint (r.state, ==, QN_PAIR_STICK);
   probe_assert_force (&r, -4, 0.5);
   r = probe_go (&p, -1.5, 0);
-  g_assert_cmpint (r.phase, ==, QN_PHASE_OPEN);
+  g_assert_cmpint (r.state, ==, QN_PAIR_OPEN);
   probe_assert_force (&r, 0, 0);
   r = probe_go (&p, -6, 0);
   probe_assert_force (&r, -8, 0);
@@ -69,7 +69,7 @@ test_corner (void)
     Probe p = with_dilatancy (psis[i]);
     probe_assert_tangent (&p, -6, -7);
     QnSpringResponse r = probe_go (&p, -6, -7);
-    g_assert_cmpint (r.phase, ==, QN_PHASE_CRUSH_SLIP_NEGATIVE);
+    g_assert_cmpint (r.state, ==, QN_PAIR_YIELD);
     probe_assert_force (&r, -8, -4);
     g_assert_cmpfloat (r.memory.slip, ==, -3);
     g_assert_cmpfloat (r.memory.opening, ==, -2);
@@ -84,7 +84,7 @@ test_dilatancy_crushes (void)
   Probe p = with_dilatancy (0.5);
   probe_assert_tangent (&p, -3.5, 9);
   QnSpringResponse r = probe_go (&p, -3.5, 9);
-  g_assert_cmpint (r.phase, ==, QN_PHASE_CRUSH_SLIP_POSITIVE);
+  g_assert_cmpint (r.state, ==, QN_PAIR_YIELD);
   probe_assert_force (&r, -8, 4);
   g_assert_cmpfloat (r.memory.slip, ==, 5);
   g_assert_cmpfloat_with_epsilon (r.memory.opening, 2.5 - 2, 1e-12);
@@ -100,7 +100,7 @@ test_bond (void)
   Probe p = probe_of_law (&law);
   probe_assert_tangent (&p, -6, 4.9);
   QnSpringResponse r = probe_go (&p, -6, 4.9);
-  g_assert_cmpint (r.phase, ==, QN_PHASE_CRUSH);
+  g_assert_cmpint (r.state, ==, QN_PAIR_YIELD);
   probe_assert_force (&r, -8, 4.9);
   g_assert_cmpfloat (r.memory.opening, ==, -2);
   r = probe_look (&p, -1.6, 0.5); /* 0.4 of opening since -2 */

@@ -38,7 +38,7 @@ test_opens_and_closes (void)
   Probe p = joint ();
   probe_go (&p, -3, 5);
   QnSpringResponse r = probe_go (&p, 1, 7);
-  g_assert_cmpint (r.phase, ==, QN_PHASE_OPEN);
+  g_assert_cmpint (r.state, ==, QN_PAIR_OPEN);
   probe_assert_force (&r, 0, 0);
   probe_assert_tangent (&p, 1, 7);
   r = probe_go (&p, -2, 7.5);
