@@ -1,4 +1,4 @@
-#include "core/capacity/kinematic.h"
+#include "core/capacity/capacity.h"
 
 #include "core/base/memory.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/capacity/kinematic.h"
+#include "core/capacity/capacity.h"
 #include "core/contact/contacts.h"
 #include "doc/text/units.h"
 #include "io/project/project.h"

@@ -1,5 +1,5 @@
 /* Mechanisms by code against hand numbers; docs/method/capacity.md has the same. */
-#include "core/capacity/kinematic.h"
+#include "core/capacity/capacity.h"
 #include "support/generate.h"
 #include "support/models.h"
 #include "support/room.h"

@@ -1,5 +1,5 @@
 /* Spectra beside values computed by hand from the tables of EN 1998-1. */
-#include "core/capacity/spectrum.h"
+#include "core/capacity/capacity.h"
 #include "support/room.h"
 
 #include <glib.h>
