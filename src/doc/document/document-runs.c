@@ -42,11 +42,12 @@ on_job_done (GObject *source, GAsyncResult *result, gpointer user_data)
   QnJob *job = QN_JOB (source);
   g_autoptr (QnDocument) self = user_data;
   g_autoptr (GError) error = NULL;
-  g_autoptr (GPtrArray) runs = qn_job_finish (job, result, &error);
+  QnDiag diag;
+  g_autoptr (GPtrArray) runs = qn_job_finish (job, result, &diag, &error);
   if (self->job != job)
     return; /* replaced or dropped meanwhile */
 
-  self->job_diag = *qn_job_get_diag (job);
+  self->job_diag = diag;
   g_signal_handlers_disconnect_by_data (job, self);
   g_clear_object (&self->job);
   if (runs != NULL) {

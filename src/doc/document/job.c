@@ -238,11 +238,12 @@ qn_job_start (QnJob *self, GAsyncReadyCallback callback, gpointer user_data)
 }
 
 GPtrArray *
-qn_job_finish (QnJob *self, GAsyncResult *result, GError **error)
+qn_job_finish (QnJob *self, GAsyncResult *result, QnDiag *diag, GError **error)
 {
   g_return_val_if_fail (g_task_is_valid (result, self), NULL);
   g_clear_handle_id (&self->tick, g_source_remove);
   g_clear_pointer (&self->thread, g_thread_join);
+  *diag = self->diag;
   return g_task_propagate_pointer (G_TASK (result), error);
 }
 
@@ -326,12 +327,6 @@ qn_job_get_remaining (QnJob *self)
   return progress.time > 0.0 && elapsed >= LEAST_ELAPSED
            ? elapsed * (progress.end - progress.time) / progress.time
            : -1.0;
-}
-
-const QnDiag *
-qn_job_get_diag (QnJob *self)
-{
-  return &self->diag;
 }
 
 /* More than the parts that one structure is taken to gain nothing. */

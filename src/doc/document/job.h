@@ -27,8 +27,8 @@ void qn_job_start (QnJob *job, GAsyncReadyCallback callback, gpointer user_data)
 
 /* The run, of modes one for each, or NULL with an error when the model cannot be analysed. A cancelled
  * analysis that has converged steps is a run whose outcome says so; one without is
- * G_IO_ERROR_CANCELLED. Of QnRun; free with g_ptr_array_unref(). */
-GPtrArray *qn_job_finish (QnJob *job, GAsyncResult *result, GError **error);
+ * G_IO_ERROR_CANCELLED. `diag` tells the place of what is wrong. Of QnRun; free with g_ptr_array_unref(). */
+GPtrArray *qn_job_finish (QnJob *job, GAsyncResult *result, QnDiag *diag, GError **error);
 
 /* Asks the analysis to end soon; what has converged is kept. */
 void qn_job_cancel (QnJob *job);
@@ -57,9 +57,6 @@ double qn_job_get_remaining (QnJob *job);
 
 /* For other work in threads, as a QnProgressFunc: until `cancellable` is cancelled. */
 bool qn_job_may_go_on (const QnProgress *progress, void *cancellable);
-
-/* Diagnosis of the analysis, with its place; valid after a failed finish. */
-const QnDiag *qn_job_get_diag (QnJob *job);
 
 /* As many threads as there are processors, the caller's among them: started when they are first needed,
  * kept until the process ends. They work for one caller at a time: the threads of others, and that of a caller

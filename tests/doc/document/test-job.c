@@ -11,6 +11,7 @@ typedef struct Outcome {
   gboolean done;
   GPtrArray *runs;
   QnRun *run; /* the first of them */
+  QnDiag diag;
   GError *error;
 } Outcome;
 
@@ -18,7 +19,8 @@ static void
 on_done (GObject *source, GAsyncResult *result, gpointer data)
 {
   Outcome *outcome = data;
-  outcome->runs = qn_job_finish (QN_JOB (source), result, &outcome->error);
+  outcome->runs =
+    qn_job_finish (QN_JOB (source), result, &outcome->diag, &outcome->error);
   outcome->run = outcome->runs != NULL ? outcome->runs->pdata[0] : NULL;
   outcome->done = TRUE;
 }
@@ -217,8 +219,8 @@ test_unsound (void)
   wait_for (&outcome);
   g_assert_error (outcome.error, QN_EDIT_ERROR, 0);
   g_assert_nonnull (strstr (outcome.error->message, "cloud"));
-  g_assert_cmpint (qn_job_get_diag (job)->entity, ==, QN_ENTITY_BLOCK);
-  g_assert_cmpint (qn_job_get_diag (job)->index, ==, 1);
+  g_assert_cmpint (outcome.diag.entity, ==, QN_ENTITY_BLOCK);
+  g_assert_cmpint (outcome.diag.index, ==, 1);
 }
 
 /* A run for every mode, the first from the job itself; they share model and contacts, and outlive
