@@ -159,8 +159,8 @@ qn_path_trace_accept (QnPathTrace *trace)
   return true;
 }
 
-/* One increment of the multiplier. Where Newton's method does not get through easily, the first is as small as
- * may be, since long ones lead to other branches, or the work of the live load is prescribed from here on. */
+/* One increment of the multiplier. Where Newton's method does not get through easily, the first is cut until
+ * it is short enough, or the work of the live load is prescribed from here on. */
 static bool
 advance_by_load (QnPathTrace *trace)
 {
@@ -178,10 +178,9 @@ advance_by_load (QnPathTrace *trace)
                  && qn_equilibrium_live_work (eq, eq->committed.u) < 0;
   if (!easy || softens) {
     qn_equilibrium_restore (eq);
-    double smallest = QN_PATH_SMALLEST_STEP * trace->measure.first;
-    if (softens || from > 0 || trace->step <= smallest)
+    if (softens || from > 0 || trace->step <= QN_PATH_RESTART_STEP * trace->measure.first)
       return take_work (trace);
-    trace->step = smallest;
+    trace->step *= QN_PATH_CUT;
     return true;
   }
   choose_next_step (trace, target - from, true);

@@ -12,7 +12,7 @@
 #define QN_PATH_TURN          0.25
 
 /* First load step, x the multiplier at which the largest live load on a block equals the largest dead load,
- * regardless of `increments`. */
+ * regardless of `increments`; after failures it is cut to RESTART_STEP of itself. */
 #define QN_PATH_START 0.02
 
 /* Longest step: LARGEST_STEP first steps in displacement control; LARGEST_MOTION characteristic lengths in
