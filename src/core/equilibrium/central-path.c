@@ -27,12 +27,12 @@
  * twice as many steps turn back on a wall of 820 blocks, at a hundredth as many again. */
 #define PART_OF_MOTION 0.1
 
-static const QnIpTuning tuning = { .exponent = 3,
-                                   .least_aim = 1e-6,
-                                   .correctors = 2,
-                                   .full_step = 0.9,
-                                   .spread = 10,
-                                   .gain = 0.01 };
+static const QnIpTuning ip_tuning = { .exponent = 3,
+                                      .least_aim = 1e-6,
+                                      .correctors = 2,
+                                      .full_step = 0.9,
+                                      .spread = 10,
+                                      .gain = 0.01 };
 
 struct QnCentralPath {
   QnCentralPairs pairs;
@@ -149,7 +149,7 @@ qn_central_path_new (QnEquilibrium *eq, bool together, QnCentralPath **made)
   path->eq = eq;
   path->may_jump = qn_assembly_may_jump (as);
   path->together = path->may_jump && (together || !as->nonlinear);
-  qn_central_pairs_init (&path->pairs, &eq->assembly, &tuning);
+  qn_central_pairs_init (&path->pairs, &eq->assembly, &ip_tuning);
   QnPool *pool = &path->pairs.pool;
   path->kept = qn_pool_alloc (pool, n, sizeof *path->kept);
   path->lack = qn_pool_alloc (pool, n, sizeof *path->lack);
