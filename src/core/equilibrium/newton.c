@@ -79,20 +79,6 @@ measure (QnStepEquation *equation)
   eq->statistics.assembly_seconds += qn_clock_seconds () - start;
 }
 
-static void
-evaluate (Newton *newton)
-{
-  QnEquilibrium *eq = newton->equation.eq;
-  double start = qn_clock_seconds ();
-  bool evaluated = qn_assembly_evaluate (&eq->assembly, eq->u);
-
-  eq->statistics.law_seconds += qn_clock_seconds () - start;
-  if (evaluated)
-    measure (&newton->equation);
-  else
-    newton->equation.norm = INFINITY;
-}
-
 /* Whether a pair is on the branch of its law that was factorised last. */
 static bool
 is_same (const QnEquilibrium *eq, size_t p)
@@ -242,7 +228,13 @@ move (QnStepEquation *equation, double part)
   eq->multiplier = newton->multiplier + part * newton->multiplier_step;
   for (int32_t i = 0; i < n; i++)
     eq->u[i] = eq->trial[i] + part * eq->step[i];
-  evaluate (newton);
+  double start = qn_clock_seconds ();
+  bool evaluated = qn_assembly_evaluate (&eq->assembly, eq->u);
+  eq->statistics.law_seconds += qn_clock_seconds () - start;
+  if (evaluated)
+    measure (equation);
+  else
+    equation->norm = INFINITY;
 }
 
 /* Moves by the largest power of 1/2 that decreases the residual enough below `norm`; false where none does. */

@@ -247,22 +247,6 @@ add_broken_bound (const QnModel *model, const QnContacts *contacts, QnBudget *bu
 
 /* --- A path ------------------------------------------------------------------------------- */
 
-/* Dead load, then time. */
-static QnStatus
-run_in_time (QnPath *path, QnDiag *diag)
-{
-  QnEquilibrium *eq = &path->equilibrium;
-  bool stands;
-  QnStatus status = qn_path_apply_dead_load (path, &stands, diag);
-
-  if (status != QN_OK || !stands)
-    return status;
-  status = qn_path_begin_to_follow (path, path->model->analysis.dynamic.follow, diag);
-  return status == QN_OK ? qn_dynamics_run (eq, path->follows ? &path->moving : NULL,
-                                            path->result, diag)
-                         : status;
-}
-
 /* --- How it moves ------------------------------------------------------------------------- */
 
 /* How the structure was seen to move beyond its collapse may be the motion of a later state. The
@@ -308,13 +292,19 @@ follow_load (const QnModel *model, const QnContacts *contacts, QnBudget *budget,
 {
   QnPath path;
   bool stands;
+  bool in_time = model->analysis.procedure == QN_PROCEDURE_DYNAMIC;
   QnStatus status =
     qn_path_setup (&path, model, contacts, qn_budget_go_on, budget, result, diag);
 
-  if (status == QN_OK && model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
-    status = run_in_time (&path, diag);
-  else if (status == QN_OK)
-    status = qn_path_run (&path, &stands, diag);
+  if (status == QN_OK)
+    status = in_time ? qn_path_apply_dead_load (&path, &stands, diag)
+                     : qn_path_run (&path, &stands, diag);
+  in_time &= status == QN_OK && stands;
+  if (in_time)
+    status = qn_path_begin_to_follow (&path, model->analysis.dynamic.follow, diag);
+  if (in_time && status == QN_OK)
+    status = qn_dynamics_run (&path.equilibrium, path.follows ? &path.moving : NULL,
+                              result, diag);
   return qn_path_finish (&path, status, budget->start);
 }
 

@@ -28,21 +28,6 @@ is_gone (const QnPathTrace *trace, double motion)
              || left <= QN_PATH_SETTLED * tolerance);
 }
 
-/* Whether the motion of the last step may continue up to eq->runaway: no open joint will close. */
-static bool
-may_move_on (QnPathTrace *trace, double motion)
-{
-  QnEquilibrium *eq = &trace->path->equilibrium;
-  QnAssembly *as = &eq->assembly;
-  const double *last_u = trace->measure.last_u;
-  double step = qn_assembly_elastic_displacements (as, eq->u, last_u);
-
-  qn_assembly_update_kinematics (as, last_u);
-  qn_equilibrium_note_gaps (eq);
-  qn_assembly_update_kinematics (as, eq->u);
-  return !qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
-}
-
 double
 qn_path_end_gain (const QnPathTrace *trace)
 {
@@ -66,10 +51,12 @@ qn_path_end_gain (const QnPathTrace *trace)
 static bool
 is_plateau (QnPathTrace *trace)
 {
-  const QnEquilibrium *eq = &trace->path->equilibrium;
+  QnEquilibrium *eq = &trace->path->equilibrium;
+  QnAssembly *as = &eq->assembly;
+  const double *last_u = trace->measure.last_u;
   double tolerance =
     trace->may_jump ? QN_PATH_PLATEAU : trace->path->settings->multiplier_tolerance;
-  double motion = qn_assembly_elastic_displacements (&eq->assembly, eq->u, NULL);
+  double motion = qn_assembly_elastic_displacements (as, eq->u, NULL);
   bool climbs_no_more = trace->load_control && !trace->may_soften;
   double level = climbs_no_more ? trace->events.highest : eq->multiplier;
 
@@ -82,8 +69,14 @@ is_plateau (QnPathTrace *trace)
     trace->plateau_motion = motion;
     return false;
   }
-  return motion > QN_PATH_PLATEAU_GROWTH * trace->plateau_motion
-         && may_move_on (trace, motion);
+  if (motion <= QN_PATH_PLATEAU_GROWTH * trace->plateau_motion)
+    return false;
+  /* The motion of the last step may continue up to eq->runaway if no open joint will close. */
+  double step = qn_assembly_elastic_displacements (as, eq->u, last_u);
+  qn_assembly_update_kinematics (as, last_u);
+  qn_equilibrium_note_gaps (eq);
+  qn_assembly_update_kinematics (as, eq->u);
+  return !qn_equilibrium_will_close (eq, 1, fmax (0, eq->runaway - motion) / step);
 }
 
 void

@@ -38,20 +38,6 @@ resistance (QnPathTrace *trace, double part)
   return work > 0 ? resisted / work : INFINITY;
 }
 
-/* Whether the step just solved is doubtful, from the highest equilibrium to another that is higher. */
-static bool
-is_doubtful (QnPathTrace *trace)
-{
-  const QnEquilibrium *eq = &trace->path->equilibrium;
-  double from = trace->events.highest, gain = eq->multiplier - from;
-
-  if (trace->events.below)
-    return qn_path_events_has_snapped (&trace->events);
-  return gain > QN_PATH_IN_DOUBT * eq->multiplier
-         && resistance (trace, QN_PATH_LATE)
-              < from + QN_PATH_RESISTS * QN_PATH_LATE * gain;
-}
-
 /* Relaxes the structure from trace->sure under a held load. */
 static QnSolveStatus
 let_go (QnPathTrace *trace, double multiplier)
@@ -106,13 +92,18 @@ bool
 qn_path_hold (QnPathTrace *trace)
 {
   QnEquilibrium *eq = &trace->path->equilibrium;
-  double multiplier = eq->multiplier;
+  double multiplier = eq->multiplier, from = trace->events.highest;
+  double gain = multiplier - from;
 
   if (!trace->load_control || !qn_path_trace_is_linear (trace) || !trace->may_jump
       || trace->may_soften || trace->events.highest <= trace->events.least
       || !qn_path_events_climbs (&trace->events))
     return true;
-  trace->doubt = trace->doubt || is_doubtful (trace);
+  if (trace->events.below)
+    trace->doubt = trace->doubt || qn_path_events_has_snapped (&trace->events);
+  else if (!trace->doubt && gain > QN_PATH_IN_DOUBT * multiplier)
+    trace->doubt =
+      resistance (trace, QN_PATH_LATE) < from + QN_PATH_RESISTS * QN_PATH_LATE * gain;
   if (!trace->doubt
       || multiplier - trace->sure.multiplier <= QN_PATH_IN_DOUBT * multiplier)
     return true;

@@ -112,20 +112,6 @@ choose_next_step (QnPathTrace *trace, double step, bool easy)
   trace->slope = trace->path->equilibrium.slope;
 }
 
-/* From now on the work of the live load is prescribed: first as much as the last increment of the
- * multiplier has done. */
-static bool
-take_work (QnPathTrace *trace)
-{
-  if (!qn_path_measure_take_work (&trace->measure, trace->step))
-    return false;
-  double work = qn_path_last_advance (trace);
-  trace->step = trace->largest = work != 0 ? fabs (work) : trace->measure.first;
-  trace->pace = 0;
-  trace->slope = trace->measure.slope;
-  return true;
-}
-
 /* --- One step ---------------------------------------------------------------------------- */
 
 /* Accepts the current state. Load control records the equilibria that it meets, which lie above all
@@ -178,9 +164,17 @@ advance_by_load (QnPathTrace *trace)
                  && qn_equilibrium_live_work (eq, eq->committed.u) < 0;
   if (!easy || softens) {
     qn_equilibrium_restore (eq);
-    if (softens || from > 0 || trace->step <= QN_PATH_RESTART_STEP * trace->measure.first)
-      return take_work (trace);
-    trace->step *= QN_PATH_CUT;
+    if (!softens && from <= 0
+        && trace->step > QN_PATH_RESTART_STEP * trace->measure.first) {
+      trace->step *= QN_PATH_CUT;
+      return true;
+    }
+    if (!qn_path_measure_take_work (&trace->measure, trace->step))
+      return false;
+    double work = qn_path_last_advance (trace); /* that of the last increment first */
+    trace->step = trace->largest = work != 0 ? fabs (work) : trace->measure.first;
+    trace->pace = 0;
+    trace->slope = trace->measure.slope;
     return true;
   }
   choose_next_step (trace, target - from, true);
