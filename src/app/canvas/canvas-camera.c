@@ -131,18 +131,6 @@ fit_beside (QnCanvas *self, QnBox box, double left, double bottom)
   self->camera.center.y = room.center.y + 0.5 * (top - bottom) / self->camera.scale;
 }
 
-/* Whether the structure, with its dimensions, lies under the legend. */
-static gboolean
-is_under (QnCanvas *self, QnBox box, QnBox legend)
-{
-  QnVec2 low = qn_camera_to_screen (&self->camera, box.min);
-  QnVec2 high = qn_camera_to_screen (&self->camera, box.max);
-  return low.x - DIMENSION_POINTS * self->camera.unit < legend.max.x
-         && high.x > legend.min.x
-         && low.y + DIMENSION_POINTS * self->camera.unit > legend.min.y
-         && high.y < legend.max.y;
-}
-
 void
 qn_canvas_fit_now (QnCanvas *self)
 {
@@ -151,10 +139,14 @@ qn_canvas_fit_now (QnCanvas *self)
   /* Room for the rulers, the choice of view above and the buttons below. */
   fit_beside (self, box, 0.0, 0.0);
   if (scene != NULL) {
+    /* The legend hides nothing, nor the dimensions: the structure goes beside it or above it, where it
+     * is larger. */
     QnBox legend = qn_canvas_legend_box (self, scene);
-    if (is_under (self, box, legend)) {
-      /* The legend hides nothing: the structure goes beside it or above it, where it is
-       * larger. */
+    QnVec2 low = qn_camera_to_screen (&self->camera, box.min);
+    QnVec2 high = qn_camera_to_screen (&self->camera, box.max);
+    double dimensions = DIMENSION_POINTS * self->camera.unit;
+    if (low.x - dimensions < legend.max.x && high.x > legend.min.x
+        && low.y + dimensions > legend.min.y && high.y < legend.max.y) {
       double left = legend.max.x, bottom = self->camera.height - legend.min.y;
       fit_beside (self, box, left, 0.0);
       double beside = self->camera.scale;

@@ -79,16 +79,6 @@ draw_grid_lines (QnCanvas *self, cairo_t *cr, double distance)
 }
 
 static void
-draw_grid (QnCanvas *self, cairo_t *cr)
-{
-  double distance = qn_canvas_grid_distance (self);
-  cairo_set_source_rgba (cr, 0.2, 0.3, 0.5, 0.05);
-  draw_grid_lines (self, cr, distance / 5.0);
-  cairo_set_source_rgba (cr, 0.2, 0.3, 0.5, 0.11);
-  draw_grid_lines (self, cr, distance);
-}
-
-static void
 draw_ruler_label (QnCanvas *self, cairo_t *cr, double value, QnVec2 at, gboolean vertical)
 {
   g_autofree char *text =
@@ -129,18 +119,6 @@ draw_ruler_ticks (QnCanvas *self, cairo_t *cr, gboolean vertical)
 }
 
 static void
-draw_pointer_on_rulers (QnCanvas *self, cairo_t *cr)
-{
-  QnVec2 s = qn_canvas_to_screen (self, self->hit.point);
-  set_selection_ink (cr, 1.0);
-  cairo_move_to (cr, floor (s.x) + 0.5, 0.0);
-  cairo_rel_line_to (cr, 0.0, ruler_px (self));
-  cairo_move_to (cr, 0.0, floor (s.y) + 0.5);
-  cairo_rel_line_to (cr, ruler_px (self), 0.0);
-  cairo_stroke (cr);
-}
-
-static void
 draw_rulers (QnCanvas *self, cairo_t *cr)
 {
   cairo_save (cr);
@@ -162,8 +140,15 @@ draw_rulers (QnCanvas *self, cairo_t *cr)
   draw_ruler_ticks (self, cr, TRUE);
   cairo_restore (cr);
 
-  if (self->pointer_inside)
-    draw_pointer_on_rulers (self, cr);
+  if (self->pointer_inside) {
+    QnVec2 s = qn_canvas_to_screen (self, self->hit.point);
+    set_selection_ink (cr, 1.0);
+    cairo_move_to (cr, floor (s.x) + 0.5, 0.0);
+    cairo_rel_line_to (cr, 0.0, ruler_px (self));
+    cairo_move_to (cr, 0.0, floor (s.y) + 0.5);
+    cairo_rel_line_to (cr, ruler_px (self), 0.0);
+    cairo_stroke (cr);
+  }
   g_autoptr (PangoLayout) unit = qn_canvas_make_text (
     self, qn_units_symbol (qn_settings_get_units (), QN_QUANTITY_LENGTH), 7.0);
   cairo_set_source_rgb (cr, 0.955, 0.955, 0.95);
@@ -317,16 +302,6 @@ draw_findings (QnCanvas *self, cairo_t *cr)
 }
 
 static void
-draw_place (QnCanvas *self, cairo_t *cr)
-{
-  QnVec2 s = qn_canvas_to_screen (self, self->place);
-  cairo_new_path (cr); /* text leaves a current point behind */
-  cairo_arc (cr, s.x, s.y, RING_PX, 0.0, 2.0 * G_PI);
-  qn_gesture_stroke (cr, (GdkRGBA){ 1.0f, 1.0f, 1.0f, 0.9f }, 6.0,
-                     (GdkRGBA){ 0.85f, 0.1f, 0.1f, 1.0f }, 2.5);
-}
-
-static void
 draw_magnet (QnCanvas *self, cairo_t *cr)
 {
   QnVec2 s = qn_canvas_to_screen (self, self->hit.point);
@@ -474,14 +449,6 @@ legend_box (const QnFurniture *furniture)
   return (QnBox){ corner, qn_vec2_add (corner, size) };
 }
 
-static double
-overlap (QnBox a, QnBox b)
-{
-  double width = fmin (a.max.x, b.max.x) - fmax (a.min.x, b.min.x);
-  double height = fmin (a.max.y, b.max.y) - fmax (a.min.y, b.min.y);
-  return width > 0.0 && height > 0.0 ? width * height : 0.0;
-}
-
 /* What a box on the screen hides of what is filled. */
 static double
 hidden_by (const QnCanvas *self, const QnScene *scene, QnBox box)
@@ -494,7 +461,10 @@ hidden_by (const QnCanvas *self, const QnScene *scene, QnBox box)
     QnBox part = qn_box_of_points (qn_scene_points (scene, command), command->count);
     QnVec2 low = qn_camera_to_screen (&self->camera, part.min);
     QnVec2 high = qn_camera_to_screen (&self->camera, part.max);
-    sum += overlap (box, (QnBox){ { low.x, high.y }, { high.x, low.y } });
+    double width = fmin (box.max.x, high.x) - fmax (box.min.x, low.x);
+    double height = fmin (box.max.y, low.y) - fmax (box.min.y, high.y);
+    if (width > 0.0 && height > 0.0)
+      sum += width * height;
   }
   return sum;
 }
@@ -528,20 +498,6 @@ place_legend (QnCanvas *self, const QnScene *scene, QnFurniture *furniture)
   furniture->y = best.y;
 }
 
-/* Upper side of the legend at the lower left: above what lies in the other corner, where both have no
- * room beside each other. */
-static double
-legend_top (QnCanvas *self, const QnFurniture *furniture)
-{
-  graphene_rect_t corner;
-  double foot = self->camera.height;
-  if (self->corner != NULL
-      && gtk_widget_compute_bounds (self->corner, GTK_WIDGET (self), &corner)
-      && furniture->x + furniture->width + LEGEND_PAD > corner.origin.x)
-    foot = corner.origin.y;
-  return foot - furniture->height - LEGEND_INSET;
-}
-
 /* Measured and placed. The caller clears it. */
 static void
 lay_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene, gboolean placed,
@@ -556,7 +512,14 @@ lay_legend (QnCanvas *self, cairo_t *cr, const QnScene *scene, gboolean placed,
     qn_furniture_column_size (furniture, &furniture->width, &furniture->height);
   }
   furniture->x = ruler_px (self) + LEGEND_INSET;
-  furniture->y = legend_top (self, furniture);
+  /* Above what lies in the other corner, where both have no room beside each other. */
+  graphene_rect_t corner;
+  double foot = self->camera.height;
+  if (self->corner != NULL
+      && gtk_widget_compute_bounds (self->corner, GTK_WIDGET (self), &corner)
+      && furniture->x + furniture->width + LEGEND_PAD > corner.origin.x)
+    foot = corner.origin.y;
+  furniture->y = foot - furniture->height - LEGEND_INSET;
   if (placed)
     place_legend (self, scene, furniture);
 }
@@ -610,8 +573,13 @@ qn_canvas_draw_below (QnCanvas *self, gboolean with_photo, cairo_t *cr)
   const QnScene *scene = qn_canvas_get_scene (self);
   cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
   cairo_paint (cr);
-  if (g_settings_get_boolean (qn_settings_get (), "grid"))
-    draw_grid (self, cr);
+  if (g_settings_get_boolean (qn_settings_get (), "grid")) {
+    double distance = qn_canvas_grid_distance (self);
+    cairo_set_source_rgba (cr, 0.2, 0.3, 0.5, 0.05);
+    draw_grid_lines (self, cr, distance / 5.0);
+    cairo_set_source_rgba (cr, 0.2, 0.3, 0.5, 0.11);
+    draw_grid_lines (self, cr, distance);
+  }
   if (with_photo && scene != NULL)
     qn_draw_cairo (scene, &self->camera, QN_LAYERS_CAIRO_BELOW, cr);
 }
@@ -648,8 +616,13 @@ qn_canvas_draw_above (QnCanvas *self, gboolean with_labels, cairo_t *cr)
     draw_cursor (self, cr);
   if (self->pointer_inside)
     draw_magnet (self, cr);
-  if (self->place_timeout != 0)
-    draw_place (self, cr);
+  if (self->place_timeout != 0) {
+    QnVec2 s = qn_canvas_to_screen (self, self->place);
+    cairo_new_path (cr);
+    cairo_arc (cr, s.x, s.y, RING_PX, 0.0, 2.0 * G_PI);
+    qn_gesture_stroke (cr, (GdkRGBA){ 1.0f, 1.0f, 1.0f, 0.9f }, 6.0,
+                       (GdkRGBA){ 0.85f, 0.1f, 0.1f, 1.0f }, 2.5);
+  }
   draw_rulers (self, cr);
   qn_canvas_draw_inspected (self, cr);
   if (self->typed->len > 0)

@@ -68,15 +68,6 @@ qn_canvas_joint_line (QnCanvas *self, const QnMotion *motion, const QnContactFac
                             place_of (self, motion, face->b, ends[i]), 0.5);
 }
 
-/* The smaller side of the smaller block, px. */
-static double
-block_size (QnCanvas *self, const QnModel *model, const QnContactFace *face)
-{
-  return self->camera.scale
-         * fmin (qn_box_smaller_side (qn_model_block_box (model, face->a)),
-                 qn_box_smaller_side (qn_model_block_box (model, face->b)));
-}
-
 QnId
 qn_canvas_pick_joint (QnCanvas *self, QnVec2 screen)
 {
@@ -104,7 +95,11 @@ qn_canvas_pick_joint (QnCanvas *self, QnVec2 screen)
     QnVec2 line[2];
     qn_canvas_joint_line (self, &motion, face, line);
     double distance = qn_segment_distance (line[0], line[1], screen);
-    if (distance < nearest && block_size (self, model, face) >= LEAST_BLOCK_PX) {
+    if (distance < nearest
+        && self->camera.scale
+               * fmin (qn_box_smaller_side (qn_model_block_box (model, face->a)),
+                       qn_box_smaller_side (qn_model_block_box (model, face->b)))
+             >= LEAST_BLOCK_PX) {
       nearest = distance;
       found = (QnId) f;
     }
@@ -200,10 +195,12 @@ card_place (QnCanvas *self, double width, double height)
   return first;
 }
 
-/* Where the values begin, px: beside the longest name. */
-static int
-measure_names (PangoLayout *layout, const char *values)
+static PangoLayout *
+make_card (QnCanvas *self, const char *title, const char *values)
 {
+  g_autofree char *markup = g_markup_printf_escaped ("<b>%s</b>\n%s", title, values);
+  PangoLayout *layout = qn_canvas_make_text (self, NULL, CARD_POINTS);
+  /* The values begin beside the longest name. */
   g_auto (GStrv) lines = g_strsplit (values, "\n", -1);
   int widest = 0, width;
   for (int i = 0; lines[i] != NULL; i++) {
@@ -211,17 +208,8 @@ measure_names (PangoLayout *layout, const char *values)
     pango_layout_get_pixel_size (layout, &width, NULL);
     widest = MAX (widest, width);
   }
-  return widest;
-}
-
-static PangoLayout *
-make_card (QnCanvas *self, const char *title, const char *values)
-{
-  g_autofree char *markup = g_markup_printf_escaped ("<b>%s</b>\n%s", title, values);
-  PangoLayout *layout = qn_canvas_make_text (self, NULL, CARD_POINTS);
   PangoTabArray *tabs = pango_tab_array_new_with_positions (
-    1, TRUE, PANGO_TAB_LEFT,
-    measure_names (layout, values) + (int) (CARD_GAP * self->camera.unit));
+    1, TRUE, PANGO_TAB_LEFT, widest + (int) (CARD_GAP * self->camera.unit));
   pango_layout_set_tabs (layout, tabs);
   pango_tab_array_free (tabs);
   pango_layout_set_markup (layout, markup, -1);

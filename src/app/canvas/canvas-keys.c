@@ -44,16 +44,6 @@ finish_typed (QnCanvas *self)
     refuse_typed (self);
 }
 
-/* A number begins without a letter; behind it every sign belongs to it, so that a unit which does not fit is
- * refused and not passed over. */
-static gboolean
-belongs_to_number (QnCanvas *self, gunichar c)
-{
-  return self->typed->len > 0
-           ? g_unichar_isprint (c)
-           : c > 0 && c < 128 && strchr ("0123456789.,-+( ", (int) c) != NULL;
-}
-
 /* Numbers are typed for a gesture, with the button held or up, and for what is selected; the first
  * sign of the latter is one that no shortcut has. */
 static gboolean
@@ -120,6 +110,7 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
         GdkModifierType modifiers, QnCanvas *self)
 {
   gboolean control = (modifiers & (GDK_CONTROL_MASK | GDK_ALT_MASK)) != 0;
+  gunichar c = gdk_keyval_to_unicode (keyval);
   if (keyval == GDK_KEY_Escape) {
     if (self->typed->len > 0)
       g_string_truncate (self->typed, 0);
@@ -133,15 +124,19 @@ on_key (GtkEventControllerKey *controller, guint keyval, guint keycode,
   } else if (move_cursor (self, keyval, modifiers)
              || click_cursor (self, keyval, modifiers))
     return TRUE;
-  else if (control || !can_type (self, gdk_keyval_to_unicode (keyval)))
+  else if (control || !can_type (self, c))
     return FALSE;
   else if ((keyval == GDK_KEY_Return || keyval == GDK_KEY_KP_Enter)
            && self->tool->numbers)
     finish_typed (self);
   else if (keyval == GDK_KEY_BackSpace && self->typed->len > 0)
     g_string_truncate (self->typed, self->typed->len - 1);
-  else if (belongs_to_number (self, gdk_keyval_to_unicode (keyval)))
-    g_string_append_unichar (self->typed, gdk_keyval_to_unicode (keyval));
+  /* A number begins without a letter; behind it every sign belongs to it, so that a unit which does not
+   * fit is refused and not passed over. */
+  else if (self->typed->len > 0
+             ? g_unichar_isprint (c)
+             : c > 0 && c < 128 && strchr ("0123456789.,-+( ", (int) c) != NULL)
+    g_string_append_unichar (self->typed, c);
   else
     return FALSE;
   gtk_widget_queue_draw (GTK_WIDGET (self));

@@ -39,25 +39,17 @@ qn_canvas_snap (QnCanvas *self, QnVec2 point)
   return find_hit (self, point, TRUE).point;
 }
 
-static QnToolEvent
-make_event (QnCanvas *self, double x, double y, GdkModifierType modifiers,
-            int press_count)
-{
-  self->pointer = qn_vec2 (x, y);
-  self->modifiers = modifiers;
-  const QnVec2 point = qn_camera_to_model (&self->camera, self->pointer);
-  self->hit =
-    find_hit (self, point, self->tool->magnetic || (self->in_gesture && self->pressed));
-  return (QnToolEvent){ self->pointer, point,     self->hit.point,
-                        self->hit,     modifiers, press_count };
-}
-
 /* What the tool does with an event, if anything. */
 static void
 send (QnCanvas *self, void (*tool) (QnCanvas *canvas, const QnToolEvent *event),
       QnVec2 at, GdkModifierType modifiers, int count)
 {
-  QnToolEvent event = make_event (self, at.x, at.y, modifiers, count);
+  self->pointer = at;
+  self->modifiers = modifiers;
+  const QnVec2 point = qn_camera_to_model (&self->camera, at);
+  self->hit =
+    find_hit (self, point, self->tool->magnetic || (self->in_gesture && self->pressed));
+  const QnToolEvent event = { at, point, self->hit.point, self->hit, modifiers, count };
   if (tool != NULL)
     tool (self, &event);
   gtk_widget_queue_draw (GTK_WIDGET (self));

@@ -83,13 +83,6 @@ is_worthwhile (QnGlLayer *self, const QnScene *scene)
   return scene->commands->len >= QN_SCENE_CACHE_LEAST && !self->software;
 }
 
-static gboolean
-is_same_camera (const QnCamera *a, const QnCamera *b)
-{
-  return a->center.x == b->center.x && a->center.y == b->center.y && a->scale == b->scale
-         && a->width == b->width && a->height == b->height;
-}
-
 gboolean
 qn_gl_layer_prepare (QnGlLayer *self, const QnScene *scene, const QnCamera *camera)
 {
@@ -102,7 +95,10 @@ qn_gl_layer_prepare (QnGlLayer *self, const QnScene *scene, const QnCamera *came
       || gtk_widget_get_width (self->area)
            != (int) qn_to_integer (camera->width, 0, G_MAXINT16))
     return FALSE;
-  if (self->revision != scene->revision || !is_same_camera (&self->camera, camera)) {
+  const QnCamera *drawn = &self->camera;
+  if (self->revision != scene->revision || drawn->center.x != camera->center.x
+      || drawn->center.y != camera->center.y || drawn->scale != camera->scale
+      || drawn->width != camera->width || drawn->height != camera->height) {
     self->camera = *camera;
     gtk_widget_queue_draw (self->area);
   }

@@ -60,17 +60,6 @@ add_turn_grip (QnCanvas *canvas, GArray *grips)
   add_grip (grips, grip);
 }
 
-static void
-add_corner_grips (GArray *grips, const QnModel *model, QnId block)
-{
-  const QnVec2 *v = qn_model_block_vertices (model, block);
-  QnId count = model->blocks[block].vertex_count;
-  for (QnId k = 0; k < count && count <= MOST_CORNERS; k++) {
-    QnGrip grip = { .kind = QN_GRIP_CORNER, .at = v[k] };
-    add_grip (grips, grip);
-  }
-}
-
 /* Ends of the selected beams, each once. */
 static void
 add_node_grips (QnCanvas *canvas, GArray *grips)
@@ -123,7 +112,10 @@ collect_all (QnCanvas *canvas)
     return grips;
   if (count == 1 && model->blocks[ids[0]].masonry == QN_NONE
       && model->blocks[ids[0]].wall == QN_NONE) {
-    add_corner_grips (grips, model, ids[0]);
+    const QnVec2 *v = qn_model_block_vertices (model, ids[0]);
+    const QnId corners = model->blocks[ids[0]].vertex_count;
+    for (QnId k = 0; k < corners && corners <= MOST_CORNERS; k++)
+      add_grip (grips, (QnGrip){ .kind = QN_GRIP_CORNER, .at = v[k] });
     return grips;
   }
   QnId first = model->blocks[ids[0]].masonry;
@@ -194,16 +186,6 @@ qn_handle_begin (QnCanvas *canvas, QnGrip grip)
 /* ---- drawing ---- */
 
 static void
-paint_handle (cairo_t *cr)
-{
-  cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
-  cairo_fill_preserve (cr);
-  cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
-  cairo_set_line_width (cr, 1.5);
-  cairo_stroke (cr);
-}
-
-static void
 draw_opening_outline (QnCanvas *canvas, cairo_t *cr)
 {
   const QnId object = canvas->selection->object;
@@ -242,7 +224,11 @@ qn_handle_draw_all (QnCanvas *canvas, cairo_t *cr)
     else
       cairo_rectangle (cr, s.x - HANDLE_PX, s.y - HANDLE_PX, 2.0 * HANDLE_PX,
                        2.0 * HANDLE_PX);
-    paint_handle (cr);
+    cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
+    cairo_fill_preserve (cr);
+    cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
+    cairo_set_line_width (cr, 1.5);
+    cairo_stroke (cr);
   }
 }
 

@@ -58,27 +58,6 @@ put_load (QnCanvas *canvas, const char *name, const Put *put)
   return qn_canvas_end_edit (canvas, &draft, name, NULL, done);
 }
 
-/* The load that is to be put on other edges: the selected one. */
-static gboolean
-find_selected (QnCanvas *canvas, Put *put)
-{
-  const QnPick item = qn_selection_get_item (canvas->selection);
-  const QnModel *model = qn_canvas_get_model (canvas);
-  put->load = item.id;
-  put->live = item.kind == QN_PICK_LIVE_LOAD;
-  return put->load != QN_NONE && (put->live || item.kind == QN_PICK_DEAD_LOAD)
-         && qn_model_loads (model, put->live, NULL)[put->load].kind == QN_LOAD_EDGE;
-}
-
-/* The new load is selected, so that its numbers are there. */
-static void
-select_last (QnCanvas *canvas, gboolean live)
-{
-  const QnPickKind kind = QN_PICK_LOAD (live);
-  const gsize count = qn_model_count_items (qn_canvas_get_model (canvas), kind);
-  qn_selection_set_one (canvas->selection, kind, (QnId) count - 1);
-}
-
 static void
 complete (QnCanvas *canvas)
 {
@@ -89,10 +68,21 @@ complete (QnCanvas *canvas)
   if (put.chain.block == QN_NONE)
     qn_canvas_tell (canvas, _ ("There is no edge of a block here"));
   else if (!change) {
+    /* The new load is selected, so that its numbers are there. */
+    const QnPickKind kind = QN_PICK_LOAD (put.live);
     if (put_load (canvas, _ ("Add Edge Load"), &put))
-      select_last (canvas, put.live);
-  } else if (find_selected (canvas, &put))
-    put_load (canvas, _ ("Choose Edges"), &put);
+      qn_selection_set_one (
+        canvas->selection, kind,
+        (QnId) qn_model_count_items (qn_canvas_get_model (canvas), kind) - 1);
+  } else {
+    const QnPick item = qn_selection_get_item (canvas->selection);
+    const QnModel *model = qn_canvas_get_model (canvas);
+    put.load = item.id;
+    put.live = item.kind == QN_PICK_LIVE_LOAD;
+    if (put.load != QN_NONE && (put.live || item.kind == QN_PICK_DEAD_LOAD)
+        && qn_model_loads (model, put.live, NULL)[put.load].kind == QN_LOAD_EDGE)
+      put_load (canvas, _ ("Choose Edges"), &put);
+  }
 }
 
 static void

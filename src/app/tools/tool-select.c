@@ -34,14 +34,6 @@ grabbed_point (QnCanvas *canvas, QnId block, const QnToolEvent *event)
   return best;
 }
 
-static void
-leave_to_magnet (QnCanvas *canvas)
-{
-  const QnModel *model = qn_canvas_get_model (canvas);
-  QnBlockSet set = qn_selection_get_parts (canvas->selection).blocks;
-  qn_canvas_set_magnet_skip (canvas, qn_block_set_to_flags (set, model));
-}
-
 /* Selects a part that is pressed, or with Shift or Control more or less than before; a drag moves it. */
 static void
 press_on_part (QnCanvas *canvas, QnPick part, const QnToolEvent *event)
@@ -63,7 +55,9 @@ press_on_part (QnCanvas *canvas, QnPick part, const QnToolEvent *event)
     return;
   canvas->gesture.from = canvas->gesture.to =
     part.kind == QN_PICK_BLOCK ? grabbed_point (canvas, part.id, event) : event->model;
-  leave_to_magnet (canvas);
+  QnBlockSet set = qn_selection_get_parts (selection).blocks;
+  qn_canvas_set_magnet_skip (canvas,
+                             qn_block_set_to_flags (set, qn_canvas_get_model (canvas)));
   qn_canvas_set_in_gesture (canvas, TRUE);
 }
 
@@ -96,18 +90,6 @@ select_face (QnCanvas *canvas, QnId face, const QnToolEvent *event)
                                                             : QN_LIKE_DIRECTION);
   else
     qn_selection_set_one (canvas->selection, QN_PICK_FACE, face);
-}
-
-/* In the view of the model a drag moves what lies under the pointer: there a joint is selected by a
- * click, when the button is let go. */
-static gboolean
-press_on_face (QnCanvas *canvas, const QnToolEvent *event)
-{
-  QnId face = face_under (canvas, event);
-  if (face == QN_NONE || canvas->state->options.view == QN_VIEW_MODEL)
-    return FALSE;
-  select_face (canvas, face, event);
-  return TRUE;
 }
 
 /* ---- loads, bars, ties ---- */
@@ -202,8 +184,13 @@ press (QnCanvas *canvas, const QnToolEvent *event)
     qn_handle_begin (canvas, grip);
     return;
   }
-  if (press_on_face (canvas, event))
+  /* In the view of the model a drag moves what lies under the pointer: there a joint is selected by a
+   * click, when the button is let go. */
+  QnId face = face_under (canvas, event);
+  if (face != QN_NONE && canvas->state->options.view != QN_VIEW_MODEL) {
+    select_face (canvas, face, event);
     return;
+  }
   const QnPick part = part_under (canvas, event->screen);
   if (part.id != QN_NONE)
     press_on_part (canvas, part, event);

@@ -47,22 +47,16 @@ qn_choice_list_prepare (GtkDropDown *choice)
   }
 }
 
-static gboolean
-holds (GListModel *list, const char *const *strings)
-{
-  guint count = g_list_model_get_n_items (list);
-  for (guint i = 0; i < count; i++)
-    if (g_strcmp0 (gtk_string_list_get_string (GTK_STRING_LIST (list), i), strings[i])
-        != 0)
-      return FALSE;
-  return strings[count] == NULL;
-}
-
 void
 qn_choice_list_fill (GtkDropDown *choice, const char *const *strings)
 {
   GListModel *list = gtk_drop_down_get_model (choice);
-  if (!holds (list, strings))
-    gtk_string_list_splice (GTK_STRING_LIST (list), 0, g_list_model_get_n_items (list),
-                            strings);
+  guint count = g_list_model_get_n_items (list), same = 0;
+  while (same < count
+         && g_strcmp0 (gtk_string_list_get_string (GTK_STRING_LIST (list), same),
+                       strings[same])
+              == 0)
+    same++;
+  if (same < count || strings[count] != NULL)
+    gtk_string_list_splice (GTK_STRING_LIST (list), 0, count, strings);
 }

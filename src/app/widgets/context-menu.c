@@ -57,17 +57,6 @@ is_nowhere (GBinding *binding, const GValue *parent, GValue *nowhere, gpointer d
   return TRUE;
 }
 
-/* What is around the menu does not scroll to the item under the pointer, which would move the menu away
- * from it, as long as the menu has a place there. */
-static void
-hold_still (GtkWidget *popover, GtkWidget *widget)
-{
-  for (; widget != NULL; widget = gtk_widget_get_parent (widget))
-    if (GTK_IS_VIEWPORT (widget))
-      g_object_bind_property_full (popover, "parent", widget, "scroll-to-focus",
-                                   G_BINDING_SYNC_CREATE, is_nowhere, NULL, NULL, NULL);
-}
-
 /* A submenu comes at once: while one page follows upon the other in a menu that has closed, GTK 4.8 looks for
  * the pointer there, and crashes. */
 static void
@@ -109,7 +98,13 @@ open_menu (GtkWidget *widget, QnMenuPlace *place)
   gtk_widget_set_parent (popover, widget);
   g_object_set_data (G_OBJECT (widget), POPOVER, popover);
   g_signal_connect (popover, "closed", G_CALLBACK (on_closed), NULL);
-  hold_still (popover, widget);
+  /* What is around the menu does not scroll to the item under the pointer, which would move the menu
+   * away from it, as long as the menu has a place there. */
+  for (GtkWidget *around = widget; around != NULL;
+       around = gtk_widget_get_parent (around))
+    if (GTK_IS_VIEWPORT (around))
+      g_object_bind_property_full (popover, "parent", around, "scroll-to-focus",
+                                   G_BINDING_SYNC_CREATE, is_nowhere, NULL, NULL, NULL);
   g_idle_add (pop_up, g_object_ref (popover));
   return TRUE;
 }

@@ -25,25 +25,21 @@ find_schema (void)
                         : NULL;
 }
 
-static GSettings *
-make_settings (void)
-{
-  g_autoptr (GSettingsSchema) schema = find_schema ();
-  if (schema != NULL)
-    return g_settings_new_full (schema, NULL, NULL);
-  g_printerr (
-    _ ("quoin: the settings schema %s is missing; install the program, or build "
-       "all of it\n"),
-    SCHEMA_ID);
-  exit (EXIT_FAILURE);
-}
-
 GSettings *
 qn_settings_get (void)
 {
   static GSettings *settings;
-  if (settings == NULL)
-    settings = make_settings ();
+  if (settings != NULL)
+    return settings;
+  g_autoptr (GSettingsSchema) schema = find_schema ();
+  if (schema == NULL) {
+    g_printerr (
+      _ ("quoin: the settings schema %s is missing; install the program, or build "
+         "all of it\n"),
+      SCHEMA_ID);
+    exit (EXIT_FAILURE);
+  }
+  settings = g_settings_new_full (schema, NULL, NULL);
   return settings;
 }
 
