@@ -91,21 +91,6 @@ take_entries (Dialog *dialog)
   recipe->name = g_steal_pointer (&name);
 }
 
-/* Where the fields start: what the window shows. */
-static QnRecipe *
-recipe_of_view (QnViewState *state)
-{
-  QnViewOptions shown = qn_view_state_get_options (state);
-  g_autofree char *name =
-    qn_document_dup_figure_name (state->document, qn_view_names[shown.view]);
-  QnRecipe *recipe = qn_recipe_new (name, shown.view);
-  recipe->view = shown;
-  recipe->view.titles = true;
-  recipe->view.onion = NULL;
-  recipe->view.underlay = (QnUnderlay){ 0 };
-  return recipe;
-}
-
 /* ---- preview ---- */
 
 static gboolean
@@ -280,7 +265,15 @@ qn_export_dialog_show (GtkWindow *parent, QnViewState *state, QnFigureFunc write
   dialog->write = write;
   dialog->tell = tell;
   dialog->dpi = 300.0;
-  dialog->recipe = recipe_of_view (state);
+  /* The fields start with what the window shows. */
+  QnViewOptions shown = qn_view_state_get_options (state);
+  g_autofree char *name =
+    qn_document_dup_figure_name (state->document, qn_view_names[shown.view]);
+  dialog->recipe = qn_recipe_new (name, shown.view);
+  dialog->recipe->view = shown;
+  dialog->recipe->view.titles = true;
+  dialog->recipe->view.onion = NULL;
+  dialog->recipe->view.underlay = (QnUnderlay){ 0 };
   gtk_drawing_area_set_draw_func (GTK_DRAWING_AREA (widgets[PREVIEW]), draw_preview,
                                   dialog, NULL);
   qn_form_show (dialog);

@@ -63,21 +63,6 @@ clear (QnForm *data)
 
 /* ---- what it would become ---- */
 
-static char *
-dup_extents (const QnModel *model)
-{
-  QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
-  QnUnits shown = qn_settings_get_units ();
-  g_autofree char *width =
-    qn_units_format_full (shown, QN_QUANTITY_LENGTH, box.max.x - box.min.x, 4);
-  g_autofree char *height =
-    qn_units_format_full (shown, QN_QUANTITY_LENGTH, box.max.y - box.min.y, 4);
-  gsize count = model->block_count;
-  return g_strdup_printf (ngettext ("%zu block, %s wide and %s high",
-                                    "%zu blocks, %s wide and %s high", (gulong) count),
-                          count, width, height);
-}
-
 static void
 try_import (Dialog *dialog)
 {
@@ -125,31 +110,6 @@ layer_of (const Dialog *dialog)
            : NULL;
 }
 
-static void
-show_layers (const Dialog *dialog, QnValue *value)
-{
-  const GArray *layers = dialog->report.layers;
-  for (guint i = 0; layers != NULL && i < layers->len; i++) {
-    const QnImportLayer *layer = &g_array_index (layers, QnImportLayer, i);
-    qn_value_take_row (value, g_strdup_printf ("%s (%u)", layer->name, layer->count));
-  }
-}
-
-/* What was said of the layer before no longer counts. */
-static void
-take_role (Dialog *dialog, QnRole role)
-{
-  static const char *const roles[] = { "block", "support", "opening", "ignored" };
-  const QnImportLayer *layer = layer_of (dialog);
-  g_autoptr (GStrvBuilder) entries = g_strv_builder_new ();
-  g_autofree char *entry = g_strdup_printf ("%s=%s", layer->name, roles[role]);
-  g_strv_builder_add (entries, entry);
-  if (dialog->settings.layers != NULL)
-    g_strv_builder_addv (entries, (const char **) dialog->settings.layers);
-  g_strfreev (dialog->settings.layers);
-  dialog->settings.layers = g_strv_builder_end (entries);
-}
-
 static gboolean
 show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
@@ -160,13 +120,29 @@ show (QnForm *data, const QnModel *model, guint field, QnValue *value)
   if ((field == LAYER || field == ROLE) && layer_of (dialog) == NULL)
     return FALSE;
   if (field == LAYER)
-    show_layers (dialog, value);
+    for (guint i = 0; i < dialog->report.layers->len; i++) {
+      const QnImportLayer *layer =
+        &g_array_index (dialog->report.layers, QnImportLayer, i);
+      qn_value_take_row (value, g_strdup_printf ("%s (%u)", layer->name, layer->count));
+    }
   else if (field == ROLE)
     value->number = layer_of (dialog)->role;
-  else if (field == EXTENTS)
+  else if (field == EXTENTS && !dialog->has_project)
+    value->text = g_strdup ("");
+  else if (field == EXTENTS) {
+    const QnModel *read = &dialog->project.model;
+    const QnBox box = qn_box_of_points (read->vertices, read->vertex_count);
+    const QnUnits shown = qn_settings_get_units ();
+    g_autofree char *width =
+      qn_units_format_full (shown, QN_QUANTITY_LENGTH, box.max.x - box.min.x, 4);
+    g_autofree char *height =
+      qn_units_format_full (shown, QN_QUANTITY_LENGTH, box.max.y - box.min.y, 4);
+    const gsize count = read->block_count;
     value->text =
-      dialog->has_project ? dup_extents (&dialog->project.model) : g_strdup ("");
-  else if (field == ACCEPT)
+      g_strdup_printf (ngettext ("%zu block, %s wide and %s high",
+                                 "%zu blocks, %s wide and %s high", (gulong) count),
+                       count, width, height);
+  } else if (field == ACCEPT)
     value->disabled = !dialog->has_project;
   return TRUE;
 }
@@ -181,9 +157,18 @@ take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **
     gtk_window_destroy (GTK_WINDOW (dialog->base.root));
     return TRUE;
   }
-  if (field == ROLE)
-    take_role (dialog, (QnRole) qn_value_int (value));
-  else if (field == UNIT)
+  if (field == ROLE) {
+    /* What was said of the layer before no longer counts. */
+    static const char *const roles[] = { "block", "support", "opening", "ignored" };
+    g_autoptr (GStrvBuilder) entries = g_strv_builder_new ();
+    g_autofree char *entry =
+      g_strdup_printf ("%s=%s", layer_of (dialog)->name, roles[qn_value_int (value)]);
+    g_strv_builder_add (entries, entry);
+    if (dialog->settings.layers != NULL)
+      g_strv_builder_addv (entries, (const char **) dialog->settings.layers);
+    g_strfreev (dialog->settings.layers);
+    dialog->settings.layers = g_strv_builder_end (entries);
+  } else if (field == UNIT)
     dialog->settings.unit =
       dialog->unit > 0 ? qn_import_unit (units[dialog->unit]) : QN_IMPORT_DEFAULTS.unit;
   if (field != LAYER)

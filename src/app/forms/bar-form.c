@@ -54,21 +54,6 @@ show (QnForm *form, const QnModel *model, guint field, QnValue *value)
   return TRUE;
 }
 
-/* Corners between start and end; none where the text is empty. */
-static gboolean
-take_corners (QnBar *bar, const char *text, GError **error)
-{
-  QnVec2 points[QN_MAX_BAR_CORNERS];
-  int32_t count = 0;
-  if (text != NULL && *text != '\0'
-      && !qn_points_parse (text, points, QN_MAX_BAR_CORNERS, &count))
-    return qn_edit_refuse (error, _ ("Corners are pairs of numbers, x and y in m, "
-                                     "a space between them, up to 30"));
-  memcpy (bar->via, points, (gsize) count * sizeof points[0]);
-  bar->via_count = count;
-  return TRUE;
-}
-
 static gboolean
 take (QnForm *form, QnModel *model, guint field, const QnValue *value, GError **error)
 {
@@ -76,8 +61,18 @@ take (QnForm *form, QnModel *model, guint field, const QnValue *value, GError **
   case DIAMETER:
     model->bars[form->selected].area = qn_bar_get_area (value->number);
     return TRUE;
-  case VIA:
-    return take_corners (&model->bars[form->selected], value->text, error);
+  case VIA: {
+    QnBar *bar = &model->bars[form->selected];
+    QnVec2 points[QN_MAX_BAR_CORNERS];
+    int32_t count = 0;
+    if (value->text != NULL && *value->text != '\0'
+        && !qn_points_parse (value->text, points, QN_MAX_BAR_CORNERS, &count))
+      return qn_edit_refuse (error, _ ("Corners are pairs of numbers, x and y in m, "
+                                       "a space between them, up to 30"));
+    memcpy (bar->via, points, (gsize) count * sizeof points[0]);
+    bar->via_count = count;
+    return TRUE;
+  }
   case ADD:
     if (!qn_edit_add_bar (model, form->parts.blocks, error))
       return FALSE;

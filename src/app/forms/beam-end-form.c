@@ -47,21 +47,6 @@ look (QnForm *data, const QnModel *model)
   return TRUE;
 }
 
-static char *
-dup_facts (const QnModel *model, const QnNode *node, guint beams)
-{
-  g_autofree char *others =
-    beams > 1 ? g_strdup_printf (
-      ngettext ("%u other beam ends here.", "%u other beams end here.", beams - 1),
-      beams - 1)
-              : g_strdup ("");
-  char *facts = node->block != QN_NONE
-                  ? g_strdup_printf (_ ("Node %s, on block %s. %s"), node->name,
-                                     model->blocks[node->block].name, others)
-                  : g_strdup_printf (_ ("Node %s. %s"), node->name, others);
-  return g_strchomp (facts);
-}
-
 static gboolean
 show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 {
@@ -85,9 +70,19 @@ show (QnForm *data, const QnModel *model, guint field, QnValue *value)
     return TRUE;
   case SUPPORTS:
     return node->block == QN_NONE;
-  case FACTS:
-    value->text = dup_facts (model, node, beams);
+  case FACTS: {
+    g_autofree char *others =
+      beams > 1 ? g_strdup_printf (
+        ngettext ("%u other beam ends here.", "%u other beams end here.", beams - 1),
+        beams - 1)
+                : g_strdup ("");
+    value->text =
+      g_strchomp (node->block != QN_NONE
+                    ? g_strdup_printf (_ ("Node %s, on block %s. %s"), node->name,
+                                       model->blocks[node->block].name, others)
+                    : g_strdup_printf (_ ("Node %s. %s"), node->name, others));
     return TRUE;
+  }
   case PART:
     return beams > 1;
   default:

@@ -24,21 +24,14 @@
   PARTIAL (SEISMIC_STRENGTH, "seismic_strength", MEMBER, seismic_strength)
 QN_FORM_FIELDS;
 
-static guint
-count_loads (const QnModel *model, int32_t load_case)
-{
-  guint count = 0;
-  for (gsize i = 0; i < qn_model_load_count (model); i++)
-    count += qn_model_load (model, i)->load_case == load_case;
-  return count;
-}
-
 static char *
 dup_row (const QnModel *model, gsize index)
 {
   g_autofree char *factor =
     qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER, model->load_cases[index].factor, 6);
-  guint loads = count_loads (model, (int32_t) index + 1);
+  guint loads = 0;
+  for (gsize i = 0; i < qn_model_load_count (model); i++)
+    loads += qn_model_load (model, i)->load_case == (int32_t) index + 1;
   return g_strdup_printf (
     ngettext ("%s × %s, for %u load", "%s × %s, for %u loads", loads),
     model->load_cases[index].name, factor, loads);

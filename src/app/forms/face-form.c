@@ -115,19 +115,6 @@ show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 /* ---- changes ---- */
 
 static gboolean
-take_rule (const QnForm *form, guint field, QnPairRule *rule, GError **error)
-{
-  g_autofree char *positions = qn_form_dup_text ((gpointer) form, POSITIONS);
-  QnValue count = { .number = qn_form_get_number ((gpointer) form, COUNT) };
-  if (rule->placement <= QN_PLACEMENT_LOBATTO)
-    rule->offset = qn_form_get_number ((gpointer) form, OFFSET);
-  if (rule->placement != QN_PLACEMENT_LOBATTO || field == COUNT)
-    rule->count = MAX (qn_value_int (&count), 1);
-  return rule->placement != QN_PLACEMENT_EXPLICIT
-         || qn_pair_rule_parse (rule, positions, "", error);
-}
-
-static gboolean
 take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
   guint count = 0;
@@ -143,7 +130,14 @@ take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **
   if (field == RESET || row == ROW_AS_ALL)
     return qn_edit_set_faces (model, set, NULL, NULL, error);
   QnPairRule rule = { .placement = (QnPlacement) (row - 1) };
-  return take_rule (data, field, &rule, error)
+  g_autofree char *positions = qn_form_dup_text (data, POSITIONS);
+  QnValue pairs = { .number = qn_form_get_number (data, COUNT) };
+  if (rule.placement <= QN_PLACEMENT_LOBATTO)
+    rule.offset = qn_form_get_number (data, OFFSET);
+  if (rule.placement != QN_PLACEMENT_LOBATTO || field == COUNT)
+    rule.count = MAX (qn_value_int (&pairs), 1);
+  return (rule.placement != QN_PLACEMENT_EXPLICIT
+          || qn_pair_rule_parse (&rule, positions, "", error))
          && qn_edit_set_faces (model, set, NULL, &rule, error);
 }
 

@@ -178,29 +178,10 @@ show_checks (GtkBox *box, const QnValue *value)
   }
 }
 
-static guint32
-take_checks (GtkWidget *box)
-{
-  guint32 bits = 0, bit = 1;
-  for (GtkWidget *check = gtk_widget_get_first_child (box); check != NULL;
-       check = gtk_widget_get_next_sibling (check), bit <<= 1)
-    if (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)))
-      bits |= bit;
-  return bits;
-}
-
 static void
 know_text (GtkWidget *entry, const char *text)
 {
   g_object_set_data_full (G_OBJECT (entry), KNOWN, g_strdup (text), g_free);
-}
-
-static void
-show_text (GtkEditable *entry, const char *text)
-{
-  know_text (GTK_WIDGET (entry), text);
-  if (!g_str_equal (gtk_editable_get_text (entry), text))
-    gtk_editable_set_text (entry, text);
 }
 
 static void
@@ -223,7 +204,10 @@ show_value (QnForm *form, GtkWidget *widget, const QnValue *value)
   else if (GTK_IS_LABEL (widget) && value->text != NULL)
     gtk_label_set_text (GTK_LABEL (widget), value->text);
   else if (GTK_IS_EDITABLE (widget)) {
-    show_text (GTK_EDITABLE (widget), value->text != NULL ? value->text : "");
+    const char *text = value->text != NULL ? value->text : "";
+    know_text (widget, text);
+    if (!g_str_equal (gtk_editable_get_text (GTK_EDITABLE (widget)), text))
+      gtk_editable_set_text (GTK_EDITABLE (widget), text);
     if (gtk_widget_has_css_class (widget, "error"))
       gtk_widget_set_tooltip_text (widget,
                                    g_object_get_data (G_OBJECT (widget), TOOLTIP));
@@ -248,9 +232,14 @@ take_value (GtkWidget *widget)
   else if (GTK_IS_LIST_BOX (widget)) {
     GtkListBoxRow *row = gtk_list_box_get_selected_row (GTK_LIST_BOX (widget));
     value.number = row != NULL ? gtk_list_box_row_get_index (row) : -1;
-  } else if (GTK_IS_BOX (widget))
-    value.number = take_checks (widget);
-  else if (GTK_IS_EDITABLE (widget))
+  } else if (GTK_IS_BOX (widget)) {
+    guint32 bits = 0, bit = 1;
+    for (GtkWidget *check = gtk_widget_get_first_child (widget); check != NULL;
+         check = gtk_widget_get_next_sibling (check), bit <<= 1)
+      if (gtk_check_button_get_active (GTK_CHECK_BUTTON (check)))
+        bits |= bit;
+    value.number = bits;
+  } else if (GTK_IS_EDITABLE (widget))
     value.text = g_strdup (gtk_editable_get_text (GTK_EDITABLE (widget)));
   return value;
 }
@@ -291,30 +280,6 @@ is_list (const QnForm *form, guint field)
   return form->kind->list != NULL && field == form->kind->list->list;
 }
 
-static void
-select_item (QnForm *form, int item)
-{
-  const QnFormList *list = form->kind->list;
-  if (list->kind != QN_PICK_NOTHING)
-    qn_selection_set_one (form->canvas->selection, list->kind, item);
-  else
-    form->selected = item;
-}
-
-/* FALSE: the field hides. */
-static gboolean
-find_value (QnForm *form, QnModel *model, guint field, QnValue *value)
-{
-  if (!is_list (form, field)) {
-    exchange_member (form, model, field, value, FALSE);
-    return form->kind->show (form, model, field, value);
-  }
-  value->number = form->selected;
-  for (gsize i = 0; i < count_items (form, model); i++)
-    qn_value_take_row (value, form->kind->list->dup_row (model, i));
-  return value->row_count > 0;
-}
-
 GtkWidget *
 qn_form_show (gpointer data)
 {
@@ -335,7 +300,16 @@ qn_form_show (gpointer data)
       continue;
     }
     QnValue value = { 0 };
-    gboolean shown = find_value (form, model, field, &value);
+    gboolean shown;
+    if (is_list (form, field)) {
+      value.number = form->selected;
+      for (gsize i = 0; i < count_items (form, model); i++)
+        qn_value_take_row (&value, list->dup_row (model, i));
+      shown = value.row_count > 0;
+    } else {
+      exchange_member (form, model, field, &value, FALSE);
+      shown = form->kind->show (form, model, field, &value);
+    }
     gtk_widget_set_visible (form->widgets[field], shown);
     if (shown)
       show_value (form, form->widgets[field], &value);
@@ -541,7 +515,12 @@ on_entered (GtkWidget *widget)
   gboolean done;
   g_rc_box_acquire (form); /* a button may close its dialog */
   if (is_list (form, entered.field)) {
-    select_item (form, (int) entered.value.number);
+    const QnPickKind kind = form->kind->list->kind;
+    const int item = (int) entered.value.number;
+    if (kind != QN_PICK_NOTHING)
+      qn_selection_set_one (form->canvas->selection, kind, item);
+    else
+      form->selected = item;
     done = TRUE;
   } else if (name != NULL) {
     g_autofree char *step = dup_step (_ (name), widget);
@@ -663,13 +642,6 @@ is_named (GtkWidget *button)
          && gtk_actionable_get_action_name (GTK_ACTIONABLE (button)) == NULL;
 }
 
-static gboolean
-is_command (GtkWidget *widget)
-{
-  return is_named (widget) && gtk_widget_get_visible (widget)
-         && gtk_widget_get_sensitive (widget);
-}
-
 /* The buttons of the form, for the row of a list that was clicked or has the focus, or for what a
  * choice shows. */
 static GMenuModel *
@@ -684,11 +656,13 @@ make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data)
     qn_menu_add_target (text, _ ("_Copy Text"), "win.copy-text",
                         g_variant_new_string (gtk_label_get_text (GTK_LABEL (widget))));
   }
-  for (guint field = 0; form->widgets[field] != NULL; field++)
-    if (is_command (form->widgets[field]))
-      qn_menu_add_target (commands,
-                          gtk_button_get_label (GTK_BUTTON (form->widgets[field])),
+  for (guint field = 0; form->widgets[field] != NULL; field++) {
+    GtkWidget *button = form->widgets[field];
+    if (is_named (button) && gtk_widget_get_visible (button)
+        && gtk_widget_get_sensitive (button))
+      qn_menu_add_target (commands, gtk_button_get_label (GTK_BUTTON (button)),
                           "form.press", g_variant_new_int32 ((int) field));
+  }
   qn_menu_add_section (menu, commands);
   qn_menu_add_section (menu, text);
   return G_MENU_MODEL (menu);

@@ -121,20 +121,6 @@ show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 
 /* ---- changes ---- */
 
-/* The selected block, or the second end of the selected beam where it stands free. */
-static gboolean
-take_control (const QnForm *form, const QnModel *model, QnStage *stage, GError **error)
-{
-  const QnPartSet set = form->parts;
-  if (set.blocks.count == 0 && set.beams.count == 0)
-    return qn_edit_refuse (
-      error, _ ("Select the block or the beam whose displacement ends the stage"));
-  stage->control.block = set.blocks.count > 0 ? set.blocks.ids[0] : QN_NONE;
-  stage->control.node =
-    set.blocks.count > 0 ? QN_NONE : model->beams[set.beams.ids[0]].nodes[1];
-  return TRUE;
-}
-
 /* The protocol as it is, or what is entered of it. Where its ends are told otherwise it is one cycle of the
  * end that the stage has now. */
 static gboolean
@@ -180,8 +166,16 @@ change (const QnForm *form, QnModel *model, guint field, const QnValue *value,
     stage.target = 1.0;
   if (end != QN_STAGE_END_DISPLACEMENT)
     stage.control.block = stage.control.node = QN_NONE;
-  else if ((field == FOLLOW || !controlled) && !take_control (form, model, &stage, error))
-    return FALSE;
+  else if (field == FOLLOW || !controlled) {
+    /* The selected block, or the second end of the selected beam where it stands free. */
+    const QnPartSet set = form->parts;
+    if (set.blocks.count == 0 && set.beams.count == 0)
+      return qn_edit_refuse (
+        error, _ ("Select the block or the beam whose displacement ends the stage"));
+    stage.control.block = set.blocks.count > 0 ? set.blocks.ids[0] : QN_NONE;
+    stage.control.node =
+      set.blocks.count > 0 ? QN_NONE : model->beams[set.beams.ids[0]].nodes[1];
+  }
   if (end == QN_STAGE_END_DISPLACEMENT && stage.control.target == 0.0)
     stage.control.target = qn_magnet_round_distance (0.05 * model->characteristic_length);
   return change_cycles (form, model, field, value, &stage, error);

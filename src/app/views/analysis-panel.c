@@ -337,16 +337,6 @@ take_contact (gpointer form, QnModel *model, guint field, const QnValue *value,
 }
 
 static gboolean
-take_load (gpointer form, QnModel *model, guint field, GError **error)
-{
-  gboolean live = field >= LOAD + 2;
-  guint x = live ? LOAD + 2 : LOAD;
-  return qn_edit_set_weight_load (
-    model, live, qn_vec2 (qn_form_get_number (form, x), qn_form_get_number (form, x + 1)),
-    error);
-}
-
-static gboolean
 take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
   QnAnalysisSettings *a = &model->analysis;
@@ -355,8 +345,13 @@ take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **
     return qn_edit_take_text (&model->title, value->text, error);
   if (field >= PLACEMENT && field != OFFSET && field != TOLERANCE)
     return take_contact (data, model, field, value, error);
-  if (field >= LOAD && field < PLACEMENT)
-    return take_load (data, model, field, error);
+  if (field >= LOAD && field < PLACEMENT) {
+    const gboolean live = field >= LOAD + 2;
+    const guint x = live ? LOAD + 2 : LOAD;
+    const QnVec2 load =
+      qn_vec2 (qn_form_get_number (data, x), qn_form_get_number (data, x + 1));
+    return qn_edit_set_weight_load (model, live, load, error);
+  }
   switch (field) {
   case PROCEDURE:
     if (procedures[row].procedure == QN_PROCEDURE_DYNAMIC)

@@ -64,17 +64,6 @@ dup_words (Card *card, const QnRun *run)
 }
 
 static void
-update_number (Card *card, const QnRun *run)
-{
-  const QnResult *result = &run->result;
-  gboolean given = run->kind == QN_RUN_ANALYSIS && result->has_collapse_multiplier;
-  g_autofree char *number = dup_number (run);
-  set_text (card, "number", number);
-  g_autofree char *outcome = given ? dup_words (card, run) : NULL;
-  set_text (card, "outcome", outcome);
-}
-
-static void
 update_values (Card *card, const QnRun *run, const char *bounds)
 {
   const QnStatistics *s = &run->result.statistics;
@@ -110,7 +99,8 @@ update (Card *card)
     return;
   set_text (card, "stale",
             qn_run_age_text (qn_document_get_run_age (card->document, run)));
-  update_number (card, run);
+  g_autofree char *number = dup_number (run);
+  set_text (card, "number", number);
   double bounds[QN_BOUND_KIND_COUNT];
   qn_bounds_collect (card->document, bounds);
   const gboolean analysed = run->kind == QN_RUN_ANALYSIS;
@@ -126,8 +116,8 @@ update (Card *card)
     whole != NULL ? g_strdup_printf ("%s\n\n%s", outcome, whole) : g_strdup (outcome);
   gboolean given = analysed && run->result.has_collapse_multiplier;
   /* Where there is no number, the words are the answer. */
-  if (!given)
-    set_text (card, "outcome", outcome);
+  g_autofree char *words = given ? dup_words (card, run) : NULL;
+  set_text (card, "outcome", given ? words : outcome);
   set_text (card, "explanation", given ? explanation : whole);
   update_values (card, run, numbers);
   update_events (card, run);

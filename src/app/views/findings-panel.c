@@ -110,19 +110,6 @@ make_row_menu (GtkWidget *box, QnMenuPlace *place, gpointer data)
   return G_MENU_MODEL (menu);
 }
 
-static GtkWidget *
-make_row (Panel *panel, const QnModel *model, const QnFinding *finding, gboolean gaps)
-{
-  g_autofree char *text = qn_explain_finding (model, finding);
-  g_autoptr (GtkBuilder) builder = qn_builder_new ("finding-row");
-  GtkWidget *box = qn_builder_take_widget (builder, "row");
-  gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (builder, "text")), text);
-  add_fixes (panel, qn_builder_get_widget (builder, "fixes"), model, finding, gaps);
-  g_object_set_data_full (G_OBJECT (box), "qn-text", g_steal_pointer (&text), g_free);
-  qn_context_menu_attach (box, make_row_menu, panel);
-  return box;
-}
-
 /* Marks the joints of mortar that would be closed, and says how many and how wide they are. Returns
  * whether blocks stand apart by mortar at all: such are not fixed to the ground. */
 static gboolean
@@ -193,9 +180,17 @@ update (Panel *panel)
     gtk_list_box_remove (GTK_LIST_BOX (panel->list), child);
   gsize shown = MIN (contacts->findings.count, MOST_ROWS);
   gboolean gaps = update_gaps (panel, model);
-  for (gsize i = 0; i < shown; i++)
-    gtk_list_box_append (GTK_LIST_BOX (panel->list),
-                         make_row (panel, model, &contacts->findings.items[i], gaps));
+  for (gsize i = 0; i < shown; i++) {
+    const QnFinding *finding = &contacts->findings.items[i];
+    g_autoptr (GtkBuilder) builder = qn_builder_new ("finding-row");
+    GtkWidget *row = qn_builder_take_widget (builder, "row");
+    char *words = qn_explain_finding (model, finding);
+    gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (builder, "text")), words);
+    add_fixes (panel, qn_builder_get_widget (builder, "fixes"), model, finding, gaps);
+    g_object_set_data_full (G_OBJECT (row), "qn-text", words, g_free);
+    qn_context_menu_attach (row, make_row_menu, panel);
+    gtk_list_box_append (GTK_LIST_BOX (panel->list), row);
+  }
   gtk_widget_set_visible (panel->list, shown > 0);
   gtk_widget_set_visible (qn_part (panel->form, "repair_all"), shown > 1);
 

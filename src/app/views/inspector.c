@@ -32,24 +32,6 @@ new_label (const char *text, gboolean value)
   return label;
 }
 
-/* A single joint or block is selected. */
-static gboolean
-find_selected (Inspector *inspector, QnPick *what)
-{
-  const guint faces = inspector->canvas->selection->ids[QN_PICK_FACE]->len;
-  what->kind = faces > 0 ? QN_PICK_FACE : QN_PICK_BLOCK;
-  what->id = qn_selection_get_one (inspector->canvas->selection, what->kind);
-  return faces + inspector->canvas->selection->ids[QN_PICK_BLOCK]->len == 1;
-}
-
-/* The selection is of the document's model: a result of another one says nothing of it. */
-static gboolean
-has_result (Inspector *inspector)
-{
-  const QnRun *run = inspector->canvas->document->run;
-  return run != NULL && !qn_document_is_stale (inspector->canvas->document, run);
-}
-
 static void
 draw (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer data)
 {
@@ -108,9 +90,16 @@ show_diagram (Inspector *inspector, const QnStepView *view, QnPick what)
 static void
 update (Inspector *inspector)
 {
-  QnPick what;
+  QnDocument *document = inspector->canvas->document;
+  QnSelection *selection = inspector->canvas->selection;
+  const guint faces = selection->ids[QN_PICK_FACE]->len;
+  const QnPickKind kind = faces > 0 ? QN_PICK_FACE : QN_PICK_BLOCK;
+  const QnPick what = { kind, qn_selection_get_one (selection, kind) };
   QnStepView view;
-  gboolean shown = find_selected (inspector, &what) && has_result (inspector)
+  /* A single joint or block, of the document's model: a result of another one says nothing of it. */
+  gboolean shown = faces + selection->ids[QN_PICK_BLOCK]->len == 1
+                   && document->run != NULL
+                   && !qn_document_is_stale (document, document->run)
                    && qn_step_view_init (&view, inspector->canvas->state);
   gtk_widget_set_visible (inspector->box, shown);
   if (!shown)

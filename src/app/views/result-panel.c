@@ -38,15 +38,6 @@ state_of (const Panel *panel)
 
 /* ---- what is shown ---- */
 
-static char *
-dup_run_title (const Panel *panel, const QnRun *run)
-{
-  const char *mark =
-    qn_document_get_run_age (document_of (panel), run) == QN_RUN_OTHER_MODEL ? "⚠ " : "";
-  g_autofree char *title = qn_run_dup_title (run);
-  return g_strconcat (mark, title, NULL);
-}
-
 /* The runs, with the row of `chosen` among them; -1: none. */
 static void
 add_runs (const Panel *panel, const QnRun *chosen, QnValue *value)
@@ -54,8 +45,12 @@ add_runs (const Panel *panel, const QnRun *chosen, QnValue *value)
   const GPtrArray *runs = document_of (panel)->runs;
   const guint before = value->row_count;
   for (guint i = 0; i < runs->len; i++) {
-    qn_value_take_row (value, dup_run_title (panel, runs->pdata[i]));
-    if (runs->pdata[i] == chosen)
+    const QnRun *run = runs->pdata[i];
+    const gboolean other =
+      qn_document_get_run_age (document_of (panel), run) == QN_RUN_OTHER_MODEL;
+    g_autofree char *title = qn_run_dup_title (run);
+    qn_value_take_row (value, g_strconcat (other ? "⚠ " : "", title, NULL));
+    if (run == chosen)
       value->number = before + i;
   }
 }

@@ -323,20 +323,6 @@ put_back (Table *table)
   gtk_adjustment_set_value (scroll, gtk_adjustment_get_value (scroll) + top - table->top);
 }
 
-/* What a row shows above the table moves it in the next layout: the panel scrolls by as much in the same
- * frame, and the next row is still under the pointer. */
-static void
-keep_place (Table *table)
-{
-  GdkFrameClock *clock = gtk_widget_get_frame_clock (table->widget);
-  if (clock == NULL || table->layout != 0 || panel_of (table, &table->top) == NULL)
-    return;
-  GClosure *closure = g_cclosure_new_swap (G_CALLBACK (put_back), table, NULL);
-  g_object_watch_closure (G_OBJECT (table->widget), closure);
-  table->layout = g_signal_connect_closure (clock, "layout", closure, TRUE);
-  gdk_frame_clock_request_phase (clock, GDK_FRAME_CLOCK_PHASE_LAYOUT);
-}
-
 static void
 on_selected (GtkSingleSelection *selection, GParamSpec *pspec, Table *table)
 {
@@ -344,7 +330,15 @@ on_selected (GtkSingleSelection *selection, GParamSpec *pspec, Table *table)
   const QnRun *run = run_of (table);
   if (run == NULL || row >= table->kind->count_rows (run))
     return;
-  keep_place (table);
+  /* What a row shows above the table moves it in the next layout: the panel scrolls by as much in the
+   * same frame, and the next row is still under the pointer. */
+  GdkFrameClock *clock = gtk_widget_get_frame_clock (table->widget);
+  if (clock != NULL && table->layout == 0 && panel_of (table, &table->top) != NULL) {
+    GClosure *closure = g_cclosure_new_swap (G_CALLBACK (put_back), table, NULL);
+    g_object_watch_closure (G_OBJECT (table->widget), closure);
+    table->layout = g_signal_connect_closure (clock, "layout", closure, TRUE);
+    gdk_frame_clock_request_phase (clock, GDK_FRAME_CLOCK_PHASE_LAYOUT);
+  }
   table->kind->select (table, run, row);
 }
 

@@ -118,20 +118,6 @@ add_examples (GtkFlowBox *flow)
   }
 }
 
-/* Name of a file, and where it is in fewer words. */
-static GtkWidget *
-make_recent (const char *path)
-{
-  g_autoptr (GtkBuilder) builder = qn_builder_new ("start-rows");
-  g_autofree char *name = dup_label (path), *place = qn_shortened_dup_folder (path);
-  GtkWidget *button = qn_builder_take_widget (builder, "recent");
-  gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (builder, "recent_name")), name);
-  gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (builder, "place")), place);
-  gtk_widget_set_tooltip_text (button, path);
-  gtk_actionable_set_action_target (GTK_ACTIONABLE (button), "s", path);
-  return button;
-}
-
 GtkWidget *
 qn_start_page_new (void)
 {
@@ -145,7 +131,15 @@ qn_start_page_new (void)
     if (path == NULL || !g_str_has_suffix (path, ".quoin")
         || !g_file_test (path, G_FILE_TEST_EXISTS))
       continue;
-    gtk_box_append (GTK_BOX (recent), make_recent (path));
+    /* Name of the file, and where it is in fewer words. */
+    g_autoptr (GtkBuilder) row = qn_builder_new ("start-rows");
+    g_autofree char *name = dup_label (path), *place = qn_shortened_dup_folder (path);
+    GtkWidget *button = qn_builder_take_widget (row, "recent");
+    gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (row, "recent_name")), name);
+    gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (row, "place")), place);
+    gtk_widget_set_tooltip_text (button, path);
+    gtk_actionable_set_action_target (GTK_ACTIONABLE (button), "s", path);
+    gtk_box_append (GTK_BOX (recent), button);
     shown++;
   }
   g_list_free_full (items, (GDestroyNotify) gtk_recent_info_unref);
