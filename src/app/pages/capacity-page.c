@@ -296,30 +296,26 @@ dup_facts (const Form *form)
   return g_string_free (text, FALSE);
 }
 
-static void
-set_cell (Form *form, int column, int row, const char *text)
-{
-  GtkGrid *grid = GTK_GRID (form->base.widgets[TABLE]);
-  GtkWidget *label = gtk_grid_get_child_at (grid, column, row);
-  if (label == NULL) {
-    label = gtk_label_new (NULL);
-    gtk_label_set_xalign (GTK_LABEL (label), column < 2 ? 0.0f : 1.0f);
-    gtk_widget_add_css_class (label, row == 0 ? "dim-label" : "numeric");
-    gtk_grid_attach (grid, label, column, row, 1, 1);
-  }
-  if (strcmp (gtk_label_get_text (GTK_LABEL (label)), text) != 0)
-    gtk_label_set_text (GTK_LABEL (label), text);
-}
-
 /* A row for each limit state; those of another curve are emptied. */
 static void
 fill_table (Form *form)
 {
   g_autoptr (GPtrArray) cells =
     qn_capacity_answer_make_table (&form->answer, qn_settings_get_units ());
-  for (int i = 0; i < QN_CAPACITY_COLUMNS * (QN_CAPACITY_STATE_COUNT + 1); i++)
-    set_cell (form, i % QN_CAPACITY_COLUMNS, i / QN_CAPACITY_COLUMNS,
-              (guint) i < cells->len ? cells->pdata[i] : "");
+  GtkGrid *grid = GTK_GRID (form->base.widgets[TABLE]);
+  for (int i = 0; i < QN_CAPACITY_COLUMNS * (QN_CAPACITY_STATE_COUNT + 1); i++) {
+    const int column = i % QN_CAPACITY_COLUMNS, row = i / QN_CAPACITY_COLUMNS;
+    const char *text = (guint) i < cells->len ? cells->pdata[i] : "";
+    GtkWidget *label = gtk_grid_get_child_at (grid, column, row);
+    if (label == NULL) {
+      label = gtk_label_new (NULL);
+      gtk_label_set_xalign (GTK_LABEL (label), column < 2 ? 0.0f : 1.0f);
+      gtk_widget_add_css_class (label, row == 0 ? "dim-label" : "numeric");
+      gtk_grid_attach (grid, label, column, row, 1, 1);
+    }
+    if (strcmp (gtk_label_get_text (GTK_LABEL (label)), text) != 0)
+      gtk_label_set_text (GTK_LABEL (label), text);
+  }
 }
 
 static gboolean

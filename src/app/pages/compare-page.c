@@ -411,20 +411,6 @@ on_run_toggled (GtkCheckButton *check, Compare *compare)
   fill (compare);
 }
 
-static void
-add_run (Compare *compare, QnDocument *document, QnRun *run)
-{
-  g_autofree char *title = qn_document_dup_display_name (document);
-  g_autofree char *label = g_strdup_printf (_ ("%s: %s"), title, run->name);
-  GtkWidget *check = gtk_check_button_new_with_label (label);
-  gtk_check_button_set_active (GTK_CHECK_BUTTON (check),
-                               g_ptr_array_find (compare->shown, run, NULL));
-  g_object_set_data_full (G_OBJECT (check), "qn-run", qn_run_ref (run),
-                          (GDestroyNotify) qn_run_unref);
-  g_signal_connect (check, "toggled", G_CALLBACK (on_run_toggled), compare);
-  gtk_box_append (GTK_BOX (compare->list), check);
-}
-
 /* The runs of all windows, those of this one first, and of the files. */
 static void
 list_runs (Compare *compare)
@@ -435,9 +421,18 @@ list_runs (Compare *compare)
   g_autoptr (GPtrArray) documents = qn_compare_list_documents (compare);
   for (guint k = 0; k < documents->len; k++) {
     QnDocument *document = g_ptr_array_index (documents, k);
-    const GPtrArray *runs = document->runs;
-    for (guint i = 0; i < runs->len; i++)
-      add_run (compare, document, g_ptr_array_index (runs, i));
+    g_autofree char *title = qn_document_dup_display_name (document);
+    for (guint i = 0; i < document->runs->len; i++) {
+      QnRun *run = g_ptr_array_index (document->runs, i);
+      g_autofree char *label = g_strdup_printf (_ ("%s: %s"), title, run->name);
+      GtkWidget *check = gtk_check_button_new_with_label (label);
+      gtk_check_button_set_active (GTK_CHECK_BUTTON (check),
+                                   g_ptr_array_find (compare->shown, run, NULL));
+      g_object_set_data_full (G_OBJECT (check), "qn-run", qn_run_ref (run),
+                              (GDestroyNotify) qn_run_unref);
+      g_signal_connect (check, "toggled", G_CALLBACK (on_run_toggled), compare);
+      gtk_box_append (GTK_BOX (compare->list), check);
+    }
   }
 }
 

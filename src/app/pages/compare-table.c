@@ -32,26 +32,21 @@ count_of (Compare *compare, QnDocument *document)
   return count;
 }
 
-/* Whether labels tell the runs on show apart: each has another one. */
-static gboolean
-are_labels_enough (Compare *compare)
-{
-  g_autoptr (GHashTable) labels = g_hash_table_new (g_str_hash, g_str_equal);
-  for (guint i = 0; i < compare->shown->len; i++) {
-    const QnRun *run = compare->shown->pdata[i];
-    if (run->label == NULL || !g_hash_table_add (labels, run->label))
-      return FALSE;
-  }
-  return TRUE;
-}
-
 char *
 qn_compare_dup_title (Compare *compare, QnRun *run)
 {
   QnDocument *document = qn_compare_find_document (compare, run);
   guint count = count_of (compare, document);
-  if (count == compare->shown->len)
-    return g_strdup (are_labels_enough (compare) ? run->label : run->name);
+  if (count == compare->shown->len) {
+    /* Labels tell the runs on show apart where each has another one. */
+    g_autoptr (GHashTable) labels = g_hash_table_new (g_str_hash, g_str_equal);
+    gboolean enough = TRUE;
+    for (guint i = 0; enough && i < count; i++) {
+      const QnRun *other = compare->shown->pdata[i];
+      enough = other->label != NULL && g_hash_table_add (labels, other->label);
+    }
+    return g_strdup (enough ? run->label : run->name);
+  }
   g_autofree char *project = document != NULL ? qn_document_dup_display_name (document)
                              : run->model.title != NULL ? g_strdup (run->model.title)
                                                         : g_strdup (_ ("Untitled"));

@@ -91,15 +91,6 @@ update_actions (Page *self)
 /* ---- the position that is shown ---- */
 
 static void
-compare_digests (Page *self)
-{
-  g_autofree char *digest =
-    qn_model_digest (qn_document_get_project (self->document), NULL);
-  self->outdated =
-    g_strcmp0 (digest, self->digest) != 0 && g_strcmp0 (digest, self->digest_put) != 0;
-}
-
-static void
 tell_position (Page *self)
 {
   const QnEnvelope *e = &self->envelope;
@@ -328,8 +319,12 @@ static void
 on_changed (Page *self)
 {
   g_autoptr (GError) error = NULL;
-  if (self->envelope.count > 0)
-    compare_digests (self);
+  if (self->envelope.count > 0) {
+    g_autofree char *digest =
+      qn_model_digest (qn_document_get_project (self->document), NULL);
+    self->outdated =
+      g_strcmp0 (digest, self->digest) != 0 && g_strcmp0 (digest, self->digest_put) != 0;
+  }
   qn_envelope_settings_clear (&self->settings);
   if (!qn_envelope_settings_read (qn_document_get_project (self->document),
                                   &self->settings, &error))
@@ -362,25 +357,6 @@ find_in_thread (gpointer data)
   return NULL;
 }
 
-/* In the end the worst position is shown. */
-static void
-finish (Page *self)
-{
-  QnEnvelopePlace least = { 0, 0 };
-  g_thread_join (g_steal_pointer (&self->thread));
-  gboolean found = qn_envelope_find_least (&self->envelope, &least);
-  show_position (self, least);
-  if (self->ended != QN_OK && self->ended != QN_ERROR_CANCELLED) {
-    g_autofree char *reason = qn_explain_diag (&self->envelope.model, &self->diag);
-    tell (self, reason);
-  } else if (self->envelope.unstable) {
-    tell (self, _ ("There is no stable equilibrium under the dead load."));
-  } else if (!found) {
-    tell (self, _ ("No position gives a collapse."));
-  }
-  update_actions (self);
-}
-
 static gboolean
 on_timeout (gpointer data)
 {
@@ -394,7 +370,20 @@ on_timeout (gpointer data)
   if (!over)
     return G_SOURCE_CONTINUE;
   self->timeout = 0;
-  finish (self);
+  g_thread_join (g_steal_pointer (&self->thread));
+  /* In the end the worst position is shown. */
+  QnEnvelopePlace least = { 0, 0 };
+  gboolean found = qn_envelope_find_least (e, &least);
+  show_position (self, least);
+  if (self->ended != QN_OK && self->ended != QN_ERROR_CANCELLED) {
+    g_autofree char *reason = qn_explain_diag (&e->model, &self->diag);
+    tell (self, reason);
+  } else if (e->unstable) {
+    tell (self, _ ("There is no stable equilibrium under the dead load."));
+  } else if (!found) {
+    tell (self, _ ("No position gives a collapse."));
+  }
+  update_actions (self);
   return G_SOURCE_REMOVE;
 }
 

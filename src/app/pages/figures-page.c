@@ -45,16 +45,6 @@ on_allowed (QnAnswer answer, gpointer data)
     make_all (figures);
 }
 
-/* A project from elsewhere may name any file: the user decides about each figure. */
-static void
-ask_to_allow (Figures *figures, const QnRecipe *recipe, const char *what)
-{
-  figures->asked = g_intern_string (recipe->name);
-  qn_dialog_ask (GTK_WINDOW (gtk_widget_get_root (figures->list)),
-                 _ ("Use files outside the project's folder?"), what,
-                 _ ("_Allow for This Figure"), NULL, NULL, on_allowed, figures);
-}
-
 static void
 make_all (Figures *figures)
 {
@@ -67,8 +57,13 @@ make_all (Figures *figures)
     const QnRecipe *recipe = g_ptr_array_index (recipes, i);
     if (qn_document_export_figure (figures->document, recipe, &error))
       g_ptr_array_add (made, recipe->file);
-    if (g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE))
-      ask_to_allow (figures, recipe, error->message);
+    /* A project from elsewhere may name any file: the user decides about each figure. */
+    if (g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE)) {
+      figures->asked = g_intern_string (recipe->name);
+      qn_dialog_ask (GTK_WINDOW (gtk_widget_get_root (figures->list)),
+                     _ ("Use files outside the project's folder?"), error->message,
+                     _ ("_Allow for This Figure"), NULL, NULL, on_allowed, figures);
+    }
   }
   if (error != NULL) {
     tell (figures, error->message);
@@ -130,23 +125,6 @@ on_remove (GtkButton *button, Figures *figures)
     tell (figures, error->message);
 }
 
-static GtkWidget *
-make_row (Figures *figures, const QnRecipe *recipe)
-{
-  const QnProject *project = qn_document_get_project (figures->document);
-  gboolean stale = qn_recipe_is_stale (recipe, project);
-  g_autoptr (GtkBuilder) builder = qn_builder_new ("figure-row");
-  g_autofree char *text =
-    g_strdup_printf ("%s → %s%s%s", qn_view_names[recipe->view.view], recipe->file,
-                     stale ? " · " : "", stale ? _ ("the model has changed since") : "");
-  gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (builder, "name")), recipe->name);
-  gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (builder, "what")), text);
-  GtkWidget *remove = qn_builder_get_widget (builder, "remove");
-  g_object_set_data_full (G_OBJECT (remove), "qn-name", g_strdup (recipe->name), g_free);
-  g_signal_connect (remove, "clicked", G_CALLBACK (on_remove), figures);
-  return qn_builder_take_widget (builder, "row");
-}
-
 static void
 update (Figures *figures)
 {
@@ -156,9 +134,23 @@ update (Figures *figures)
   g_autoptr (GError) error = NULL;
   g_autoptr (GPtrArray) recipes = qn_document_get_figures (figures->document, &error);
   guint count = recipes != NULL ? recipes->len : 0;
-  for (guint i = 0; i < count; i++)
+  for (guint i = 0; i < count; i++) {
+    const QnRecipe *recipe = g_ptr_array_index (recipes, i);
+    gboolean stale =
+      qn_recipe_is_stale (recipe, qn_document_get_project (figures->document));
+    g_autoptr (GtkBuilder) row = qn_builder_new ("figure-row");
+    g_autofree char *text = g_strdup_printf (
+      "%s → %s%s%s", qn_view_names[recipe->view.view], recipe->file, stale ? " · " : "",
+      stale ? _ ("the model has changed since") : "");
+    gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (row, "name")), recipe->name);
+    gtk_label_set_text (GTK_LABEL (qn_builder_get_widget (row, "what")), text);
+    GtkWidget *remove = qn_builder_get_widget (row, "remove");
+    g_object_set_data_full (G_OBJECT (remove), "qn-name", g_strdup (recipe->name),
+                            g_free);
+    g_signal_connect (remove, "clicked", G_CALLBACK (on_remove), figures);
     gtk_list_box_append (GTK_LIST_BOX (figures->list),
-                         make_row (figures, g_ptr_array_index (recipes, i)));
+                         qn_builder_take_widget (row, "row"));
+  }
   gtk_widget_set_visible (figures->list, count > 0);
   gtk_widget_set_sensitive (qn_part (figures->page, "export_all"), count > 0);
   if (error != NULL)

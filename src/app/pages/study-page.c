@@ -528,16 +528,6 @@ connect (QnStudyPage *self)
   qn_context_menu_attach (plot, make_menu, self);
 }
 
-/* Path of the study of a project file. */
-static char *
-path_of_project (const char *project)
-{
-  g_autofree char *stem = g_str_has_suffix (project, ".quoin")
-                            ? g_strndup (project, strlen (project) - strlen (".quoin"))
-                            : g_strdup (project);
-  return g_strconcat (stem, ".quoin-study", NULL);
-}
-
 static QnDraft *
 take_draft (QnDocument *document, const char *path, GError **error)
 {
@@ -547,7 +537,11 @@ take_draft (QnDocument *document, const char *path, GError **error)
                          _ ("Save the project first: its study is kept beside it."));
     return NULL;
   }
-  g_autofree char *own = path != NULL ? g_strdup (path) : path_of_project (project);
+  const gboolean ends = g_str_has_suffix (project, ".quoin");
+  g_autofree char *stem =
+    g_strndup (project, strlen (project) - (ends ? strlen (".quoin") : 0));
+  g_autofree char *own =
+    path != NULL ? g_strdup (path) : g_strconcat (stem, ".quoin-study", NULL);
   g_autofree char *model = g_path_get_basename (project);
   const QnModel *structure = &document->project.model;
   QnStudyRun run = qn_study_run_of (QN_STUDY_SOLVE, &structure->analysis);
@@ -578,21 +572,16 @@ qn_study_page_new (QnViewState *state, const char *path, GError **error)
   return self->base.root;
 }
 
-/* Whether a fraction can stand there: counts and seeds are whole. */
-static gboolean
-takes_fractions (QnStudyPage *self, const char *path, double base)
-{
-  return base != rint (base)
-         || qn_study_page_takes_value (self, path, floor (base) + 0.5, NULL);
-}
-
 void
 qn_study_page_vary (GtkWidget *page, const char *path, double base)
 {
   QnStudyPage *self = g_object_get_data (G_OBJECT (page), QN_FORM);
   g_autofree char *words = qn_path_dup_text (&self->document->project.model, path);
-  gboolean added =
-    qn_draft_vary (self->draft, path, base, !takes_fractions (self, path, base));
+  /* Counts and seeds are whole: a fraction cannot stand there. */
+  const gboolean whole =
+    base == rint (base)
+    && !qn_study_page_takes_value (self, path, floor (base) + 0.5, NULL);
+  gboolean added = qn_draft_vary (self->draft, path, base, whole);
   g_autofree char *text =
     g_strdup_printf (added ? _ ("%s varies now.") : _ ("%s varies already."), words);
   qn_study_page_tell (self, text);

@@ -50,34 +50,7 @@ qn_study_page_read_results (QnStudyPage *self)
   }
 }
 
-/* What has come in since, of the study that runs. */
-static void
-read_more (QnStudyPage *self)
-{
-  QnTable table;
-  if (g_strcmp0 (self->folder, self->running) != 0) {
-    qn_study_page_read_results (self);
-    return;
-  }
-  if (!qn_table_read (&table, &self->study, self->folder, NULL))
-    return;
-  qn_table_clear (&self->table);
-  self->table = table;
-}
-
 /* ---- cases that are being computed ---- */
-
-/* The name of the page has the share that is there while it runs. */
-static void
-show_in_tab (QnStudyPage *self, const QnStudyProgress *progress)
-{
-  GtkStack *pages = GTK_STACK (gtk_widget_get_ancestor (self->base.root, GTK_TYPE_STACK));
-  g_autofree char *title =
-    self->job != NULL && progress->wanted > 0
-      ? g_strdup_printf (_ ("Study: %zu %%"), 100 * progress->present / progress->wanted)
-      : g_strdup (_ ("Study"));
-  gtk_stack_page_set_title (gtk_stack_get_page (pages, self->base.root), title);
-}
 
 static void
 show_progress (QnStudyPage *self, const QnStudyProgress *progress)
@@ -91,7 +64,13 @@ show_progress (QnStudyPage *self, const QnStudyProgress *progress)
                             seconds / 60 % 60, seconds % 60);
   }
   qn_study_page_tell (self, text->str);
-  show_in_tab (self, progress);
+  /* The name of the page has the share that is there while it runs. */
+  GtkStack *pages = GTK_STACK (gtk_widget_get_ancestor (self->base.root, GTK_TYPE_STACK));
+  g_autofree char *title =
+    self->job != NULL && progress->wanted > 0
+      ? g_strdup_printf (_ ("Study: %zu %%"), 100 * progress->present / progress->wanted)
+      : g_strdup (_ ("Study"));
+  gtk_stack_page_set_title (gtk_stack_get_page (pages, self->base.root), title);
   if (progress->wanted > 0)
     self->share = (double) progress->present / (double) progress->wanted;
 }
@@ -103,7 +82,14 @@ on_timeout (gpointer data)
   QnStudyProgress progress;
   g_autoptr (GError) error = NULL;
   const gboolean runs = qn_study_job_look (self->job, &progress, &error);
-  read_more (self);
+  /* What has come in since, of the study that runs. */
+  QnTable table;
+  if (g_strcmp0 (self->folder, self->running) != 0) {
+    qn_study_page_read_results (self);
+  } else if (qn_table_read (&table, &self->study, self->folder, NULL)) {
+    qn_table_clear (&self->table);
+    self->table = table;
+  }
   if (!runs)
     g_clear_pointer (&self->job, qn_study_job_free);
   if (error != NULL)

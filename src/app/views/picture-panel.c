@@ -62,22 +62,6 @@ show (QnForm *data, const QnModel *model, guint field, QnValue *value)
   return field != HEIGHT || underlay.rectified;
 }
 
-/* "0.1; 0.25": parts of the photo's width and height. */
-static gboolean
-take_corner (QnUnderlay *underlay, guint corner, const char *text, GError **error)
-{
-  double numbers[2];
-  g_auto (GStrv) parts = g_strsplit (text, ";", -1);
-  gboolean read = g_strv_length (parts) == 2;
-  for (int i = 0; read && i < 2; i++)
-    read = qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, parts[i], &numbers[i], NULL);
-  if (!read)
-    return qn_edit_refuse (error,
-                           _ ("Expected two numbers with a semicolon between them"));
-  underlay->points[corner] = qn_vec2 (numbers[0], numbers[1]);
-  return TRUE;
-}
-
 static gboolean
 take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
@@ -97,8 +81,17 @@ take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **
   if (field == CROPPED)
     underlay.cropped = value->number != 0.0;
   else if (field >= CORNER) {
-    if (!take_corner (&underlay, field - CORNER, value->text, error))
-      return FALSE;
+    /* "0.1; 0.25": parts of the photo's width and height. */
+    double numbers[2];
+    g_auto (GStrv) parts = g_strsplit (value->text, ";", -1);
+    gboolean read = g_strv_length (parts) == 2;
+    for (int i = 0; read && i < 2; i++)
+      read =
+        qn_units_parse (QN_UNITS_SI, QN_QUANTITY_NUMBER, parts[i], &numbers[i], NULL);
+    if (!read)
+      return qn_edit_refuse (error,
+                             _ ("Expected two numbers with a semicolon between them"));
+    underlay.points[field - CORNER] = qn_vec2 (numbers[0], numbers[1]);
   } else
     *number_of (&underlay, field) = value->number;
   return qn_document_place_picture (

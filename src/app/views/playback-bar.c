@@ -77,22 +77,6 @@ shown_step (const Bar *bar)
   return (int) qn_view_state_get_shown_step (bar->state);
 }
 
-/* Shows the time of the position; from the start again behind the end, or FALSE there. Who goes to
- * another step meanwhile goes on from it. */
-static gboolean
-play_time (Bar *bar, const QnRun *run, gboolean loop)
-{
-  double end = run->result.steps[last_step (bar)].time;
-  if (shown_step (bar) != bar->played)
-    bar->position = run->result.steps[shown_step (bar)].time;
-  else if (bar->position > end && loop)
-    bar->position = 0.0;
-  gboolean goes_on = bar->position <= end;
-  bar->played = qn_result_step_at (&run->result, bar->position);
-  qn_view_state_set_step (bar->state, bar->played);
-  return goes_on;
-}
-
 static gboolean
 on_tick (GtkWidget *widget, GdkFrameClock *clock, gpointer data)
 {
@@ -107,9 +91,18 @@ on_tick (GtkWidget *widget, GdkFrameClock *clock, gpointer data)
   gboolean loop = gtk_toggle_button_get_active (qn_part (bar->box, "loop"));
   const double turns = bar->position / period;
   gboolean goes_on = loop || turns < 1.0;
-  if (run != NULL)
-    goes_on = play_time (bar, run, loop);
-  else /* to and fro, slowly at both ends */
+  if (run != NULL) {
+    /* The time of the position; from the start again behind the end. Who goes to another step meanwhile
+     * goes on from it. */
+    double end = run->result.steps[last_step (bar)].time;
+    if (shown_step (bar) != bar->played)
+      bar->position = run->result.steps[shown_step (bar)].time;
+    else if (bar->position > end && loop)
+      bar->position = 0.0;
+    goes_on = bar->position <= end;
+    bar->played = qn_result_step_at (&run->result, bar->position);
+    qn_view_state_set_step (bar->state, bar->played);
+  } else /* to and fro, slowly at both ends */
     show_share (bar, goes_on ? 0.5 - 0.5 * cos (G_PI * turns) : 1.0);
   if (!goes_on)
     stop (bar);

@@ -25,19 +25,6 @@ on_table_action (GSimpleAction *action, GVariant *parameter, gpointer data)
     row->take (data, parameter);
 }
 
-static void
-add_table (QnWindow *self, const QnWindowAction *actions)
-{
-  for (; actions->name != NULL; actions++) {
-    const char *type = actions->parameter;
-    g_autoptr (GSimpleAction) action =
-      g_simple_action_new (actions->name, type != NULL ? G_VARIANT_TYPE (type) : NULL);
-    g_signal_connect (action, "activate", G_CALLBACK (on_table_action), self);
-    g_object_set_data (G_OBJECT (action), ROW, (gpointer) actions);
-    g_action_map_add_action (G_ACTION_MAP (self), G_ACTION (action));
-  }
-}
-
 /* ---- viewing ---- */
 
 static void
@@ -269,7 +256,14 @@ qn_window_add_actions (QnWindow *self)
 {
   add_stateful_actions (self);
   for (gsize i = 1; i < G_N_ELEMENTS (tables); i++)
-    add_table (self, tables[i]);
+    for (const QnWindowAction *row = tables[i]; row->name != NULL; row++) {
+      const char *type = row->parameter;
+      g_autoptr (GSimpleAction) action =
+        g_simple_action_new (row->name, type != NULL ? G_VARIANT_TYPE (type) : NULL);
+      g_signal_connect (action, "activate", G_CALLBACK (on_table_action), self);
+      g_object_set_data (G_OBJECT (action), ROW, (gpointer) row);
+      g_action_map_add_action (G_ACTION_MAP (self), G_ACTION (action));
+    }
 }
 
 static QnNeeds

@@ -400,20 +400,6 @@ add_blocks (QnModel *model, GVariant *blocks, QnVec2 by, GError **error)
   return done;
 }
 
-static QnBox
-box_of_blocks (GVariant *blocks)
-{
-  QnBox box = QN_BOX_EMPTY;
-  for (gsize i = 0; i < g_variant_n_children (blocks); i++) {
-    gsize count;
-    g_autoptr (GVariant) block = g_variant_get_child_value (blocks, i);
-    g_autoptr (GVariant) corners = g_variant_get_child_value (block, 3);
-    const QnVec2 *v = g_variant_get_fixed_array (corners, &count, sizeof *v);
-    qn_box_add_box (&box, qn_box_of_points (v, count));
-  }
-  return box;
-}
-
 /* Whether no block reaches into the moved box. */
 static gboolean
 is_free (const QnModel *model, QnBox box, QnVec2 by)
@@ -455,7 +441,14 @@ on_clipboard_text (GObject *source, GAsyncResult *result, gpointer data)
   /* A clipboard without text has no blocks either, nor has what copy() has not written. */
   g_autoptr (GVariant) blocks = g_variant_parse (
     G_VARIANT_TYPE (BLOCKS_TYPE), text != NULL ? text : "", NULL, NULL, NULL);
-  QnBox box = blocks != NULL ? box_of_blocks (blocks) : QN_BOX_EMPTY;
+  QnBox box = QN_BOX_EMPTY;
+  for (gsize i = 0; blocks != NULL && i < g_variant_n_children (blocks); i++) {
+    gsize count;
+    g_autoptr (GVariant) block = g_variant_get_child_value (blocks, i);
+    g_autoptr (GVariant) corners = g_variant_get_child_value (block, 3);
+    const QnVec2 *v = g_variant_get_fixed_array (corners, &count, sizeof *v);
+    qn_box_add_box (&box, qn_box_of_points (v, count));
+  }
   if (!(box.min.x <= box.max.x)) {
     qn_window_show_error (self, _ ("There are no blocks on the clipboard"));
     return;

@@ -145,15 +145,6 @@ stop_closing (gpointer data)
 
 /* ---- saving ---- */
 
-static void
-do_what_waited (QnWindow *self)
-{
-  g_autofree char *action = g_steal_pointer (&self->after_save), *name = NULL;
-  g_autoptr (GVariant) parameter = NULL;
-  if (action != NULL && g_action_parse_detailed_name (action, &name, &parameter, NULL))
-    g_action_group_activate_action (G_ACTION_GROUP (self), name, parameter);
-}
-
 static gboolean
 save_to (QnWindow *self, const char *path)
 {
@@ -161,7 +152,10 @@ save_to (QnWindow *self, const char *path)
   if (qn_document_carry_files (self->document, path, &error)
       && qn_document_save (self->document, path, &error)) {
     qn_window_remember_recent (path);
-    do_what_waited (self);
+    g_autofree char *action = g_steal_pointer (&self->after_save), *name = NULL;
+    g_autoptr (GVariant) parameter = NULL;
+    if (action != NULL && g_action_parse_detailed_name (action, &name, &parameter, NULL))
+      g_action_group_activate_action (G_ACTION_GROUP (self), name, parameter);
     return TRUE;
   }
   stop_closing (self);

@@ -23,26 +23,6 @@ insert_turns (GtkBuilder *builder, GMenu *shape, int position)
                          G_MENU_MODEL (get (builder, "turns")));
 }
 
-static void
-complete_block_menu (GtkBuilder *builder, const QnBlock *block)
-{
-  GMenu *shape = get (builder, "block-shape");
-  insert_turns (builder, shape, 2);
-  if (block->masonry != QN_NONE || block->wall != QN_NONE)
-    g_menu_append (shape, _ ("De_tach Wall into Free Blocks"), "win.detach");
-}
-
-static void
-complete_joint_menu (GtkBuilder *builder, const QnModel *model)
-{
-  for (gsize i = 0; i <= model->law_count; i++) {
-    const char *name = i < model->law_count ? model->laws[i].name : "";
-    qn_menu_add_target (get (builder, "joint-laws"),
-                        *name != '\0' ? name : _ ("As its blocks"), "win.joint-law",
-                        g_variant_new_string (name));
-  }
-}
-
 static GMenu *
 make_for_selection (QnWindow *self)
 {
@@ -60,10 +40,18 @@ make_for_selection (QnWindow *self)
                                                                   : "load"));
   else if (qn_selection_get_one (selection, QN_PICK_FACE) != QN_NONE) {
     id = "joint";
-    complete_joint_menu (builder, model);
+    for (gsize i = 0; i <= model->law_count; i++) {
+      const char *name = i < model->law_count ? model->laws[i].name : "";
+      qn_menu_add_target (get (builder, "joint-laws"),
+                          *name != '\0' ? name : _ ("As its blocks"), "win.joint-law",
+                          g_variant_new_string (name));
+    }
   } else if (block >= 0 && (gsize) block < model->block_count) {
     id = "block";
-    complete_block_menu (builder, &model->blocks[block]);
+    GMenu *shape = get (builder, "block-shape");
+    insert_turns (builder, shape, 2);
+    if (model->blocks[block].masonry != QN_NONE || model->blocks[block].wall != QN_NONE)
+      g_menu_append (shape, _ ("De_tach Wall into Free Blocks"), "win.detach");
   } else if (qn_selection_get_one (selection, QN_PICK_BEAM) != QN_NONE) {
     id = "beam";
     insert_turns (builder, get (builder, "beam-shape"), 2);
@@ -77,18 +65,6 @@ make_for_selection (QnWindow *self)
   return menu;
 }
 
-/* Where a menu of the selection opens by key. */
-static void
-place_by_selection (QnWindow *self, QnMenuPlace *place)
-{
-  QnVec2 low, high;
-  if (!qn_canvas_get_parts_box (self->canvas, &low, &high))
-    return;
-  QnVec2 s = qn_canvas_to_screen (self->canvas, qn_vec2_lerp (low, high, 0.5));
-  place->x = CLAMP (s.x, 0.0, gtk_widget_get_width (GTK_WIDGET (self->canvas)));
-  place->y = CLAMP (s.y, 0.0, gtk_widget_get_height (GTK_WIDGET (self->canvas)));
-}
-
 static GMenuModel *
 make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data)
 {
@@ -97,12 +73,14 @@ make_menu (GtkWidget *widget, QnMenuPlace *place, gpointer data)
     qn_canvas_cancel_gesture (self->canvas);
     return NULL;
   }
-  if (place->by_key) {
-    place_by_selection (self, place);
-    return G_MENU_MODEL (make_for_selection (self));
+  QnVec2 low, high;
+  if (!place->by_key)
+    qn_tool_select_under (self->canvas, qn_vec2 (place->x, place->y));
+  else if (qn_canvas_get_parts_box (self->canvas, &low, &high)) {
+    QnVec2 s = qn_canvas_to_screen (self->canvas, qn_vec2_lerp (low, high, 0.5));
+    place->x = CLAMP (s.x, 0.0, gtk_widget_get_width (GTK_WIDGET (self->canvas)));
+    place->y = CLAMP (s.y, 0.0, gtk_widget_get_height (GTK_WIDGET (self->canvas)));
   }
-  QnVec2 at = qn_vec2 (place->x, place->y);
-  qn_tool_select_under (self->canvas, at);
   return G_MENU_MODEL (make_for_selection (self));
 }
 

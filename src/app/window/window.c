@@ -275,14 +275,6 @@ qn_window_show_work (QnWindow *self)
   qn_window_update_actions (self);
 }
 
-static void
-show_warnings (QnWindow *self)
-{
-  const GPtrArray *warnings = qn_document_get_project (self->document)->warnings;
-  if (warnings != NULL && warnings->len > 0)
-    qn_window_show_error (self, g_ptr_array_index (warnings, 0));
-}
-
 static gboolean
 show_loaded (QnWindow *self, const GError *error)
 {
@@ -294,7 +286,9 @@ show_loaded (QnWindow *self, const GError *error)
   qn_window_show_work (self);
   qn_view_state_set_view (self->state, QN_VIEW_MODEL);
   qn_canvas_fit (self->canvas);
-  show_warnings (self);
+  const GPtrArray *warnings = qn_document_get_project (self->document)->warnings;
+  if (warnings != NULL && warnings->len > 0)
+    qn_window_show_error (self, g_ptr_array_index (warnings, 0));
   return TRUE;
 }
 
@@ -580,17 +574,6 @@ qn_window_commit_entry (QnWindow *self)
     gtk_window_set_focus (apart, NULL);
 }
 
-/* Forms act on the canvas, also while they lose focus and rows: they go before it does. */
-static void
-remove_panels (QnWindow *self)
-{
-  GtkScrolledWindow *scrollers[] = { self->properties_scroller, self->analysis_scroller,
-                                     self->result_scroller, self->findings_scroller };
-  for (gsize i = 0; i < G_N_ELEMENTS (scrollers); i++)
-    if (scrollers[i] != NULL)
-      gtk_scrolled_window_set_child (scrollers[i], NULL);
-}
-
 static gboolean
 qn_window_close_request (GtkWindow *window)
 {
@@ -617,7 +600,12 @@ qn_window_dispose (GObject *object)
   qn_window_forget_settings (self);
   if (self->pages != NULL)
     qn_window_remove_pages (self);
-  remove_panels (self);
+  /* Forms act on the canvas, also while they lose focus and rows: they go before it does. */
+  GtkScrolledWindow *scrollers[] = { self->properties_scroller, self->analysis_scroller,
+                                     self->result_scroller, self->findings_scroller };
+  for (gsize i = 0; i < G_N_ELEMENTS (scrollers); i++)
+    if (scrollers[i] != NULL)
+      gtk_scrolled_window_set_child (scrollers[i], NULL);
   gtk_widget_dispose_template (GTK_WIDGET (self), QN_TYPE_WINDOW);
   G_OBJECT_CLASS (qn_window_parent_class)->dispose (object);
 }
