@@ -79,20 +79,6 @@ draw_grid_lines (QnCanvas *self, cairo_t *cr, double distance)
 }
 
 static void
-draw_ruler_label (QnCanvas *self, cairo_t *cr, double value, QnVec2 at, gboolean vertical)
-{
-  g_autofree char *text =
-    qn_units_format (qn_settings_get_units (), QN_QUANTITY_LENGTH, value, 6);
-  g_autoptr (PangoLayout) layout = qn_canvas_make_text (self, text, 7.0);
-  cairo_save (cr);
-  cairo_move_to (cr, at.x, at.y);
-  if (vertical)
-    cairo_rotate (cr, -G_PI_2);
-  pango_cairo_show_layout (cr, layout);
-  cairo_restore (cr);
-}
-
-static void
 draw_ruler_ticks (QnCanvas *self, cairo_t *cr, gboolean vertical)
 {
   double distance = qn_canvas_grid_distance (self) / 5.0;
@@ -111,10 +97,17 @@ draw_ruler_ticks (QnCanvas *self, cairo_t *cr, gboolean vertical)
       cairo_line_to (cr, floor (s.x) + 0.5, ruler_px (self) - length);
     }
     cairo_stroke (cr);
-    if (major)
-      draw_ruler_label (self, cr, i == 0.0 ? 0.0 : value,
-                        vertical ? qn_vec2 (2.0, s.y - 3.0) : qn_vec2 (s.x + 3.0, 2.0),
-                        vertical);
+    if (major) {
+      g_autofree char *text = qn_units_format (
+        qn_settings_get_units (), QN_QUANTITY_LENGTH, i == 0.0 ? 0.0 : value, 6);
+      g_autoptr (PangoLayout) layout = qn_canvas_make_text (self, text, 7.0);
+      cairo_save (cr);
+      cairo_move_to (cr, vertical ? 2.0 : s.x + 3.0, vertical ? s.y - 3.0 : 2.0);
+      if (vertical)
+        cairo_rotate (cr, -G_PI_2);
+      pango_cairo_show_layout (cr, layout);
+      cairo_restore (cr);
+    }
   }
 }
 

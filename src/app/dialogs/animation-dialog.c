@@ -195,23 +195,6 @@ use_chosen (gpointer data, const char *path, GError **error)
   return TRUE;
 }
 
-static void
-on_export (Dialog *dialog)
-{
-  static const char *const endings[][3] = { { ".gif", ".webm" }, { ".webm", ".gif" } };
-  static const char *const names[] = { N_ ("collapse.gif"), N_ ("collapse.webm") };
-  const gboolean folder = dialog->format == FORMAT_PICTURES;
-  const QnFileQuestion question = { .title = folder ? _ ("Folder for the Pictures")
-                                                    : _ ("Export Animation"),
-                                    .accept = _ ("_Export"),
-                                    .name = folder ? NULL : _ (names[dialog->format]),
-                                    .endings = folder ? NULL : endings[dialog->format],
-                                    .use = use_chosen,
-                                    .failed = say,
-                                    .folder = folder };
-  qn_chooser_ask (dialog->base.root, &question, dialog);
-}
-
 /* ---- fields ---- */
 
 /* WebM is offered where it can be written. */
@@ -310,9 +293,20 @@ take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **
   QnAnimation *a = &dialog->animation;
   if (field == CANCEL)
     g_cancellable_cancel (dialog->cancellable);
-  else if (field == EXPORT)
-    on_export (dialog);
-  else if (field == WHAT)
+  else if (field == EXPORT) {
+    static const char *const endings[][3] = { { ".gif", ".webm" }, { ".webm", ".gif" } };
+    static const char *const names[] = { N_ ("collapse.gif"), N_ ("collapse.webm") };
+    const gboolean folder = dialog->format == FORMAT_PICTURES;
+    const QnFileQuestion question = { .title = folder ? _ ("Folder for the Pictures")
+                                                      : _ ("Export Animation"),
+                                      .accept = _ ("_Export"),
+                                      .name = folder ? NULL : _ (names[dialog->format]),
+                                      .endings = folder ? NULL : endings[dialog->format],
+                                      .use = use_chosen,
+                                      .failed = say,
+                                      .folder = folder };
+    qn_chooser_ask (dialog->base.root, &question, dialog);
+  } else if (field == WHAT)
     a->figure.options.view = value->number != 0.0 ? QN_VIEW_DEFORMED : QN_VIEW_MECHANISM;
   else if (field == FORMAT)
     dialog->format = (int) value->number * (has_webm () ? 1 : 2);

@@ -79,18 +79,6 @@ update_values (Card *card, const QnRun *run, const char *bounds)
 }
 
 static void
-update_events (Card *card, const QnRun *run)
-{
-  guint told;
-  g_autofree char *events = qn_run_dup_events (run, qn_settings_get_units (), &told);
-  gtk_widget_set_visible (qn_part (card->box, "events"), *events != '\0');
-  g_autofree char *title = g_strdup_printf (
-    ngettext ("%u _event on the path", "%u _events on the path", (gulong) told), told);
-  gtk_expander_set_label (qn_part (card->box, "events"), title);
-  set_text (card, "happened", events);
-}
-
-static void
 update (Card *card)
 {
   const QnRun *run = card->document->run;
@@ -120,7 +108,13 @@ update (Card *card)
   set_text (card, "outcome", given ? words : outcome);
   set_text (card, "explanation", given ? explanation : whole);
   update_values (card, run, numbers);
-  update_events (card, run);
+  guint told;
+  g_autofree char *events = qn_run_dup_events (run, qn_settings_get_units (), &told);
+  gtk_widget_set_visible (qn_part (card->box, "events"), *events != '\0');
+  g_autofree char *title = g_strdup_printf (
+    ngettext ("%u _event on the path", "%u _events on the path", (gulong) told), told);
+  gtk_expander_set_label (qn_part (card->box, "events"), title);
+  set_text (card, "happened", events);
   g_autofree char *stages = qn_outcome_dup_stages (&run->model, &run->result);
   set_text (card, "led", stages);
   gtk_widget_set_visible (qn_part (card->box, "stages"), stages != NULL);

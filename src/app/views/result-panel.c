@@ -139,20 +139,6 @@ show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 
 /* ---- what is chosen ---- */
 
-/* The end of a stage. */
-static void
-go_to_stage (const Panel *panel, const QnRun *run, int32_t stage)
-{
-  QnViewState *state = state_of (panel);
-  const QnView view = state->options.view;
-  size_t first = 0, last = 0;
-  if (run == NULL || !qn_result_stage_steps (&run->result, stage, &first, &last))
-    return;
-  if (!qn_view_needs_result (view) || view == QN_VIEW_MECHANISM)
-    qn_view_state_set_view (state, QN_VIEW_DEFORMED);
-  qn_view_state_set_step (state, (int) last);
-}
-
 static gboolean
 take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
 {
@@ -160,14 +146,19 @@ take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **
   const GPtrArray *runs = document_of (panel)->runs;
   const QnRun *run = document_of (panel)->run;
   const guint row = (guint) qn_value_int (value);
+  size_t first = 0, last = 0;
   if (field == RUNS && row < runs->len)
     qn_document_set_run (document_of (panel), runs->pdata[row]);
   else if (field == ONION)
     qn_view_state_set_onion (state_of (panel),
                              row > 0 && row <= runs->len ? runs->pdata[row - 1] : NULL);
-  else if (field == STAGE)
-    go_to_stage (panel, run, (int32_t) row);
-  else if (field == NAME)
+  else if (field == STAGE && run != NULL
+           && qn_result_stage_steps (&run->result, (int32_t) row, &first, &last)) {
+    const QnView view = state_of (panel)->options.view;
+    if (!qn_view_needs_result (view) || view == QN_VIEW_MECHANISM)
+      qn_view_state_set_view (state_of (panel), QN_VIEW_DEFORMED);
+    qn_view_state_set_step (state_of (panel), (int) last); /* the end of the stage */
+  } else if (field == NAME)
     return run != NULL
            && qn_document_rename_run (document_of (panel), run, value->text, error);
   return TRUE;

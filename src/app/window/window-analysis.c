@@ -53,22 +53,6 @@ update_live_label (QnWindow *self)
   gtk_widget_set_visible (GTK_WIDGET (self->live_label), text != NULL);
 }
 
-/* The dead load does not stand: the blocks that move are selected and shown. */
-static void
-show_unstable (QnWindow *self, const QnRun *run)
-{
-  g_autofree char *message = qn_run_dup_explanation (run);
-  if (run->result.unstable_count == 0) {
-    qn_window_show_error (self, message);
-    return;
-  }
-  qn_view_state_set_view (self->state, QN_VIEW_MODEL);
-  qn_selection_set (self->document->selection, QN_PICK_BLOCK, run->result.unstable_blocks,
-                    (guint) run->result.unstable_count);
-  qn_window_show_error_at (self, message,
-                           run->model.blocks[run->result.unstable_blocks[0]].centroid);
-}
-
 static void
 show_run (QnWindow *self)
 {
@@ -76,9 +60,18 @@ show_run (QnWindow *self)
   if (run == NULL || qn_document_is_stale (self->document, run))
     return;
   gtk_stack_set_visible_child_name (self->side_stack, "result");
-  if (run->result.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
-    show_unstable (self, run);
-  else if (!qn_view_needs_result (self->state->options.view))
+  if (run->result.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE) {
+    g_autofree char *message = qn_run_dup_explanation (run);
+    const QnId *blocks = run->result.unstable_blocks;
+    const guint count = (guint) run->result.unstable_count;
+    if (count == 0)
+      qn_window_show_error (self, message);
+    else { /* the blocks that move are selected and shown */
+      qn_view_state_set_view (self->state, QN_VIEW_MODEL);
+      qn_selection_set (self->document->selection, QN_PICK_BLOCK, blocks, count);
+      qn_window_show_error_at (self, message, run->model.blocks[blocks[0]].centroid);
+    }
+  } else if (!qn_view_needs_result (self->state->options.view))
     qn_view_state_set_view (self->state, qn_view_of_result (&run->result));
   /* What stands is shown where it was worst. */
   if (qn_run_is_in_time (run) && run->result.outcome != QN_OUTCOME_COLLAPSE

@@ -11,20 +11,6 @@
 /* ---- pictures ---- */
 
 static void
-insert_picture (QnWindow *self, const char *path)
-{
-  g_autoptr (GError) error = NULL;
-  qn_window_show_work (self);
-  if (!qn_document_insert_picture (self->document, path, &error)) {
-    qn_window_show_error (self, error->message);
-    return;
-  }
-  gtk_stack_set_visible_child_name (self->side_stack, "properties");
-  gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s", "picture");
-  qn_canvas_fit (self->canvas);
-}
-
-static void
 remove_picture (QnWindow *self, const char *name)
 {
   g_autoptr (GError) error = NULL;
@@ -71,9 +57,16 @@ qn_window_take_file (QnWindow *self, const char *path)
 {
   if (qn_is_result_file (path))
     qn_window_open_result (self, path);
-  else if (qn_import_is_picture (path))
-    insert_picture (self, path);
-  else if (qn_import_knows_file (path))
+  else if (qn_import_is_picture (path)) {
+    g_autoptr (GError) error = NULL;
+    qn_window_show_work (self);
+    if (qn_document_insert_picture (self->document, path, &error)) {
+      gtk_stack_set_visible_child_name (self->side_stack, "properties");
+      gtk_widget_activate_action (GTK_WIDGET (self), "win.tool", "s", "picture");
+      qn_canvas_fit (self->canvas);
+    } else
+      qn_window_show_error (self, error->message);
+  } else if (qn_import_knows_file (path))
     qn_import_dialog_show (GTK_WINDOW (self), path,
                            self->document->project.model.block_count > 0, take_import);
   else

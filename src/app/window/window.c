@@ -410,22 +410,6 @@ build_panels (QnWindow *self)
   gtk_menu_button_set_popover (self->history_button, popover);
 }
 
-static void
-bind_settings (QnWindow *self)
-{
-  /* Opposite to the legend, which stays where it is in every script. */
-  gtk_widget_set_direction (GTK_WIDGET (self->view_box), GTK_TEXT_DIR_LTR);
-  g_set_weak_pointer (&self->canvas->corner, GTK_WIDGET (self->view_box));
-  GSettings *settings = qn_settings_get ();
-  /* A new window is as the last one; none follows another. */
-  static const char *const places[][2] = { { "window-width", "default-width" },
-                                           { "window-height", "default-height" },
-                                           { "window-maximized", "maximized" } };
-  for (gsize i = 0; i < G_N_ELEMENTS (places); i++)
-    g_settings_bind (settings, places[i][0], self, places[i][1],
-                     G_SETTINGS_BIND_DEFAULT | G_SETTINGS_BIND_GET_NO_CHANGES);
-}
-
 /* Messages lie over the drawing, not over the side panel. */
 static gboolean
 place_message (GtkOverlay *overlay, GtkWidget *message, GdkRectangle *place,
@@ -552,7 +536,16 @@ qn_window_init (QnWindow *self)
   connect_document (self);
   qn_window_connect_analysis (self);
   self->recovery = qn_recovery_watch (self->document);
-  bind_settings (self);
+  /* Opposite to the legend, which stays where it is in every script. */
+  gtk_widget_set_direction (GTK_WIDGET (self->view_box), GTK_TEXT_DIR_LTR);
+  g_set_weak_pointer (&self->canvas->corner, GTK_WIDGET (self->view_box));
+  /* A new window is as the last one; none follows another. */
+  static const char *const places[][2] = { { "window-width", "default-width" },
+                                           { "window-height", "default-height" },
+                                           { "window-maximized", "maximized" } };
+  for (gsize i = 0; i < G_N_ELEMENTS (places); i++)
+    g_settings_bind (qn_settings_get (), places[i][0], self, places[i][1],
+                     G_SETTINGS_BIND_DEFAULT | G_SETTINGS_BIND_GET_NO_CHANGES);
   g_signal_connect (self, "realize", G_CALLBACK (on_realize), NULL);
   qn_window_add_context_menu (self);
   qn_window_accept_drops (self);
