@@ -131,9 +131,10 @@ read_of_result (const QnJsonValue *place, const QnMember *m, char *target)
   case QN_MEMBER_STAGE:
     if (!qn_read_index (place, 0, index))
       return FALSE;
+    if (*index >= QN_MAX_STAGES)
+      return qn_json_value_fail (place, _ ("there is no such stage"));
     ++*index;
-    return *index <= QN_MAX_STAGES
-           || qn_json_value_fail (place, _ ("there is no such stage"));
+    return TRUE;
   }
   g_return_val_if_reached (FALSE);
 }
