@@ -358,7 +358,8 @@ find_lines (Closing *closing)
   g_autofree Rank *ranks = g_new (Rank, closing->gaps.count);
   for (size_t g = 0; g < closing->gaps.count; g++)
     ranks[g] = (Rank){ overlap_of (&closing->gaps.items[g]), g };
-  qsort (ranks, closing->gaps.count, sizeof *ranks, compare_ranks);
+  if (ranks != NULL)
+    qsort (ranks, closing->gaps.count, sizeof *ranks, compare_ranks);
   join_sides (closing, ranks, false);
   for (size_t i = 0; i < closing->side_count; i++) {
     Line line;

@@ -50,7 +50,8 @@ find_near (QnBarSearch *search, const QnContactFace *face)
   for (QnId line = qn_box_query_next (&query); line != QN_NONE;
        line = qn_box_query_next (&query))
     search->near[count++] = line;
-  qsort (search->near, count, sizeof *search->near, qn_compare_ids);
+  if (count > 1)
+    qsort (search->near, count, sizeof *search->near, qn_compare_ids);
   return count;
 }
 
