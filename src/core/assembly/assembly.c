@@ -449,6 +449,14 @@ expand_unknowns (const QnAssembly *as, const double *u, double *rows)
 }
 
 void
+qn_assembly_collect (const QnAssembly *as, const double *rows, double *u)
+{
+  for (size_t i = 0; i < qn_model_body_count (as->model) * QN_DOF_COUNT; i++)
+    if (as->unknown[i] != QN_NONE)
+      u[as->unknown[i]] = i % QN_DOF_COUNT == QN_DOF_RZ ? rows[i] * as->length : rows[i];
+}
+
+void
 qn_assembly_expand (const QnAssembly *as, const double *u, double *displacements)
 {
   expand_unknowns (as, u, displacements);

@@ -264,6 +264,9 @@ double qn_assembly_largest_loose (QnAssembly *assembly, const double *v,
 void qn_assembly_expand (const QnAssembly *assembly, const double *u,
                          double *displacements);
 
+/* Unknowns of displacements or velocities of bodies (body_count x 3). */
+void qn_assembly_collect (const QnAssembly *assembly, const double *rows, double *u);
+
 /* Velocities or modes of bodies about the configuration u. */
 void qn_assembly_expand_rates (const QnAssembly *assembly, const double *u,
                                const double *rates, double *velocities);

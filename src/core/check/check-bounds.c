@@ -86,7 +86,7 @@ kinematic_multiplier (QnCheck *check)
   double *rates = check->rates, dissipated = 0;
 
   qn_assembly_set_loads (as, none, live);
-  qn_check_gather (as, check->result->mechanism, check->velocity);
+  qn_assembly_collect (as, check->result->mechanism, check->velocity);
   qn_assembly_elongation_rates (as, check->velocity, rates);
   double largest = qn_largest (check->velocity, (size_t) as->unknown_count);
   for (size_t p = 0; p < as->pair_count; p++) {
@@ -260,7 +260,7 @@ check_fall (QnCheck *check)
     qn_check_tell_model (check, QN_CLAIM_OUTCOME, QN_NONE, NAN, NAN);
   qn_assembly_set_loads (as, none, none);
   memset (check->u, 0, (size_t) as->unknown_count * sizeof *check->u);
-  qn_check_gather (as, r->mechanism, check->velocity);
+  qn_assembly_collect (as, r->mechanism, check->velocity);
   qn_assembly_update_kinematics (as, check->u);
   double power = qn_dot (as->dead, check->velocity, (size_t) as->unknown_count);
   qn_check_bodies (check);

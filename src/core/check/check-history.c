@@ -84,7 +84,7 @@ gather_velocity (QnCheck *check, size_t step)
   const double *stated = r->velocities + step * count;
 
   memset (check->velocity, 0, (size_t) as->unknown_count * sizeof *check->velocity);
-  qn_check_gather (as, stated, check->velocity);
+  qn_assembly_collect (as, stated, check->velocity);
   qn_assembly_expand_rates (as, check->u, check->velocity, check->rows);
   qn_check_rows (check, QN_CLAIM_HISTORY, (QnId) step, stated, bodies,
                  QN_CHECK_EXACT * qn_largest (check->rows, count));

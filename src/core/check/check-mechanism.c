@@ -238,11 +238,11 @@ check_last_motion (QnCheck *check)
             || r->limit.given || r->vibration.mode > 0
             || r->stability != QN_STABILITY_UNKNOWN || last == 0)
     return;
-  qn_check_gather (&check->assembly,
-                   in_time
-                     ? r->velocities + last * qn_result_body_count (r) * QN_DOF_COUNT
-                     : qn_result_step_displacements (r, last - 1),
-                   motion);
+  qn_assembly_collect (&check->assembly,
+                       in_time
+                         ? r->velocities + last * qn_result_body_count (r) * QN_DOF_COUNT
+                         : qn_result_step_displacements (r, last - 1),
+                       motion);
   for (size_t i = 0; i < n; i++) {
     motion[i] = in_time ? motion[i] : check->u[i] - motion[i];
     product += check->velocity[i] * motion[i];
@@ -266,7 +266,7 @@ qn_check_mechanism (QnCheck *check)
 
   if (result->mechanism == NULL || result->step_count == 0)
     return;
-  qn_check_gather (as, result->mechanism, check->velocity);
+  qn_assembly_collect (as, result->mechanism, check->velocity);
   qn_check_bodies (check);
   if (result->history.width > 0 || result->outcome != QN_OUTCOME_COLLAPSE) {
     check_last_motion (check);

@@ -87,7 +87,7 @@ qn_check_modes (QnCheck *check, size_t step, QnDiag *diag)
   if (result->stability == QN_STABILITY_UNKNOWN && result->vibration.mode == 0)
     return QN_OK;
   if (result->mechanism != NULL)
-    qn_check_gather (&check->assembly, result->mechanism, check->velocity);
+    qn_assembly_collect (&check->assembly, result->mechanism, check->velocity);
   if (result->stability != QN_STABILITY_UNKNOWN)
     status = check_stability (check, step, diag);
   if (status == QN_OK && result->vibration.mode > 0 && result->mechanism != NULL

@@ -122,9 +122,6 @@ void qn_check_balance (QnCheck *check, size_t step);
 /* Excess of the stated force of a drawn pair over the strength of its laws, N. */
 double qn_check_excess (const QnCheck *check, size_t pair);
 
-/* Unknowns from a row of displacements or velocities for every body. */
-void qn_check_gather (const QnAssembly *assembly, const double *rows, double *u);
-
 /* Order of the steps, the outcome and its multipliers, events (check-course.c). */
 QnStatus qn_check_course (QnCheck *check, QnDiag *diag);
 

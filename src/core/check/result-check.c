@@ -59,14 +59,6 @@ qn_check_agrees (double stated, double found, double tolerance)
   return fabs (stated - found) <= tolerance;
 }
 
-void
-qn_check_gather (const QnAssembly *as, const double *rows, double *u)
-{
-  for (size_t i = 0; i < qn_model_body_count (as->model) * QN_DOF_COUNT; i++)
-    if (as->unknown[i] != QN_NONE)
-      u[as->unknown[i]] = i % QN_DOF_COUNT == QN_DOF_RZ ? rows[i] * as->length : rows[i];
-}
-
 static QnStatus
 check_step (QnCheck *check, size_t step, QnDiag *diag)
 {
@@ -78,7 +70,7 @@ check_step (QnCheck *check, size_t step, QnDiag *diag)
 
   qn_result_load_factors (check->model, result, step, factors);
   qn_assembly_set_loads (as, factors, nothing);
-  qn_check_gather (as, qn_result_step_displacements (result, step), check->u);
+  qn_assembly_collect (as, qn_result_step_displacements (result, step), check->u);
   qn_check_found_take (check, step);
   check->largest = qn_largest (check->u, (size_t) check->assembly.unknown_count);
   if (!qn_assembly_evaluate (as, check->u))

@@ -128,10 +128,7 @@ take_state (QnPathTrace *trace)
   double largest = as->force_scale;
 
   qn_equilibrium_restore (eq);
-  for (size_t i = 0; i < trace->path->model->block_count * QN_DOF_COUNT; i++)
-    if (as->unknown[i] != QN_NONE)
-      eq->u[as->unknown[i]] =
-        direct->velocities[i] * (i % QN_DOF_COUNT == QN_DOF_RZ ? as->length : 1);
+  qn_assembly_collect (as, direct->velocities, eq->u);
   qn_assembly_update_kinematics (as, eq->u);
   for (size_t i = 0; i < 2 * as->pair_count; i++)
     largest = fmax (largest, fabs (direct->forces[i]));
@@ -181,18 +178,14 @@ alignment (const QnPathTrace *trace)
 {
   const QnEquilibrium *eq = &trace->path->equilibrium;
   const QnAssembly *as = &eq->assembly;
-  double both = 0, step = 0, collapse = 0;
+  double *motion = eq->trial, both = 0, step = 0, collapse = 0;
 
-  for (size_t i = 0; i < trace->path->model->block_count * QN_DOF_COUNT; i++) {
-    int32_t k = as->unknown[i];
-    if (k == QN_NONE)
-      continue;
-    double turn = i % QN_DOF_COUNT == QN_DOF_RZ ? as->length : 1;
-    double c = trace->direct.velocities[i] * turn;
-    double s = eq->committed.u[k] - trace->measure.last_u[k];
-    both += as->damping[k] * c * s;
-    step += as->damping[k] * s * s;
-    collapse += as->damping[k] * c * c;
+  qn_assembly_collect (as, trace->direct.velocities, motion);
+  for (int32_t i = 0; i < as->unknown_count; i++) {
+    double moved = eq->committed.u[i] - trace->measure.last_u[i];
+    both += as->damping[i] * motion[i] * moved;
+    step += as->damping[i] * moved * moved;
+    collapse += as->damping[i] * motion[i] * motion[i];
   }
   return both > 0 ? both / sqrt (step * collapse) : 0;
 }
@@ -201,7 +194,7 @@ alignment (const QnPathTrace *trace)
  * last doubling of the motion did, what LEADS_DOUBLINGS more need. Paths that end before gain next to nothing,
  * or turn back, soon after they have taken that way. */
 static bool
-leads_there (QnPathTrace *trace)
+leads_there (QnPathTrace *trace, double gain_of_doubling)
 {
   const QnEquilibrium *eq = &trace->path->equilibrium;
   const QnAssembly *as = &eq->assembly;
@@ -212,8 +205,7 @@ leads_there (QnPathTrace *trace)
   double gain = (multiplier / trace->last_multiplier - 1) / log2 (motion / before);
   double needs = (trace->direct.lower_bound / multiplier - 1) / QN_PATH_LEADS_DOUBLINGS;
 
-  if (trace->events.below || !(motion > before)
-      || fmin (gain, qn_path_end_gain (trace)) < needs
+  if (trace->events.below || !(motion > before) || fmin (gain, gain_of_doubling) < needs
       || alignment (trace) < QN_PATH_LEADS_ALIGNED)
     trace->leads_from = steps;
   return steps >= trace->leads_from + QN_PATH_LEADS_STEPS;
@@ -226,12 +218,14 @@ qn_path_end_direct (QnPathTrace *trace, bool last)
 
   if ((!last && taken (trace) <= QN_PATH_DIRECT) || !applies (trace))
     return true;
-  if (!last && qn_path_end_gain (trace) > QN_PATH_CREEPS)
+  double gain = qn_path_end_gain (trace);
+  bool leads = is_ahead (trace) && leads_there (trace, gain);
+  if (!last && gain > QN_PATH_CREEPS)
     return true;
   if (last ? !is_ahead (trace) : !trace->sought)
     ok = seek (trace);
   return ok && trace->stop == QN_STOP_UNKNOWN && is_ahead (trace)
-             && (far || leads_there (trace)
+             && (far || leads
                  || trace->direct.lower_bound
                       <= (1 + QN_PATH_SETTLES) * trace->events.highest)
            ? end_there (trace)
