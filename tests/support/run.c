@@ -45,14 +45,31 @@ test_control (QnModel *model, QnProcedure procedure, const char *block, QnDof do
   model->analysis.control.target = target;
 }
 
+static void
+find_faults (const TestRun *run, QnResultFaults *faults)
+{
+  g_assert_cmpint (qn_result_find_faults (&run->model, &run->contacts, &run->result,
+                                          QN_CHECK_STATED, faults, NULL),
+                   ==, QN_OK);
+}
+
 int
 test_run_count_faults (const TestRun *run)
 {
   QnResultFaults faults;
-  g_assert_cmpint (qn_result_find_faults (&run->model, &run->contacts, &run->result,
-                                          QN_CHECK_STATED, &faults, NULL),
-                   ==, QN_OK);
+  find_faults (run, &faults);
   return faults.count;
+}
+
+gboolean
+test_run_tells (const TestRun *run, QnClaim claim)
+{
+  QnResultFaults faults;
+  gboolean told = FALSE;
+  find_faults (run, &faults);
+  for (int i = 0; i < faults.count; i++)
+    told |= faults.items[i].claim == claim;
+  return told;
 }
 
 void

@@ -26,6 +26,9 @@ void test_control (QnModel *model, QnProcedure procedure, const char *block, QnD
 /* How many statements of the result its check finds to be false. */
 int test_run_count_faults (const TestRun *run);
 
+/* Whether it finds a statement of this kind to be false. */
+gboolean test_run_tells (const TestRun *run, QnClaim claim);
+
 /* Prepares the model and finds the lowest modes about its equilibrium under dead load. */
 void test_find_modes (QnModel *model, size_t wanted, QnModes *modes);
 

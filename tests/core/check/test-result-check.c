@@ -1,5 +1,4 @@
 /* What a result states of single joints, where the steps alone do not tell how they came to it. */
-#include "core/check/result-check.h"
 #include "support/models.h"
 #include "support/room.h"
 #include "support/run.h"
@@ -87,19 +86,6 @@ add_force (QnModel *model, const char *set, double fx, double fy)
   load->vector = qn_vec2 (fx, fy);
 }
 
-static gboolean
-tells (const TestRun *run, QnClaim claim)
-{
-  QnResultFaults faults;
-  gboolean told = FALSE;
-  g_assert_cmpint (qn_result_find_faults (&run->model, &run->contacts, &run->result,
-                                          QN_CHECK_STATED, &faults, NULL),
-                   ==, QN_OK);
-  for (int i = 0; i < faults.count; i++)
-    told |= faults.items[i].claim == claim;
-  return told;
-}
-
 /* A fibre of a member that was pulled beyond yield while it came to rest carries less than its
  * elongation alone tells; one that was not has no reason for it, and any force has to balance the
  * loads. */
@@ -126,10 +112,10 @@ test_fibre_strained_on_the_way (void)
   drop_steps (r, 1, end_of (r, 2));
   g_assert_cmpint (test_run_count_faults (&run), ==, 0);
   r->steps[1].relaxed = false;
-  g_assert_true (tells (&run, QN_CLAIM_FORCES));
+  g_assert_true (test_run_tells (&run, QN_CLAIM_FORCES));
   r->steps[1].relaxed = true;
   r->pairs[0].normal_force = r->step_forces[2 * r->pair_count] = 3e3;
-  g_assert_true (tells (&run, QN_CLAIM_BALANCE));
+  g_assert_true (test_run_tells (&run, QN_CLAIM_BALANCE));
 }
 
 /* How far a joint that dilates has risen by sliding is not told while it stands open. It shows once it carries
@@ -166,9 +152,9 @@ test_joint_that_has_risen (void)
   for (size_t i = tilted; i < r->step_count; i++)
     r->steps[i].relaxed = false; /* it closes straight */
   drop_steps (r, 1, tilted);
-  g_assert_false (tells (&run, QN_CLAIM_FORCES));
+  g_assert_false (test_run_tells (&run, QN_CLAIM_FORCES));
   r->steps[1].relaxed = false;
-  g_assert_true (tells (&run, QN_CLAIM_FORCES));
+  g_assert_true (test_run_tells (&run, QN_CLAIM_FORCES));
 }
 
 /* What lies between two supports carries no load: neither its state nor its force counts. */
@@ -202,7 +188,7 @@ test_between_supports (void)
     uint8_t *state = &r->step_states[r->pair_count + p], before = *state;
     held += between;
     *state = before == QN_PAIR_SLIP ? QN_PAIR_STICK : QN_PAIR_SLIP;
-    g_assert_true (tells (&run, QN_CLAIM_STATES) == !between);
+    g_assert_true (test_run_tells (&run, QN_CLAIM_STATES) == !between);
     *state = before;
   }
   g_assert_cmpint (held, >, 0);
@@ -263,10 +249,10 @@ test_bond_damaged_on_the_way (void)
                            - 1),
                      >, 1e-5);
   drop_steps (r, first + 1, last);
-  g_assert_false (tells (&run, QN_CLAIM_FORCES));
-  g_assert_false (tells (&run, QN_CLAIM_STATES));
+  g_assert_false (test_run_tells (&run, QN_CLAIM_FORCES));
+  g_assert_false (test_run_tells (&run, QN_CLAIM_STATES));
   r->steps[first + 1].relaxed = false;
-  g_assert_true (tells (&run, QN_CLAIM_FORCES));
+  g_assert_true (test_run_tells (&run, QN_CLAIM_FORCES));
 }
 
 /* What is left of a bond carries besides the friction of a joint that slips, which is not at its strength
@@ -312,7 +298,7 @@ test_slip_of_a_damaged_bond (void)
   for (size_t i = 0; i < r->step_count * r->pair_count; i++)
     if (r->step_states[i] == QN_PAIR_STICK && r->step_damage[i] > 0)
       r->step_states[i] = QN_PAIR_SLIP;
-  g_assert_true (tells (&run, QN_CLAIM_STATES));
+  g_assert_true (test_run_tells (&run, QN_CLAIM_STATES));
 }
 
 /* A bond that was damaged by little, and its friction slid, on the way of a motion that no step tells; it sticks
@@ -342,15 +328,15 @@ test_slip_before_an_unknown_way (void)
   g_clear_pointer (&r->step_forces, free);
   g_assert_cmpint (r->pairs[0].state, ==, QN_PAIR_STICK);
   g_assert_cmpfloat (r->pairs[0].damage, >, 5e-4);
-  g_assert_false (tells (&run, QN_CLAIM_FORCES));
-  g_assert_false (tells (&run, QN_CLAIM_STATES));
+  g_assert_false (test_run_tells (&run, QN_CLAIM_FORCES));
+  g_assert_false (test_run_tells (&run, QN_CLAIM_STATES));
   r->pairs[0].state = QN_PAIR_YIELD;
-  g_assert_true (tells (&run, QN_CLAIM_STATES));
+  g_assert_true (test_run_tells (&run, QN_CLAIM_STATES));
   r->pairs[0].state = QN_PAIR_OPEN;
-  g_assert_true (tells (&run, QN_CLAIM_STATES));
+  g_assert_true (test_run_tells (&run, QN_CLAIM_STATES));
   r->pairs[0].state = QN_PAIR_STICK;
   r->steps[1].relaxed = false;
-  g_assert_true (tells (&run, QN_CLAIM_STATES));
+  g_assert_true (test_run_tells (&run, QN_CLAIM_STATES));
 }
 
 /* Mortar on concrete: its bond was damaged, and its friction slid to and fro, on the way of a motion that no
@@ -389,10 +375,10 @@ check_weaker_bond (QnId of_concrete)
   r->steps[1].relaxed = true;
   g_assert_cmpfloat (r->pairs[0].damage, >, 0.2);
   g_assert_cmpfloat (r->pairs[0].damage, <, 0.9);
-  g_assert_false (tells (&run, QN_CLAIM_FORCES));
-  g_assert_false (tells (&run, QN_CLAIM_STATES));
+  g_assert_false (test_run_tells (&run, QN_CLAIM_FORCES));
+  g_assert_false (test_run_tells (&run, QN_CLAIM_STATES));
   r->steps[1].relaxed = false;
-  g_assert_true (tells (&run, QN_CLAIM_FORCES));
+  g_assert_true (test_run_tells (&run, QN_CLAIM_FORCES));
 }
 
 static void
@@ -440,10 +426,10 @@ test_crushed_a_little_on_an_unknown_way (void)
   g_assert_cmpint (test_run_count_faults (&run), ==, 0);
   g_assert_cmpfloat (r->pairs[0].damage, >, 0.01);
   drop_steps (r, 1, end_of (r, 2));
-  g_assert_false (tells (&run, QN_CLAIM_FORCES));
-  g_assert_false (tells (&run, QN_CLAIM_STATES));
+  g_assert_false (test_run_tells (&run, QN_CLAIM_FORCES));
+  g_assert_false (test_run_tells (&run, QN_CLAIM_STATES));
   r->steps[1].relaxed = false;
-  g_assert_true (tells (&run, QN_CLAIM_STATES));
+  g_assert_true (test_run_tells (&run, QN_CLAIM_STATES));
 }
 
 /* A joint whose bond is damaged in part is crushed, and pressed less again, on the way of a motion that no step
@@ -469,9 +455,9 @@ test_crushed_and_relieved_on_an_unknown_way (void)
   g_assert_cmpfloat (fabs (r->pairs[0].normal_force), <, 0.9 * most);
   size_t first = end_of (r, 1) + 1;
   drop_steps (r, first, r->step_count - 1);
-  g_assert_false (tells (&run, QN_CLAIM_FORCES));
+  g_assert_false (test_run_tells (&run, QN_CLAIM_FORCES));
   r->steps[first].relaxed = false;
-  g_assert_true (tells (&run, QN_CLAIM_FORCES));
+  g_assert_true (test_run_tells (&run, QN_CLAIM_FORCES));
 }
 
 /* Joints of two laws, on a way that no result tells: a joint that dilates, and one whose bond softens, beside
@@ -601,104 +587,11 @@ test_member_in_time (void)
     g_assert_cmpint (run.result.outcome, !=, QN_OUTCOME_NOT_CONVERGED);
     g_assert_cmpint (test_run_count_faults (&run), ==, 0);
     pair->shear_force = again[1] = force[1] + 0.1 * fabs (force[0]);
-    g_assert_true (tells (&run, QN_CLAIM_FORCES));
+    g_assert_true (test_run_tells (&run, QN_CLAIM_FORCES));
     pair->shear_force = again[1] = force[1];
     pair->normal_force = again[0] = 1.1 * force[0];
-    g_assert_cmpint (tells (&run, QN_CLAIM_FORCES), ==, elastic);
+    g_assert_cmpint (test_run_tells (&run, QN_CLAIM_FORCES), ==, elastic);
   }
-}
-
-/* A block of 1 x 0.5 m that slides: friction 0.4 of its weight of 5 kN. */
-static void
-init_sliding (TestRun *run)
-{
-  test_model_init_block_on_plane (&run->model, 1, 0.5);
-  run->model.laws[0].friction = 0.4;
-  test_model_add_weight_loads (&run->model, 1);
-  test_run_solve (run);
-  g_assert_cmpint (run->result.outcome, ==, QN_OUTCOME_COLLAPSE);
-  g_assert_cmpfloat_with_epsilon (run->result.collapse_multiplier, 0.4, 1e-9);
-  g_assert_cmpint (test_run_count_faults (run), ==, 0);
-}
-
-/* Every number that a result states is one: not a number and infinity are told, wherever they stand. */
-static void
-test_numbers (void)
-{
-  g_auto (TestRun) run = { 0 };
-  init_sliding (&run);
-  QnResult *r = &run.result;
-  r->first_limit_multiplier = r->collapse_multiplier;
-  r->has_first_limit_multiplier = true;
-  double *const numbers[] = {
-    &r->collapse_multiplier,         &r->first_limit_multiplier,
-    &r->steps[0].multiplier,         &r->steps[r->step_count - 1].time,
-    &r->pairs[0].normal_force,       &r->pairs[1].shear_force,
-    &r->displacements[QN_DOF_COUNT], &r->mechanism[QN_DOF_COUNT]
-  };
-  for (guint i = 0; i < G_N_ELEMENTS (numbers); i++)
-    for (int infinite = 0; infinite < 2; infinite++) {
-      const double right = *numbers[i];
-      g_assert_false (tells (&run, QN_CLAIM_NUMBERS));
-      *numbers[i] = infinite ? INFINITY : NAN;
-      g_assert_true (tells (&run, QN_CLAIM_NUMBERS));
-      *numbers[i] = right;
-    }
-}
-
-/* What each outcome needs: a collapse its motion, a snap its multiplier, a rest a history, an unstable dead load
- * no step. Without a step there is no multiplier, no event, no stability. */
-static void
-test_outcomes (void)
-{
-  g_auto (TestRun) run = { 0 };
-  init_sliding (&run);
-  QnResult *r = &run.result;
-  double *mechanism = r->mechanism;
-  g_assert_false (tells (&run, QN_CLAIM_OUTCOME));
-  r->mechanism = NULL;
-  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
-  r->mechanism = mechanism;
-  static const QnOutcome wrong[] = { QN_OUTCOME_TARGET_REACHED,     QN_OUTCOME_SNAP,
-                                     QN_OUTCOME_DEAD_LOAD_UNSTABLE, QN_OUTCOME_REST,
-                                     QN_OUTCOME_UNBOUNDED,          QN_OUTCOME_COUNT };
-  for (guint i = 0; i < G_N_ELEMENTS (wrong); i++) {
-    r->outcome = wrong[i];
-    g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
-  }
-  r->outcome = QN_OUTCOME_SNAP;
-  r->has_first_limit_multiplier = true;
-  r->first_limit_multiplier = r->collapse_multiplier;
-  r->steps[r->step_count - 1].event = QN_EVENT_SNAP;
-  g_assert_false (tells (&run, QN_CLAIM_OUTCOME));
-  r->stability = QN_STABILITY_KEPT;
-  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
-  r->stability = QN_STABILITY_UNKNOWN;
-
-  const size_t steps = r->step_count, events = r->event_count;
-  r->outcome = QN_OUTCOME_NOT_CONVERGED;
-  r->step_count = r->event_count = r->solution_count = 0;
-  r->has_collapse_multiplier = r->has_first_limit_multiplier = false;
-  r->mechanism = NULL;
-  g_assert_false (tells (&run, QN_CLAIM_OUTCOME));
-  r->has_collapse_multiplier = true;
-  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
-  r->has_collapse_multiplier = false;
-  r->has_first_limit_multiplier = true;
-  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
-  r->has_first_limit_multiplier = false;
-  r->event_count = events;
-  g_assert_cmpuint (events, >, 0);
-  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
-  r->event_count = 0;
-  r->stability = QN_STABILITY_LOST;
-  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
-  r->stability = QN_STABILITY_UNKNOWN;
-  r->outcome = QN_OUTCOME_COLLAPSE;
-  g_assert_true (tells (&run, QN_CLAIM_OUTCOME));
-  r->mechanism = mechanism;
-  r->event_count = events;
-  r->step_count = steps;
 }
 
 /* A joint with a dilatancy of 0.2 that slides rises by a fifth of the slip; beyond the end of dilation it rises no
@@ -726,7 +619,8 @@ test_ends_of_dilation (void)
                                     1e-3);
     g_assert_cmpint (test_run_count_faults (&run), ==, 0);
     motion[QN_DOF_UY] = (ends ? 0.2 : 0) * motion[QN_DOF_UX];
-    g_assert_true (tells (&run, QN_CLAIM_OVERLAP) || tells (&run, QN_CLAIM_FLOW));
+    g_assert_true (test_run_tells (&run, QN_CLAIM_OVERLAP)
+                   || test_run_tells (&run, QN_CLAIM_FLOW));
   }
 }
 
@@ -758,24 +652,22 @@ test_tie_stretched_on_the_way (void)
   g_assert_cmpint (test_run_count_faults (&run), ==, 0);
 
   drop_steps (r, 1, end_of (r, 2));
-  g_assert_false (tells (&run, QN_CLAIM_TIES));
+  g_assert_false (test_run_tells (&run, QN_CLAIM_TIES));
   r->steps[1].relaxed = false;
-  g_assert_true (tells (&run, QN_CLAIM_TIES));
+  g_assert_true (test_run_tells (&run, QN_CLAIM_TIES));
   r->steps[1].relaxed = true;
   QnTieResult *stated = &r->ties[1];
   const double force = stated->force, wrong[] = { 2.1e3, -10 };
   for (guint i = 0; i < G_N_ELEMENTS (wrong); i++) {
     stated->force = wrong[i];
-    g_assert_true (tells (&run, QN_CLAIM_TIES));
+    g_assert_true (test_run_tells (&run, QN_CLAIM_TIES));
   }
   stated->force = force;
-  g_assert_false (tells (&run, QN_CLAIM_TIES));
+  g_assert_false (test_run_tells (&run, QN_CLAIM_TIES));
 }
 
 QN_TESTS
 {
-  g_test_add_func ("/core/result-check/numbers", test_numbers);
-  g_test_add_func ("/core/result-check/outcomes", test_outcomes);
   g_test_add_func ("/core/result-check/ends-of-dilation", test_ends_of_dilation);
   g_test_add_func ("/core/result-check/tie-stretched-on-the-way",
                    test_tie_stretched_on_the_way);
