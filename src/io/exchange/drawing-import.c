@@ -90,12 +90,12 @@ is_plausible (double size)
 
 /* The unit given, else the declared one if blocks have a plausible size in it, else a guess. */
 static void
-choose_unit (QnImportWork *work)
+choose_unit (QnImportWork *work, double size)
 {
   static const double guesses[] = { 1, 0.001, 0.01 };
   static const char *const names[] = { "m", "mm", "cm" };
   const QnDrawing *drawing = work->drawing;
-  double size = block_size (drawing), declared = drawing->unit;
+  double declared = drawing->unit;
   QnBox bounds = QN_BOX_EMPTY;
   for (guint i = 0; i < drawing->paths->len; i++) {
     const QnDrawingPath *path = &g_array_index (drawing->paths, QnDrawingPath, i);
@@ -293,21 +293,22 @@ run_import (QnImportWork *work, QnProject *project, GError **error)
   }
   if (!qn_import_find_layers (work, error))
     return FALSE;
-  choose_unit (work);
-  work->tolerance = work->settings->tolerance > 0
-                      ? work->settings->tolerance
-                      : DEFAULT_TOLERANCE * block_size (work->drawing) * work->unit;
+  const double size = block_size (work->drawing);
+  choose_unit (work, size);
+  work->tolerance = work->settings->tolerance > 0 ? work->settings->tolerance
+                                                  : DEFAULT_TOLERANCE * size * work->unit;
   qn_import_sort_paths (work);
   qn_import_drop_flawed (work);
   qn_import_drop_repeated (work);
   QnStatus status = QN_OK;
   for (int role = 0; role < QN_ROLE_IGNORED && status == QN_OK; role++)
     status = qn_import_take_faces (work, (QnRole) role, &diag);
-  qn_import_heal (work);
-  qn_import_drop_flawed (work);
-  qn_import_treat_gaps (work);
-  if (status == QN_OK)
+  if (status == QN_OK) {
+    qn_import_heal (work);
+    qn_import_drop_flawed (work);
+    qn_import_treat_gaps (work);
     status = qn_import_cut_openings (work, &diag);
+  }
   if (status == QN_OK && work->outlines->len == 0)
     return qn_io_fail (error, QN_IO_ERROR_INVALID,
                        _ ("%s:1: no closed outline to make a block of"), work->name);

@@ -2,7 +2,6 @@
 
 #include "core/base/integer.h"
 #include "core/base/polygon.h"
-#include "io/text/io-error.h"
 #include "stereotomy/polygon-ops.h"
 
 #include <glib/gi18n-lib.h>

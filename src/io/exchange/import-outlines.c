@@ -63,8 +63,7 @@ drop_empty (QnImportWork *work)
 
 /* ---- paths ---- */
 
-/* A point of the drawing, m. */
-/* Decimal fractions keep their digits when divided by a power of ten. */
+/* A point of the drawing, m. Decimal fractions keep their digits when divided by a power of ten. */
 static QnVec2
 to_metres (const QnImportWork *work, QnVec2 p)
 {
@@ -427,7 +426,7 @@ qn_import_treat_gaps (QnImportWork *work)
   qn_gaps_find (&rings, work->tolerance, width, &work->report->gaps);
   gboolean any = work->report->gaps.count > 0;
   if (any && treatment == QN_GAPS_CLOSED)
-    qn_gaps_close (&rings, work->tolerance, width, &closing);
+    closing = qn_gaps_close (&rings, work->tolerance, width);
   exchange_rings (work, &rings, FALSE);
   if (any && treatment == QN_GAPS_FILLED) {
     /* A block for every gap; openings are no blocks. */

@@ -217,12 +217,12 @@ scan_comma (const QnJsonValue *item, const char *c, gboolean object)
 {
   if (*c == ',')
     return skip_space (c + 1);
-  if (*c == '\0')
-    return fail (object ? item->parent : item, c,
-                 object ? _ ("text ends inside an object")
-                        : _ ("text ends inside an array"));
-  return fail (object ? item->parent : item, c,
-               object ? _ ("expected a comma or }") : _ ("expected a comma or ]"));
+  if (object)
+    return fail (item->parent, c,
+                 *c == '\0' ? _ ("text ends inside an object")
+                            : _ ("expected a comma or }"));
+  return fail (
+    item, c, *c == '\0' ? _ ("text ends inside an array") : _ ("expected a comma or ]"));
 }
 
 /* Whether an object has a key; of many members `keys` is made a table. */

@@ -118,19 +118,19 @@ qn_reader_dup_line (const QnReader *reader, const char *path, const QnJsonPlace 
   return g_string_free (line, FALSE);
 }
 
-/* A message about a value at a byte of the text. */
+/* A message about a value at a byte of the text; NULL: where its path leads. */
 static char *
-dup_line_at (const QnJsonValue *place, gsize at, const char *message)
+dup_line_at (const QnJsonValue *place, const gsize *at, const char *message)
 {
   const QnReader *reader = place->reader;
   g_autofree char *path = qn_json_value_dup_path (place);
   QnJsonPlace known = { 0 };
-  if (reader->text != NULL)
-    known = qn_json_position (reader->text, MIN (at, reader->length));
-  return qn_reader_dup_line (reader, path, &known, message);
+  if (reader->text != NULL && at != NULL)
+    known = qn_json_position (reader->text, MIN (*at, reader->length));
+  return qn_reader_dup_line (reader, path, at != NULL ? &known : NULL, message);
 }
 
-/* Where a value begins, or the one around it if it is missing or of no text. */
+/* Where a value begins, or the one around it if it is missing; 0: not known. */
 static gsize
 byte_of (const QnJsonValue *place)
 {
@@ -139,8 +139,8 @@ byte_of (const QnJsonValue *place)
   return place->json != NULL ? (gsize) MAX (place->json->valueint, 0) : 0;
 }
 
-gboolean
-qn_json_value_fail_at (const QnJsonValue *place, gsize at, const char *message)
+static gboolean
+keep_error (const QnJsonValue *place, const gsize *at, const char *message)
 {
   if (place->reader->error != NULL)
     return FALSE;
@@ -150,9 +150,16 @@ qn_json_value_fail_at (const QnJsonValue *place, gsize at, const char *message)
 }
 
 gboolean
+qn_json_value_fail_at (const QnJsonValue *place, gsize at, const char *message)
+{
+  return keep_error (place, &at, message);
+}
+
+gboolean
 qn_json_value_fail (const QnJsonValue *place, const char *message)
 {
-  return qn_json_value_fail_at (place, byte_of (place), message);
+  const gsize at = byte_of (place);
+  return keep_error (place, at > 0 ? &at : NULL, message);
 }
 
 gboolean
@@ -189,7 +196,8 @@ qn_json_value_warn (const QnJsonValue *place, const char *message)
     reader->dropped_warnings++;
     return;
   }
-  g_ptr_array_add (reader->warnings, dup_line_at (place, byte_of (place), message));
+  const gsize at = byte_of (place);
+  g_ptr_array_add (reader->warnings, dup_line_at (place, at > 0 ? &at : NULL, message));
 }
 
 /* Puts a copy of one member aside. */
@@ -287,7 +295,7 @@ static gboolean
 require_type (const QnJsonValue *place, gboolean matches, const char *wanted)
 {
   if (place->json == NULL)
-    return qn_json_value_fail (place, N_ ("required key is missing"));
+    return qn_json_value_fail (place, _ ("required key is missing"));
   if (!matches)
     /* Translators: "expected a number, found a string". */
     return qn_json_value_failf (place, _ ("expected %s, found %s"), _ (wanted),

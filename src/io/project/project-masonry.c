@@ -4,7 +4,6 @@
 #include "core/base/word.h"
 #include "io/project/project-members.h"
 #include "io/project/project-parts.h"
-#include "io/text/io-error.h"
 #include "io/text/json-text.h"
 
 #include <cjson/cJSON.h>

@@ -74,14 +74,13 @@ read_string (const QnJsonValue *object, const QnMember *member, QnNeed need, cha
 }
 
 static gboolean
-read_seed (const QnJsonValue *object, const QnMember *m, QnNeed need, uint32_t *seed)
+read_seed (const QnJsonValue *place, uint32_t *seed)
 {
-  const QnJsonValue member = qn_json_value_member (object, m->key);
-  double number = *seed;
-  if (!qn_member_number (object, m->key, need, QN_RANGE_NOT_NEGATIVE, &number))
+  double number = 0;
+  if (!qn_json_value_number (place, QN_RANGE_NOT_NEGATIVE, &number))
     return FALSE;
   if (number > G_MAXUINT32 || number != floor (number))
-    return qn_json_value_fail (&member, _ ("expected a whole number below 4294967296"));
+    return qn_json_value_fail (place, _ ("expected a whole number below 4294967296"));
   *seed = (uint32_t) qn_to_integer (number, 0, G_MAXUINT32);
   return TRUE;
 }
@@ -162,17 +161,17 @@ read_item (const QnJsonValue *item, const QnMember *m, const QnModel *model, gpo
 }
 
 static gboolean
-read_list_member (const QnJsonValue *object, const QnMember *m, QnNeed need,
-                  const QnModel *model, gpointer to)
+read_list_member (const QnJsonValue *list, const QnMember *m, const QnModel *model,
+                  gpointer to)
 {
   const int count = m->kind == QN_MEMBER_NAMES ? 2 : m->detail;
-  QnJsonValue list, item = { 0 };
-  if (!qn_member_array (object, m->key, need, &list))
+  QnJsonValue item = { 0 };
+  if (!qn_json_value_array (list))
     return FALSE;
-  if (list.json != NULL && cJSON_GetArraySize (list.json) != count)
-    return qn_json_value_fail (&list, m->refusal != NULL ? _ (m->refusal)
-                                                         : _ ("expected two numbers"));
-  while (qn_json_value_next (&list, &item))
+  if (cJSON_GetArraySize (list->json) != count)
+    return qn_json_value_fail (list, m->refusal != NULL ? _ (m->refusal)
+                                                        : _ ("expected two numbers"));
+  while (qn_json_value_next (list, &item))
     if (!read_item (&item, m, model, to))
       return FALSE;
   return TRUE;
@@ -249,7 +248,7 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
   case QN_MEMBER_ENTITY:
     return qn_read_name (object, m->key, need, model, (QnNamed) m->detail, at);
   case QN_MEMBER_SEED:
-    return read_seed (object, m, need, at);
+    return read_seed (&member, at);
   case QN_MEMBER_ROWS:
     return qn_member_rows (object, m->key, need, (int) m->width, m->detail, at,
                            (int32_t *) (void *) (target + m->count));
@@ -260,7 +259,7 @@ read_member (const QnJsonValue *object, const QnMember *m, const QnModel *model,
   case QN_MEMBER_IDS:
   case QN_MEMBER_NAMES:
   case QN_MEMBER_OBJECTS:
-    return read_list_member (object, m, need, model, at);
+    return read_list_member (&member, m, model, at);
   case QN_MEMBER_WEIGHT:
     return read_weight (object, need, model, at);
   case QN_MEMBER_LAW:

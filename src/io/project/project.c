@@ -61,6 +61,15 @@ qn_project_clear (QnProject *project)
   *project = (QnProject){ 0 };
 }
 
+/* Its values are in no text that messages could point to. */
+static void
+forget_places (cJSON *value)
+{
+  value->valueint = 0;
+  for (cJSON *item = value->child; item != NULL; item = item->next)
+    forget_places (item);
+}
+
 gboolean
 qn_project_copy (const QnProject *project, QnProject *copy, GError **error)
 {
@@ -68,6 +77,8 @@ qn_project_copy (const QnProject *project, QnProject *copy, GError **error)
   if (qn_model_copy (&project->model, &copy->model, NULL) != QN_OK)
     return qn_io_fail (error, QN_IO_ERROR_NO_MEMORY, "%s", _ ("not enough memory"));
   copy->extras = cJSON_Duplicate (project->extras, 1);
+  if (copy->extras != NULL)
+    forget_places (copy->extras);
   copy->name = g_strdup (project->name);
   copy->path = g_strdup (project->path);
   copy->warnings = g_ptr_array_ref (project->warnings);
@@ -370,15 +381,6 @@ qn_project_dup_finding_texts (const QnProject *project, const QnFindings *findin
                                          places != NULL ? &places[i] : NULL, message));
   }
   return lines;
-}
-
-/* Its values are in no text that messages could point to. */
-static void
-forget_places (cJSON *value)
-{
-  value->valueint = 0;
-  for (cJSON *item = value->child; item != NULL; item = item->next)
-    forget_places (item);
 }
 
 void

@@ -224,9 +224,14 @@ static void
 add_unknown (const QnJsonValue *member, GPtrArray *unproved)
 {
   g_autofree char *path = qn_json_value_dup_path (member);
-  g_autoptr (GRegex) numbers = g_regex_new ("\\[\\d+\\]", 0, 0, NULL);
-  g_autofree char *name = g_regex_replace_literal (numbers, path, -1, 0, "[]", 0, NULL);
-  add_unproved (unproved, name);
+  char *end = path;
+  for (const char *c = path; *c != '\0'; c++) {
+    *end++ = *c;
+    if (*c == '[')
+      c += strspn (c + 1, "0123456789");
+  }
+  *end = '\0';
+  add_unproved (unproved, path);
 }
 
 static gboolean compare_values (const QnJsonValue *stated, const cJSON *found,

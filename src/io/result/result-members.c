@@ -1,9 +1,7 @@
 #include "io/result/result-members.h"
 
-#include "core/base/integer.h"
 #include "core/base/memory.h"
 #include "io/project/project-members.h"
-#include "io/text/json-text.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

@@ -175,8 +175,9 @@ read_beam_forces (const QnJsonValue *step, QnResult *result)
 {
   const char *refusal = _ ("there are not as many beam forces as elements in every step");
   const size_t count = result->element_count;
-  const QnJsonValue list = qn_json_value_member (step, "beam_forces");
-  QnJsonValue item = { 0 };
+  QnJsonValue list, item = { 0 };
+  if (!qn_member_array (step, "beam_forces", QN_OPTIONAL, &list))
+    return FALSE;
   if (step->index == 0 && list.json != NULL) {
     result->beam_force_capacity = result->step_count * count;
     result->beam_forces = qn_result_room (step, result->beam_force_capacity,
@@ -185,7 +186,7 @@ read_beam_forces (const QnJsonValue *step, QnResult *result)
       return FALSE;
   }
   if ((result->beam_forces != NULL) != (list.json != NULL)
-      || (list.json != NULL && count_of (step, "beam_forces") != count))
+      || (list.json != NULL && (size_t) cJSON_GetArraySize (list.json) != count))
     return qn_json_value_fail (step, refusal);
   while (qn_json_value_next (&list, &item)) {
     double n[6];

@@ -237,6 +237,8 @@ test_further_errors (void)
       "stage: there is no such stage" },
     { "\"stage\": 1, \"relaxed\"", "\"stage\": 1.5, \"relaxed\"", "steps[0].stage: " },
     { "\"relaxed\": true", "\"relaxed\": 1", "steps[0].relaxed: " },
+    { "\"relaxed\": true", "\"relaxed\": true, \"beam_forces\": {}",
+      "steps[0].beam_forces: expected an array" },
     { "[[4, 5, 6]]", "[[4, 5, 6], [7, 8, 9]]",
       "there are not as many reactions as supports in every step" },
     { "[[7, 8, 9]]", "[]", "there are not as many displacements as nodes in every step" },
