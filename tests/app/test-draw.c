@@ -161,9 +161,7 @@ test_whole_wall (void)
   driver_drag (window, at.x, at.y, at.x, at.y + 0.8);
   g_assert_cmpuint (count_objects (window), ==, 0);
   g_assert_cmpfloat (place_of_stone (window).y, >, at.y + 0.5);
-  QnEditHistory *history = qn_window_get_document (window)->history;
-  g_assert_cmpstr (qn_history_get_name (history, history->position - 1), ==,
-                   "Move, Wall to Free Blocks");
+  g_assert_cmpstr (driver_last_step (window), ==, "Move, Wall to Free Blocks");
   guint moved = 0;
   qn_selection_get (qn_window_get_document (window)->selection, QN_PICK_BLOCK, &moved);
   g_assert_cmpuint (moved, ==, 1);

@@ -96,7 +96,7 @@ move_paper (QnWindow *window, const char *engine)
   gint64 start = g_get_monotonic_time ();
   clock_t busy = clock ();
   for (int i = 0; i < FRAMES; i++) {
-    QnCamera camera = *&canvas->camera;
+    QnCamera camera = canvas->camera;
     qn_camera_pan (&camera, qn_vec2 (5.0, 2.0));
     qn_camera_zoom_at (&camera, qn_vec2 (400, 300), 1.03);
     move_camera (canvas, &camera);

@@ -4,7 +4,6 @@
 #include "app/window/window-private.h"
 #include "doc/view/figures.h"
 #include "doc/view/report-template.h"
-#include "doc/view/sheet.h"
 #include "driver.h"
 #include "support/room.h"
 
@@ -153,19 +152,11 @@ test_sheet (void)
   driver_wait_for_job (window);
   const GPtrArray *runs = qn_window_get_document (window)->runs;
   g_assert_cmpuint (runs->len, ==, 2);
-  g_autoptr (GError) error = NULL;
-  QnProject projects[2] = { 0 };
-  QnSheetRun sheet[2];
-  QnOutput output;
-  for (guint i = 0; i < 2; i++) {
-    const QnRun *run = runs->pdata[i];
-    projects[i].model = run->model;
-    sheet[i] = (QnSheetRun){ &projects[i], &run->contacts, &run->result, run->name };
-  }
-  qn_output_init (&output);
-  qn_comparison_export (sheet, 2, 0, NULL, FALSE, path, &output, &error);
-  g_assert_no_error (error);
+  driver_activate (window, "win.compare");
+  gtk_widget_activate_action (driver_find_page ("Comparison"), "compare.export-path", "s",
+                              path);
   expect_pdf (path);
+  driver_key ("Escape");
 
   /* The outline of the one lies over the other. */
   QnViewState *state = state_of (window);

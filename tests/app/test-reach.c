@@ -452,9 +452,7 @@ test_dissolving_is_named (void)
     canvas_of (window), &draft, "Move", NULL,
     qn_edit_transform_blocks (draft.model, (QnBlockSet){ &id, 1 },
                               qn_transform_translation (3.0, 0.0), &draft.error)));
-  QnEditHistory *history = document->history;
-  const char *name = qn_history_get_name (history, history->position - 1);
-  g_assert_cmpstr (name, ==, "Move, Wall to Free Blocks");
+  g_assert_cmpstr (driver_last_step (window), ==, "Move, Wall to Free Blocks");
   g_assert_true (qn_document_undo (document));
   g_assert_cmpint (model_of (window)->blocks[id].masonry, !=, QN_NONE);
   driver_discard (window);

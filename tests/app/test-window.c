@@ -617,7 +617,7 @@ test_large_model (void)
   for (int zoom = 0; zoom < 2; zoom++) {
     before = g_get_monotonic_time ();
     for (int i = 0; i < FRAMES; i++) {
-      QnCamera camera = *&canvas->camera;
+      QnCamera camera = canvas->camera;
       qn_camera_pan (&camera, qn_vec2 (3.0, 1.0));
       move_camera (canvas, &camera);
       cairo_t *cr = cairo_create (surface);

@@ -460,9 +460,8 @@ qn_canvas_dup_status (QnCanvas *self)
                round (p.y / resolution) * resolution);
   if (self->hit.kind != QN_MAGNET_NOTHING)
     p = self->hit.point;
-  g_autofree char *x = qn_units_format (units, QN_QUANTITY_LENGTH, p.x, 5);
-  g_autofree char *y = qn_units_format_full (units, QN_QUANTITY_LENGTH, p.y, 5);
+  g_autofree char *place = qn_units_format_pair (units, QN_QUANTITY_LENGTH, p, 5);
   return self->hit.kind != QN_MAGNET_NOTHING
-           ? g_strdup_printf ("%s; %s  (%s)", x, y, _ (words[self->hit.kind]))
-           : g_strdup_printf ("%s; %s", x, y);
+           ? g_strdup_printf ("%s  (%s)", place, _ (words[self->hit.kind]))
+           : g_steal_pointer (&place);
 }

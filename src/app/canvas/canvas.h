@@ -16,7 +16,7 @@
 #include "render/drawing/scene.h"
 #include "stereotomy/gaps.h"
 
-/* All but `gesture` is only read outside of this room. */
+/* All but `gesture` and `corner` is only read outside of this room. */
 struct _QnCanvas {
   GtkWidget parent_instance;
 
@@ -28,6 +28,7 @@ struct _QnCanvas {
   QnGesture gesture;   /* the one of the canvas, the current tool's to change */
   gboolean in_gesture; /* a tool has begun something that Escape gives up */
   QnCamera camera;     /* what part is in view */
+  GtkWidget *corner;   /* over which something lies: the legend gives way to it; weak */
 
   /* The rest is of the files of the canvas alone. */
   QnScene *scene; /* NULL: to be built */
@@ -59,9 +60,8 @@ struct _QnCanvas {
   guint inspect_timeout;
   QnVec2 place; /* ringed while the timeout runs, m */
   guint place_timeout;
-  QnBox card;        /* beside the pointer, px, as drawn last; empty: none */
-  QnGaps gaps;       /* marked */
-  GtkWidget *corner; /* over which something lies: the legend gives way to it; weak */
+  QnBox card;  /* beside the pointer, px, as drawn last; empty: none */
+  QnGaps gaps; /* marked */
 };
 
 /* Connects a canvas made by a template; once, before anything else. `resting` is the tool that it

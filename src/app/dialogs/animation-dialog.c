@@ -308,6 +308,9 @@ take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **
     qn_chooser_ask (dialog->base.root, &question, dialog);
   } else if (field == WHAT)
     a->figure.options.view = value->number != 0.0 ? QN_VIEW_DEFORMED : QN_VIEW_MECHANISM;
+  else if (field == WIDTH || field == HEIGHT) /* whole pixels */
+    *(field == WIDTH ? &dialog->output.width : &dialog->output.height) =
+      qn_value_int (value);
   else if (field == FORMAT)
     dialog->format = (int) value->number * (has_webm () ? 1 : 2);
   else if (field == RATE || field == SPEED) {

@@ -396,12 +396,12 @@ typedef struct Entered {
 } Entered;
 
 static gboolean
-take (const Entered *entered, QnProject *draft, GError **error)
+take (const Entered *entered, GError **error)
 {
   QnForm *form = entered->form;
   QnValue value = entered->value;
   QnModel *shown = look_at_document (form),
-          *model = draft != NULL ? &draft->model : shown;
+          *model = form->draft != NULL ? &form->draft->model : shown;
   exchange_member (form, model, entered->field, &value, TRUE);
   return form->kind->take (form, model, entered->field, &entered->value, error);
 }
@@ -414,7 +414,8 @@ edit (QnProject *draft, gpointer data, GError **error)
   form->draft = draft;
   form->taken = &entered->value;
   form->taken_field = entered->field;
-  gboolean done = take (entered, draft, error);
+  gboolean done = take (entered, error);
+  form->draft = NULL;
   form->taken = NULL;
   return done;
 }
@@ -526,7 +527,7 @@ on_entered (GtkWidget *widget)
     g_autofree char *step = dup_step (_ (name), widget);
     done = qn_document_edit (form->canvas->document, step, NULL, edit, &entered, &error);
   } else {
-    done = take (&entered, NULL, &error);
+    done = take (&entered, &error);
   }
   if (!form->closed && done) {
     qn_form_show (form);

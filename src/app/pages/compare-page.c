@@ -659,8 +659,9 @@ write_sheet (gpointer data, const char *path, GError **error)
   return qn_comparison_export (sheet, count, 0, NULL, FALSE, path, &output, error);
 }
 
+/* Asks for the file, but where it is given. */
 static void
-export_sheet (GSimpleAction *action, GVariant *parameter, gpointer data)
+export_sheet (GSimpleAction *action, GVariant *path, gpointer data)
 {
   static const char *const endings[] = { ".png", ".svg", ".pdf", NULL };
   const QnFileQuestion question = { .title = _ ("Export Sheet"),
@@ -668,7 +669,10 @@ export_sheet (GSimpleAction *action, GVariant *parameter, gpointer data)
                                     .name = _ ("comparison.png"),
                                     .endings = endings,
                                     .use = write_sheet,
-                                    .told = tell };
+                                    .told = tell,
+                                    .given = path != NULL
+                                               ? g_variant_get_string (path, NULL)
+                                               : NULL };
   Compare *compare = data;
   qn_chooser_ask (compare->page, &question, compare);
 }
@@ -683,6 +687,7 @@ add_actions (Compare *compare)
     { .name = "add-folders", .activate = add_files },
     { .name = "add-path", .activate = add_path, .parameter_type = "s" },
     { .name = "export", .activate = export_sheet },
+    { .name = "export-path", .activate = export_sheet, .parameter_type = "s" },
     { .name = "zoom", .activate = zoom, .parameter_type = "d" },
     { .name = "move", .activate = move_by_menu, .parameter_type = "(uu)" },
     { .name = "copy", .activate = copy_by_menu, .parameter_type = "u" },

@@ -31,21 +31,14 @@ add_tie (QnCanvas *canvas, QnCanvasDraft *draft, const QnGesture *gesture)
 }
 
 /* The last of its kind is new: selected, it has its handles and numbers there. */
-
 static void
-select_beam (QnCanvas *canvas)
+select_added (QnCanvas *canvas)
 {
-  const QnId last = (QnId) qn_canvas_get_model (canvas)->beam_count - 1;
-  qn_selection_set (canvas->selection, QN_PICK_BEAM, &last, 1);
-}
-
-static void
-select_item (QnCanvas *canvas)
-{
-  const QnPickKind kind = canvas->tool == &qn_tool_bar ? QN_PICK_BAR : QN_PICK_TIE;
-  qn_selection_set_one (canvas->selection, kind,
-                        (QnId) qn_model_count_items (qn_canvas_get_model (canvas), kind)
-                          - 1);
+  const QnPickKind kind = canvas->tool == &qn_tool_beam  ? QN_PICK_BEAM
+                          : canvas->tool == &qn_tool_bar ? QN_PICK_BAR
+                                                         : QN_PICK_TIE;
+  const gsize count = qn_model_count_items (qn_canvas_get_model (canvas), kind);
+  qn_selection_set_one (canvas->selection, kind, (QnId) count - 1);
 }
 
 static void
@@ -111,7 +104,7 @@ const QnTool qn_tool_beam = {
   QN_GESTURE_LINE,
   .step = N_ ("Add Beam"),
   .edit = add_beam,
-  .added = select_beam,
+  .added = select_added,
   .draw = draw_beam,
 };
 
@@ -125,7 +118,7 @@ const QnTool qn_tool_bar = {
   QN_GESTURE_LINE,
   .step = N_ ("Add Bar"),
   .edit = add_bar,
-  .added = select_item,
+  .added = select_added,
   .draw = draw,
 };
 
@@ -140,6 +133,6 @@ const QnTool qn_tool_tie = {
   QN_GESTURE_LINE,
   .step = N_ ("Add Tie"),
   .edit = add_tie,
-  .added = select_item,
+  .added = select_added,
   .draw = draw_tie,
 };

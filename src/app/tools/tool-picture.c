@@ -77,7 +77,7 @@ rectify (QnCanvas *canvas, double width, double height)
 {
   QnVec2 shown[4];
   memcpy (shown, canvas->gesture.points->data, sizeof shown);
-  QnUnderlay underlay = *&canvas->state->options.underlay;
+  QnUnderlay underlay = canvas->state->options.underlay;
   if (!qn_underlay_rectify (&underlay, shown, width, height)) {
     qn_canvas_tell (canvas, _ ("These four points cannot be the corners of a rectangle"));
     return FALSE;
@@ -105,7 +105,7 @@ numbers (QnCanvas *canvas, const double *values, int count)
     return FALSE;
   const QnVec2 start = qn_canvas_snap (canvas, shown[0]);
   QnVec2 wanted[] = { start, qn_vec2_add_scaled (start, values[0] / length, across) };
-  QnUnderlay scaled = *&canvas->state->options.underlay;
+  QnUnderlay scaled = canvas->state->options.underlay;
   if (!qn_underlay_match (&scaled, shown, wanted))
     return FALSE;
   place (canvas, _ ("Scale Picture"), &scaled);

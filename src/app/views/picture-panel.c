@@ -33,18 +33,18 @@ number_of (QnUnderlay *underlay, guint field)
 }
 
 static gboolean
-look (QnForm *data, const QnModel *model)
+look (QnForm *form, const QnModel *model)
 {
-  QnViewState *state = ((QnForm *) data)->canvas->state;
+  const QnViewState *state = form->canvas->state;
   return state->options.underlay.image != NULL || state->image_error != NULL;
 }
 
 static gboolean
-show (QnForm *data, const QnModel *model, guint field, QnValue *value)
+show (QnForm *form, const QnModel *model, guint field, QnValue *value)
 {
-  QnViewState *state = ((QnForm *) data)->canvas->state;
+  const QnViewState *state = form->canvas->state;
   const GError *error = state->image_error;
-  QnUnderlay underlay = *&state->options.underlay;
+  QnUnderlay underlay = state->options.underlay;
   if (field == ALLOW)
     return g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE);
   if (field == TROUBLE) {
@@ -63,9 +63,9 @@ show (QnForm *data, const QnModel *model, guint field, QnValue *value)
 }
 
 static gboolean
-take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **error)
+take (QnForm *form, QnModel *model, guint field, const QnValue *value, GError **error)
 {
-  QnCanvas *canvas = ((QnForm *) data)->canvas;
+  QnCanvas *canvas = form->canvas;
   QnUnderlay underlay = canvas->state->options.underlay;
   gboolean fade = field == OPACITY;
   if (field == ALLOW) {

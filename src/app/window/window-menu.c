@@ -17,9 +17,9 @@ get (GtkBuilder *builder, const char *id)
 
 /* For blocks and beams alike. */
 static void
-insert_turns (GtkBuilder *builder, GMenu *shape, int position)
+insert_turns (GtkBuilder *builder, GMenu *shape)
 {
-  g_menu_insert_submenu (shape, position, _ ("Mirror and Ro_tate"),
+  g_menu_insert_submenu (shape, 2, _ ("Mirror and Ro_tate"),
                          G_MENU_MODEL (get (builder, "turns")));
 }
 
@@ -49,12 +49,12 @@ make_for_selection (QnWindow *self)
   } else if (block >= 0 && (gsize) block < model->block_count) {
     id = "block";
     GMenu *shape = get (builder, "block-shape");
-    insert_turns (builder, shape, 2);
+    insert_turns (builder, shape);
     if (model->blocks[block].masonry != QN_NONE || model->blocks[block].wall != QN_NONE)
       g_menu_append (shape, _ ("De_tach Wall into Free Blocks"), "win.detach");
   } else if (qn_selection_get_one (selection, QN_PICK_BEAM) != QN_NONE) {
     id = "beam";
-    insert_turns (builder, get (builder, "beam-shape"), 2);
+    insert_turns (builder, get (builder, "beam-shape"));
   }
   GMenu *menu = g_object_ref (get (builder, id));
   if (!g_str_equal (id, "paper")) {
