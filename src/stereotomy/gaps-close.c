@@ -664,8 +664,8 @@ close_once (QnRings *rings, double least, double most)
   return told;
 }
 
-void
-qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *told)
+QnGapClosing
+qn_gaps_close (QnRings *rings, double least, double most)
 {
   QnGapClosing all = close_once (rings, least, most);
   /* Short sides may face each other only when their neighbours have grown. */
@@ -676,6 +676,5 @@ qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *told)
     again.grown += all.grown;
     all = again;
   }
-  if (told != NULL)
-    *told = all;
+  return all;
 }

@@ -57,9 +57,8 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC (QnGaps, qn_gaps_clear)
 void qn_gaps_widths (const QnGaps *gaps, double *least, double *mean, double *most);
 
 /* Lets blocks grow until the gaps between them that are wider than `least` and up to `most` (m) are
- * closed. Rings keep their order; those without such gaps keep every digit. `closing` (nullable)
- * is overwritten. */
-void qn_gaps_close (QnRings *rings, double least, double most, QnGapClosing *closing);
+ * closed. Rings keep their order; those without such gaps keep every digit. */
+QnGapClosing qn_gaps_close (QnRings *rings, double least, double most);
 
 /* Appends to `rings` the body of mortar in each gap, a quadrangle. */
 void qn_gaps_fill (const QnGaps *gaps, QnRings *rings);

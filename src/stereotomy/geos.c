@@ -77,9 +77,9 @@ read_polygon (const GEOSGeometry *polygon, QnRings *rings)
   if (sequence == NULL || !GEOSCoordSeq_getSize_r (h, sequence, &size) || size < 4)
     return;
 
-  QnRing ring = { g_new (QnVec2, size), 0 };
-  if (GEOSCoordSeq_copyToBuffer_r (h, sequence, (double *) ring.points, 0, 0))
-    ring.count = size - 1;
+  QnRing ring = { g_new (QnVec2, size), size - 1 };
+  qn_require_memory (
+    GEOSCoordSeq_copyToBuffer_r (h, sequence, (double *) ring.points, 0, 0));
   qn_ring_orient (&ring);
   qn_ring_normalize (&ring);
   qn_rings_take (rings, &ring);

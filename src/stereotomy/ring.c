@@ -106,11 +106,11 @@ qn_ring_normalize (QnRing *ring)
     if (p.y < q.y || (p.y == q.y && p.x < q.x))
       first = i;
   }
-  QnRing before = *ring;
-  *ring = qn_ring_of (before.points, before.count);
-  for (size_t i = 0; first > 0 && i < ring->count; i++)
-    ring->points[i] = before.points[(first + i) % before.count];
-  qn_ring_clear (&before);
+  if (first == 0)
+    return;
+  g_autofree QnVec2 *before = g_memdup2 (ring->points, ring->count * sizeof *before);
+  for (size_t i = 0; i < ring->count; i++)
+    ring->points[i] = before[(first + i) % ring->count];
 }
 
 void

@@ -38,10 +38,11 @@ draw (Bench *bench)
 static guint
 count_drawn (const Bench *bench)
 {
+  QnBox seen = qn_camera_visible_box (&bench->camera);
   guint count = 0;
   for (guint i = 0; i < bench->scene->commands->len; i++)
-    count += qn_command_is_visible (qn_scene_command (bench->scene, i), &bench->camera,
-                                    qn_camera_visible_box (&bench->camera));
+    count +=
+      qn_command_is_visible (qn_scene_command (bench->scene, i), &bench->camera, seen);
   return count;
 }
 

@@ -195,7 +195,7 @@ close_and_compare (const char *name, const QnMasonry *masonry, const Joints *joi
   draw (&built, joints, rand, &drawn);
   double before = area_of (&drawn);
   qn_gaps_find (&drawn, 0.0005, 0.025, &gaps);
-  qn_gaps_close (&drawn, 0.0005, 0.025, &closing);
+  closing = qn_gaps_close (&drawn, 0.0005, 0.025);
   touch (&drawn, &closed);
   size_t missing = count_missing (&built.contacts, &closed.contacts, SHORT);
   double turned =
@@ -361,7 +361,7 @@ test_wedges (void)
     for (size_t i = 0; i < rings.count; i++)
       qn_rings_add (&drawn, rings.items[i].points, 4);
     g_assert_cmpfloat (common_area (&rings), ==, 0);
-    qn_gaps_close (&rings, 0.0003, 0.03, NULL);
+    qn_gaps_close (&rings, 0.0003, 0.03);
     g_assert_cmpfloat (common_area (&rings), <, 1e-7);
     g_assert_cmpfloat (area_of (&rings), >, area_of (&drawn));
   }
@@ -380,7 +380,7 @@ test_clean_stays (void)
     }
   for (size_t i = 0; i < rings.count; i++)
     qn_rings_add (&before, rings.items[i].points, rings.items[i].count);
-  qn_gaps_close (&rings, 1e-4, 0.015, &closing);
+  closing = qn_gaps_close (&rings, 1e-4, 0.015);
   g_assert_cmpuint (closing.left, ==, 0);
   for (size_t i = 0; i < rings.count; i++)
     g_assert_cmpmem (rings.items[i].points, rings.items[i].count * sizeof (QnVec2),

@@ -11,6 +11,7 @@ gboolean qn_cli_quiet;
 
 static volatile sig_atomic_t interrupted;
 
+static gboolean shown;   /* whether updates are */
 static gint64 last_time; /* of the last update shown, us */
 static gsize idle_heap, peak_memory;
 
@@ -63,6 +64,7 @@ void
 qn_terminal_progress_begin (void)
 {
   qn_interrupt_install ();
+  shown = qn_progress_is_shown ();
   last_time = 0;
   idle_heap = heap_in_use ();
   peak_memory = 0;
@@ -74,7 +76,6 @@ qn_terminal_progress_update (const QnProgress *progress, void *user_data)
   enum { INTERVAL = 100000 }; /* us; faster than the eye needs is only noise */
   (void) user_data;
   measure_memory ();
-  gboolean shown = qn_progress_is_shown ();
   gint64 now = shown ? g_get_monotonic_time () : 0;
 
   if (shown && now - last_time >= INTERVAL) {

@@ -49,7 +49,7 @@ extern const QnSubcommand qn_cmd_stability;
 extern const QnSubcommand qn_cmd_study;
 extern const QnSubcommand qn_cmd_verify;
 
-/* Asked for by this word alone, a subcommand describes itself instead: see qn_subcommand_parse(). */
+/* Asked for by this word alone, a subcommand describes itself instead: see qn_subcommand_run(). */
 #define QN_DESCRIBE "--describe"
 
 /* Runs a subcommand; argv[0] is its own name. Options are parsed in the usual way: options and arguments in

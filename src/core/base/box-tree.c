@@ -30,14 +30,15 @@ add_node (QnBoxTree *tree, const QnBox *boxes, Entry *entries, size_t count)
   for (size_t i = 1; i < count; i++)
     whole = qn_box_union (whole, boxes[entries[i].item]);
   *node = (QnBoxNode){ whole, count == 1 ? entries->item : QN_NONE, QN_NONE };
-  bool upright = whole.max.y - whole.min.y > whole.max.x - whole.min.x;
-  for (size_t i = 0; i < count && count > FANOUT; i++) {
-    const QnBox *box = &boxes[entries[i].item];
-    double sum = upright ? box->min.y + box->max.y : box->min.x + box->max.x;
-    entries[i].middle = qn_max (0.5 * sum, -INFINITY); /* of no number too */
-  }
-  if (count > FANOUT) /* else each is a node of its own */
+  if (count > FANOUT) { /* else each is a node of its own */
+    bool upright = whole.max.y - whole.min.y > whole.max.x - whole.min.x;
+    for (size_t i = 0; i < count; i++) {
+      const QnBox *box = &boxes[entries[i].item];
+      double sum = upright ? box->min.y + box->max.y : box->min.x + box->max.x;
+      entries[i].middle = qn_max (0.5 * sum, -INFINITY); /* of no number too */
+    }
     qsort (entries, count, sizeof *entries, compare_entries);
+  }
   while (part * FANOUT < count)
     part *= FANOUT;
   for (size_t i = 0; i < count && count > 1; i += part)

@@ -1,6 +1,6 @@
 /* Broad phase: which of many axis-parallel boxes meet a given box.
  *
- * A static tree of boxes: the items of a node are divided into eight, by the order of their middles along
+ * A static tree of boxes: the items of a node are divided into at most eight, by the order of their middles along
  * the longer side of its box. Chosen over a uniform grid because it needs no cell size: a foundation a
  * thousand times longer than the bricks on it, or a crowd of splinters in one corner, costs nothing extra.
  * Building takes O(n log^2 n), a query O(log n + k) for well-separated boxes.

@@ -255,7 +255,7 @@ QnCapacityState qn_capacity_check_en (const QnCapacity *capacity,
  * weights, Circolare 7/2019 to NTC 2018 has
  *
  *   alpha0 = (- sum F delta + sum N e) / sum P delta_x                    [C8.7.1.1]
- *   e*, M*, d* of P and delta_x as as above                              [C8.7.1.4, C8.7.1.5]
+ *   e*, M*, d* of P and delta_x as above                                 [C8.7.1.4, C8.7.1.5]
  *   a*(d) = alpha(d) g / e*                                               [C8.7.1.3]
  *
  * The curve alpha(d) is that of the chain as it moves on. C8.7.1.2.1.6 counts actions known to last until

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Most iterations of the internal Newton; a handful is usual, one per change of phase. */
+/* Most iterations of the internal Newton; a handful is usual, one per change of branch. */
 #define INTERNAL_ITERATIONS 16
 
 /* Most sweeps where that is not enough. */

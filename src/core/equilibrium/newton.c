@@ -130,15 +130,13 @@ static QnSolveStatus
 apply_inverse (QnEquilibrium *eq, double viscosity, double *b)
 {
   QnAssembly *as = &eq->assembly;
-  bool same = is_factored (eq, viscosity);
 
-  for (size_t p = 0; p < as->pair_count; p++)
-    eq->factored_pairs[p] = as->responses[p];
-  if (same) {
+  if (is_factored (eq, viscosity)) {
     qn_equilibrium_solve (eq, b);
     return QN_SOLVE_CONVERGED;
   }
-
+  for (size_t p = 0; p < as->pair_count; p++)
+    eq->factored_pairs[p] = as->responses[p];
   double start = qn_clock_seconds ();
   qn_assembly_tangent (as, eq->multiplier, viscosity);
   eq->statistics.assembly_seconds += qn_clock_seconds () - start;

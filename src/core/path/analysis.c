@@ -245,8 +245,6 @@ add_broken_bound (const QnModel *model, const QnContacts *contacts, QnBudget *bu
   return status;
 }
 
-/* --- A path ------------------------------------------------------------------------------- */
-
 /* --- How it moves ------------------------------------------------------------------------- */
 
 /* How the structure was seen to move beyond its collapse may be the motion of a later state. The

@@ -39,9 +39,9 @@ struct _QnDocument {
   char *fingerprint; /* qn_document_get_fingerprint(); NULL: to be computed */
   char *file_digest; /* of the file as it was read or written; NULL: not known */
   QnEditHistory *history;
-  gboolean
-    dissolved; /* by the last edit: free blocks of a parametric wall or another object
-                         that was moved, turned or cut in part; its step says so in its name */
+  /* By the last edit: free blocks of a parametric wall or another object that was moved, turned or cut in
+   * part; its step says so in its name. */
+  gboolean dissolved;
   QnSelection *selection;
   gboolean never_saved;   /* came from memory: counts as modified */
   gboolean keeps_history; /* in the file */

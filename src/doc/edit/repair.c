@@ -200,47 +200,26 @@ move_to_contact (QnModel *model, const QnFinding *finding, GError **error)
                                    qn_transform_translation (by.x, by.y), error);
 }
 
-/* The polygons that are to take the mover's place, appended to `left`; `gap` is the finding's
- * value, m. */
-typedef QnStatus (*ReshapeFunc) (const QnModel *model, QnId mover, QnId keeper,
-                                 double gap, QnRings *left, QnDiag *diag);
-
-static QnStatus
-snapped (const QnModel *model, QnId mover, QnId keeper, double gap, QnRings *left,
-         QnDiag *diag)
-{
-  const QnId order[] = { keeper, mover };
-  g_auto (QnRings) rings = { 0 };
-  for (int i = 0; i < 2; i++)
-    qn_rings_add (&rings, qn_model_block_vertices (model, order[i]),
-                  (gsize) model->blocks[order[i]].vertex_count);
-  (void) diag;
-  qn_snap_neighbours (&rings, SNAP_REACH * gap, NULL);
-  qn_rings_take (left, &rings.items[1]);
-  return QN_OK;
-}
-
-static QnStatus
-trimmed (const QnModel *model, QnId mover, QnId keeper, double gap, QnRings *left,
-         QnDiag *diag)
-{
-  g_auto (QnRing) subject = qn_block_to_ring (model, mover),
-                  cutter = qn_block_to_ring (model, keeper);
-  (void) gap;
-  return qn_polygon_difference (&subject, &(QnRings){ .items = &cutter, .count = 1 },
-                                left, diag);
-}
-
-/* Gives the block that gives way another shape, freed from its wall first. */
+/* Gives the block that gives way another shape, freed from its wall first: without what lies in its
+ * neighbour, or with its corners and edges on those of the neighbour. */
 static gboolean
-reshape (QnModel *model, const QnFinding *finding, ReshapeFunc func, GError **error)
+reshape (QnModel *model, const QnFinding *finding, gboolean trims, GError **error)
 {
   QnId mover, keeper;
   choose (model, finding, &mover, &keeper);
   qn_edit_take_apart (model, (QnBlockSet){ &mover, 1 });
-  g_auto (QnRings) left = { 0 };
+  g_auto (QnRing) subject = qn_block_to_ring (model, mover),
+                  neighbour = qn_block_to_ring (model, keeper);
+  g_auto (QnRings) pair = { 0 }, left = { 0 };
   QnDiag diag = { 0 };
-  if (func (model, mover, keeper, finding->value, &left, &diag) != QN_OK)
+  if (!trims) {
+    qn_rings_take (&pair, &neighbour);
+    qn_rings_take (&pair, &subject);
+    qn_snap_neighbours (&pair, SNAP_REACH * finding->value, NULL);
+    qn_rings_take (&left, &pair.items[1]);
+  } else if (qn_polygon_difference (
+               &subject, &(QnRings){ .items = &neighbour, .count = 1 }, &left, &diag)
+             != QN_OK)
     return qn_edit_refuse_diag (error, model, &diag);
   if (left.count == 0)
     return qn_edit_refuse (error, _ ("Nothing would be left of %s"),
@@ -267,7 +246,7 @@ merge (QnModel *model, const QnFinding *finding, GError **error)
   QnId ids[2];
   choose (model, finding, &ids[1], &ids[0]);
   return (finding->problem != QN_PROBLEM_NEAR_MISS_GAP
-          || reshape (model, finding, snapped, error))
+          || reshape (model, finding, FALSE, error))
          && qn_edit_join_blocks (model, (QnBlockSet){ ids, 2 }, error);
 }
 
@@ -332,11 +311,11 @@ qn_edit_repair (QnModel *model, const QnFinding *finding, QnRepair repair, GErro
   case QN_REPAIR_CLOSE:
     return close_gaps (model, finding, error);
   case QN_REPAIR_SNAP:
-    return reshape (model, finding, snapped, error);
+    return reshape (model, finding, FALSE, error);
   case QN_REPAIR_MOVE:
     return move_to_contact (model, finding, error);
   case QN_REPAIR_TRIM:
-    return reshape (model, finding, trimmed, error);
+    return reshape (model, finding, TRUE, error);
   case QN_REPAIR_MERGE:
     return merge (model, finding, error);
   case QN_REPAIR_SUPPORT:
@@ -473,7 +452,7 @@ gboolean
 qn_edit_close_gaps (QnModel *model, double width, GError **error)
 {
   g_auto (QnRings) rings = to_rings (model);
-  qn_gaps_close (&rings, least_gap (model), width, NULL);
+  qn_gaps_close (&rings, least_gap (model), width);
   g_autoptr (GArray) changed = g_array_new (FALSE, FALSE, sizeof (QnId));
   for (QnId i = 0; i < (QnId) model->block_count; i++)
     if (!same_ring (model, i, &rings.items[i]))

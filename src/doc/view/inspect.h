@@ -27,9 +27,9 @@ gboolean qn_step_view_init (QnStepView *view, QnViewState *state);
 void qn_step_view_clear (QnStepView *view);
 
 /* A block, a joint (FACE), or a contact found on the way, of what the view shows
- * (qn_view_state_get_content()). The name of what it is: "Joint b1 – b2", "Contact b1 – b2", "Block b1"; and its values, a line for each with a tab
- * between name and value, the most important ones alone where `brief`. NULL where there is no such
- * joint or block; the caller frees them. */
+ * (qn_view_state_get_content()). The name of what it is: "Joint b1 – b2", "Contact b1 – b2", "Block b1"; and
+ * its values, a line for each with a tab between name and value, the most important ones alone where `brief`. NULL
+ * where there is no such joint or block; the caller frees them. */
 char *qn_inspect_dup_title (const QnStepView *view, QnPick what);
 char *qn_inspect_dup_values (const QnStepView *view, QnPick what, QnUnits units,
                              gboolean brief);

@@ -19,11 +19,11 @@ struct _QnViewState {
   GObject parent_instance;
   QnDocument *document;
   QnViewOptions options; /* as they are set: see qn_view_state_get_options() */
-  char *image_path;      /* of the underlay's image, which is owned, or of the one … */
-  GError
-    *image_error; /* … that could not be read, for this reason; NULL: nothing wrong */
-  QnRun *onion;   /* a second run drawn as an outline over the current one, or NULL */
-  bool result_loads;      /* whether the views of results show loads */
+  /* Of the underlay's image, which is owned, or of the one that could not be read, and why; NULL: nothing wrong. */
+  char *image_path;
+  GError *image_error;
+  QnRun *onion;      /* a second run drawn as an outline over the current one, or NULL */
+  bool result_loads; /* whether the views of results show loads */
   double mechanism_scale; /* a mechanism has no size, and a factor of its own */
   double fitting_scale;   /* of the current run; 0: not requested yet */
 };

@@ -145,16 +145,22 @@ qn_scene_legend (QnScene *scene, QnCommandKind kind, double size, QnColor color,
   return &g_array_index (scene->legend, QnLegendEntry, scene->legend->len - 1);
 }
 
-/* Within a layer the order of addition stays. */
+/* Stable counting sort by layer: within a layer the order of addition stays. */
 static void
 sort_by_layer (QnScene *scene)
 {
+  guint start[QN_LAYER_COUNT + 1] = { 0 };
   const guint count = scene->commands->len;
-  GArray *sorted = g_array_sized_new (FALSE, FALSE, sizeof (QnCommand), count);
+  for (guint i = 0; i < count; i++)
+    start[qn_scene_command (scene, i)->layer + 1]++;
   for (int layer = 0; layer < QN_LAYER_COUNT; layer++)
-    for (guint i = 0; i < count; i++)
-      if (qn_scene_command (scene, i)->layer == layer)
-        g_array_append_vals (sorted, qn_scene_command (scene, i), 1);
+    start[layer + 1] += start[layer];
+  GArray *sorted = g_array_sized_new (FALSE, FALSE, sizeof (QnCommand), count);
+  g_array_set_size (sorted, count);
+  for (guint i = 0; i < count; i++) {
+    const QnCommand *command = qn_scene_command (scene, i);
+    g_array_index (sorted, QnCommand, start[command->layer]++) = *command;
+  }
   g_array_unref (scene->commands);
   scene->commands = sorted;
 }

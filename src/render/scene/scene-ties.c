@@ -1,7 +1,7 @@
-/* Ties and soil. Ties are lines between their ends as these have moved, with a plate across either end; of a result with the
- * force, dashed where they hang slack, in the colour of what opens where they have their strength. Soil is
- * what lies between the surface of a fill and the blocks below it; and what it presses beyond its active
- * pressure, as arrows on the blocks. */
+/* Ties and soil. Ties are lines between their ends as these have moved, with a plate across either end; of
+ * a result with the force, dashed where they hang slack, in the colour of what opens where they have their
+ * strength. Soil is what lies between the surface of a fill and the blocks below it; and what it presses
+ * beyond its active pressure, as arrows on the blocks. */
 #include "core/model/outline.h"
 #include "render/drawing/text.h"
 #include "render/scene/scene-builder.h"

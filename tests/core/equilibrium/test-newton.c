@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* While nothing changes phase the problem is linear: one iteration, and none the second time. */
+/* While no pair changes its branch the problem is linear: one iteration, and none the second time. */
 static void
 test_linear_problem_takes_one_iteration (void)
 {

@@ -445,7 +445,7 @@ test_never_heals (void)
   g_assert_cmpfloat (damage, ==, 1);
 }
 
-/* Forces are continuous across every border between phases, with and without dilatancy: along
+/* Forces are continuous across every border between states, with and without dilatancy: along
  * a ring of elongations no two neighbours differ by more than the stiffness allows. */
 static void
 test_continuous (void)

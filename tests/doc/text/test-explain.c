@@ -147,7 +147,7 @@ test_not_converged (void)
 {
   g_autoptr (QnDocument) document = open_example ("01-sliding-block.quoin");
   QnResult result = { .outcome = QN_OUTCOME_NOT_CONVERGED };
-  QnModel model = *&document->project.model;
+  QnModel model = document->project.model;
 
   model.analysis.procedure = QN_PROCEDURE_LIMIT;
   g_autofree char *limit = qn_explain_outcome (&model, &result);
