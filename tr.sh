@@ -1,1 +1,0 @@
-# tr.sh OUT FILES
