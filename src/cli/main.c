@@ -14,18 +14,21 @@ static const QnSubcommand *const subcommands[] = {
   &qn_cmd_ida,     &qn_cmd_figures, &qn_cmd_report, &qn_cmd_study,     &qn_cmd_verify,
 };
 
-static const QnSubcommand *
-find_subcommand (const char *name)
+int
+main (int argc, char **argv)
 {
-  for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++)
-    if (strcmp (subcommands[i]->name, name) == 0)
-      return subcommands[i];
-  return NULL;
-}
+  setlocale (LC_ALL, "");
+  /* Numbers look the same everywhere, in files and reports; in pictures they go with the
+   * words. */
+  setlocale (LC_NUMERIC, "C");
+  bindtextdomain (GETTEXT_PACKAGE, QN_LOCALE_DIR);
+  bind_textdomain_codeset (GETTEXT_PACKAGE, "UTF-8");
+  textdomain (GETTEXT_PACKAGE);
+  g_set_prgname ("quoin-cli");
+  /* A file beyond what the user may write is an error like others, not a reason to end
+   * the program. */
+  signal (SIGXFSZ, SIG_IGN);
 
-static void
-dispatch (int argc, char **argv)
-{
   if (argc < 2)
     qn_cli_usage_error (_ ("a subcommand is missing"));
   if (strcmp (argv[1], "--help") == 0 || strcmp (argv[1], "-h") == 0) {
@@ -47,30 +50,15 @@ dispatch (int argc, char **argv)
     for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++)
       qn_subcommand_run (subcommands[i], argc, argv);
   } else {
-    const QnSubcommand *subcommand = find_subcommand (argv[1]);
+    const QnSubcommand *subcommand = NULL;
+    for (size_t i = 0; i < G_N_ELEMENTS (subcommands); i++)
+      if (strcmp (subcommands[i]->name, argv[1]) == 0)
+        subcommand = subcommands[i];
     if (subcommand == NULL)
       qn_cli_usage_error (argv[1][0] == '-' ? _ ("unknown option %s")
                                             : _ ("unknown subcommand %s"),
                           argv[1]);
     qn_subcommand_run (subcommand, argc - 1, argv + 1);
   }
-}
-
-int
-main (int argc, char **argv)
-{
-  setlocale (LC_ALL, "");
-  /* Numbers look the same everywhere, in files and reports; in pictures they go with the
-   * words. */
-  setlocale (LC_NUMERIC, "C");
-  bindtextdomain (GETTEXT_PACKAGE, QN_LOCALE_DIR);
-  bind_textdomain_codeset (GETTEXT_PACKAGE, "UTF-8");
-  textdomain (GETTEXT_PACKAGE);
-  g_set_prgname ("quoin-cli");
-  /* A file beyond what the user may write is an error like others, not a reason to end
-   * the program. */
-  signal (SIGXFSZ, SIG_IGN);
-
-  dispatch (argc, argv);
   return (int) qn_cli_complete (QN_EXIT_DONE);
 }

@@ -98,28 +98,6 @@ take_settings (Answer *answer)
   qn_cli_must (done);
 }
 
-/* --- The path ---------------------------------------------------------------------------- */
-
-static void
-find (Answer *answer)
-{
-  QnDiag diag = { 0 };
-  QnInput *input = answer->input;
-  qn_terminal_progress_begin ();
-  QnStatus status =
-    qn_capacity_answer_find (&answer->answer, &input->project.model, &input->contacts,
-                             qn_terminal_progress_update, NULL, &diag);
-  qn_terminal_progress_done ();
-  if (status == QN_ERROR_CANCELLED)
-    qn_cli_cancelled (input->project.name);
-  if (status != QN_OK)
-    qn_input_refuse (&input->project, &diag);
-  if (answer->answer.capacity.count == 0)
-    qn_cli_fail (QN_EXIT_NO_ANSWER, "%s: %s", input->project.name, answer->answer.reason);
-}
-
-/* --- Output ---------------------------------------------------------------------- */
-
 static void
 print (const Answer *answer)
 {
@@ -149,10 +127,35 @@ print (const Answer *answer)
 }
 
 static void
-report (const Answer *answer)
+run_capacity (char **arguments)
 {
+  qn_picture_if_any ();
+  if (capacity_result != NULL && !capacity_mechanism)
+    qn_cli_usage_error (_ ("--result belongs to --mechanism"));
+  if (capacity_mechanism) /* as if the project said so: its numbers of mechanisms count */
+    qn_input_override ("capacity.mechanism=true", FALSE);
+  Answer *answer = qn_cli_keep (g_new0 (Answer, 1));
+  answer->input = qn_input_load_with_result (arguments[0], capacity_result);
+  if (capacity_result != NULL)
+    answer->answer.collapse = &answer->input->file.result;
+  take_settings (answer);
+  QnInput *input = answer->input;
+  QnDiag diag = { 0 };
+  qn_input_require_sound (input);
+  qn_terminal_progress_begin ();
+  QnStatus status =
+    qn_capacity_answer_find (&answer->answer, &input->project.model, &input->contacts,
+                             qn_terminal_progress_update, NULL, &diag);
+  qn_terminal_progress_done ();
+  if (status == QN_ERROR_CANCELLED)
+    qn_cli_cancelled (input->project.name);
+  if (status != QN_OK)
+    qn_input_refuse (&input->project, &diag);
+  if (answer->answer.capacity.count == 0)
+    qn_cli_fail (QN_EXIT_NO_ANSWER, "%s: %s", input->project.name, answer->answer.reason);
+  qn_capacity_answer_check (&answer->answer);
   const QnCapacityAnswer *capacity = &answer->answer;
-  const QnProject *project = &answer->input->project;
+  const QnProject *project = &input->project;
   if (capacity_json != NULL) {
     gsize length;
     g_autofree char *text = qn_capacity_answer_dup_json (capacity, project, &length);
@@ -166,25 +169,6 @@ report (const Answer *answer)
   }
   if (qn_subcommand_prints ())
     print (answer);
-}
-
-static void
-run_capacity (char **arguments)
-{
-  qn_picture_if_any ();
-  if (capacity_result != NULL && !capacity_mechanism)
-    qn_cli_usage_error (_ ("--result belongs to --mechanism"));
-  if (capacity_mechanism) /* as if the project said so: its numbers of mechanisms count */
-    qn_input_override ("capacity.mechanism=true", FALSE);
-  Answer *answer = qn_cli_keep (g_new0 (Answer, 1));
-  answer->input = qn_input_load_with_result (arguments[0], capacity_result);
-  if (capacity_result != NULL)
-    answer->answer.collapse = &answer->input->file.result;
-  take_settings (answer);
-  qn_input_require_sound (answer->input);
-  find (answer);
-  qn_capacity_answer_check (&answer->answer);
-  report (answer);
 }
 
 const QnSubcommand qn_cmd_capacity = {

@@ -42,62 +42,6 @@ choose_settings (QnInput *input, QnEnvelopeSettings *settings)
     settings->method = QN_ENVELOPE_PATH;
 }
 
-static void
-find_envelope (const QnInput *input, QnEnvelope *e, QnEnvelopePlace *least)
-{
-  QnDiag diag = { 0 };
-  qn_terminal_progress_begin ();
-  QnStatus status = qn_envelope_run (e, qn_terminal_progress_update, NULL, &diag);
-  qn_terminal_progress_done ();
-  if (qn_interrupt_seen ())
-    qn_cli_cancelled (input->project.name);
-  if (status != QN_OK)
-    qn_input_fail (input, QN_INPUT_PATH, &diag);
-  if (e->unstable)
-    qn_cli_fail (QN_EXIT_NO_ANSWER, _ ("%s: no stable equilibrium under the dead load"),
-                 input->project.name);
-  if (!qn_envelope_find_least (e, least))
-    qn_cli_fail (QN_EXIT_NO_ANSWER, _ ("%s: no position gives a collapse"),
-                 input->project.name);
-}
-
-static void
-print_worst (const QnEnvelope *e, QnEnvelopePlace worst)
-{
-  const QnEnvelopeLine *line = &e->lines[worst.line];
-  g_autofree char *text = qn_envelope_dup_text (e, worst, TRUE);
-  g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
-  for (gsize i = 0; lines[i] != NULL; i++)
-    qn_print ("%s\n", lines[i]);
-  qn_print (_ ("that position: --set loads.live[%d].position=%.15g --set "
-               "loads.live[%d].reversed=%s\n"),
-            (int) e->load, e->x[worst.position], (int) e->load,
-            line->reversed ? "true" : "false");
-}
-
-static void
-make_envelope (QnInput *input)
-{
-  QnEnvelope *e = qn_cli_keep (g_new0 (QnEnvelope, 1));
-  QnEnvelopeSettings settings = { 0 };
-  QnEnvelopePlace worst;
-  QnMetadata metadata;
-  choose_settings (input, &settings);
-  if (!qn_envelope_init (e, &input->project.model, &settings, QN_TROUBLE))
-    qn_cli_usage_error ("%s", qn_cli_trouble->message);
-  qn_envelope_settings_clear (&settings);
-  find_envelope (input, e, &worst);
-  if (qn_subcommand_prints ())
-    print_worst (e, worst);
-  qn_cli_must (envelope_table == NULL
-               || qn_envelope_write_table (e, envelope_table, QN_TROUBLE));
-  qn_project_get_metadata (&input->project, &metadata);
-  metadata.title = e->model.title;
-  qn_cli_must (qn_picture.path == NULL
-               || qn_envelope_export (e, worst, qn_picture.path, &qn_picture.output,
-                                      &metadata, QN_TROUBLE));
-}
-
 static const GOptionEntry envelope_entries[] = {
   { "vehicle", 0, 0, G_OPTION_ARG_STRING_ARRAY, &envelope_settings.vehicles,
     N_ ("Instead of the project's vehicle, one of its list or built in; may be "
@@ -129,7 +73,46 @@ run_envelope (char **arguments)
   qn_picture_if_any ();
   QnInput *input = qn_input_load (arguments[0]);
   qn_input_require_sound (input);
-  make_envelope (input);
+  QnEnvelope *e = qn_cli_keep (g_new0 (QnEnvelope, 1));
+  QnEnvelopeSettings settings = { 0 };
+  QnEnvelopePlace worst;
+  QnMetadata metadata;
+  choose_settings (input, &settings);
+  if (!qn_envelope_init (e, &input->project.model, &settings, QN_TROUBLE))
+    qn_cli_usage_error ("%s", qn_cli_trouble->message);
+  qn_envelope_settings_clear (&settings);
+  QnDiag diag = { 0 };
+  qn_terminal_progress_begin ();
+  QnStatus status = qn_envelope_run (e, qn_terminal_progress_update, NULL, &diag);
+  qn_terminal_progress_done ();
+  if (qn_interrupt_seen ())
+    qn_cli_cancelled (input->project.name);
+  if (status != QN_OK)
+    qn_input_fail (input, QN_INPUT_PATH, &diag);
+  if (e->unstable)
+    qn_cli_fail (QN_EXIT_NO_ANSWER, _ ("%s: no stable equilibrium under the dead load"),
+                 input->project.name);
+  if (!qn_envelope_find_least (e, &worst))
+    qn_cli_fail (QN_EXIT_NO_ANSWER, _ ("%s: no position gives a collapse"),
+                 input->project.name);
+  if (qn_subcommand_prints ()) {
+    const QnEnvelopeLine *line = &e->lines[worst.line];
+    g_autofree char *text = qn_envelope_dup_text (e, worst, TRUE);
+    g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
+    for (gsize i = 0; lines[i] != NULL; i++)
+      qn_print ("%s\n", lines[i]);
+    qn_print (_ ("that position: --set loads.live[%d].position=%.15g --set "
+                 "loads.live[%d].reversed=%s\n"),
+              (int) e->load, e->x[worst.position], (int) e->load,
+              line->reversed ? "true" : "false");
+  }
+  qn_cli_must (envelope_table == NULL
+               || qn_envelope_write_table (e, envelope_table, QN_TROUBLE));
+  qn_project_get_metadata (&input->project, &metadata);
+  metadata.title = e->model.title;
+  qn_cli_must (qn_picture.path == NULL
+               || qn_envelope_export (e, worst, qn_picture.path, &qn_picture.output,
+                                      &metadata, QN_TROUBLE));
 }
 
 const QnSubcommand qn_cmd_envelope = {

@@ -32,21 +32,6 @@ write_modes (const QnModel *model, const QnModes *modes)
   qn_cli_must (qn_file_writer_commit (writer, QN_TROUBLE));
 }
 
-/* A result whose mechanism is one of the modes, for pictures and animations. */
-static void
-write_result (const QnInput *input, const QnModes *modes, QnResult *result)
-{
-  QnDiag diag = { 0 };
-  if ((size_t) modal_mode > modes->count)
-    qn_cli_fail (QN_EXIT_INVALID, _ ("there is no mode %d: only %zu were found"),
-                 modal_mode, modes->count);
-  if (qn_modes_show (modes, (size_t) modal_mode - 1, &input->project.model, result, &diag)
-      != QN_OK)
-    qn_cli_fail (QN_EXIT_INTERNAL, _ ("not enough memory"));
-  qn_cli_must (qn_result_file_write (modal_output, &input->project, &input->contacts,
-                                     result, QN_DETAIL_FORCES, QN_TROUBLE));
-}
-
 static void
 print_modes (const QnInput *input, const QnModes *modes)
 {
@@ -75,45 +60,6 @@ print_modes (const QnInput *input, const QnModes *modes)
                  "load; %zu of %zu, which are open or carry no compression, are left "
                  "out\n"),
               modes->slides, modes->open, input->contacts.pair_count);
-}
-
-static void
-solve_modal (const QnInput *input)
-{
-  QnModes modes;
-  QnResult result;
-  QnDiag diag = { 0 };
-
-  qn_terminal_progress_begin ();
-  QnStatus status = qn_modal_run (&input->project.model, &input->contacts,
-                                  (modal_loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD)
-                                    | (modal_slip ? QN_MODAL_SLIDING : 0),
-                                  (size_t) modal_count, qn_terminal_progress_update, NULL,
-                                  &modes, &result, &diag);
-  qn_terminal_progress_done ();
-  if (status != QN_OK)
-    qn_input_fail (input, modal_loaded ? QN_INPUT_PATH : QN_INPUT_DEAD_LOAD, &diag);
-  if (qn_no_timings)
-    qn_statistics_clear_timings (&result.statistics);
-  if (result.outcome == QN_OUTCOME_CANCELLED)
-    qn_cli_cancelled (input->project.name);
-  if (result.stop == QN_STOP_FACTORIZATIONS || result.stop == QN_STOP_TIME
-      || result.stop == QN_STOP_CHECK) {
-    g_autofree char *reason = qn_outcome_dup_reason (&input->project.model, &result);
-    qn_cli_fail (QN_EXIT_NO_ANSWER, "%s: %s", input->project.name, reason);
-  }
-  if (modes.count == 0)
-    qn_cli_fail (QN_EXIT_NO_ANSWER,
-                 _ ("%s: no equilibrium was found, so there are no vibrations about it"),
-                 input->project.name);
-  if (qn_subcommand_prints ())
-    print_modes (input, &modes);
-  if (modal_csv != NULL)
-    write_modes (&input->project.model, &modes);
-  if (modal_output != NULL)
-    write_result (input, &modes, &result);
-  qn_modes_clear (&modes);
-  qn_result_clear (&result);
 }
 
 static const GOptionEntry modal_entries[] = {
@@ -147,7 +93,51 @@ run_modal (char **arguments)
     qn_cli_usage_error (_ ("--count and --mode count from 1"));
   if (!(modal_damping >= 0 && modal_damping < 1))
     qn_cli_usage_error (_ ("--damping is from 0 to less than 1"));
-  solve_modal (qn_input_load (arguments[0]));
+  const QnInput *input = qn_input_load (arguments[0]);
+  QnModes modes;
+  QnResult result;
+  QnDiag diag = { 0 };
+
+  qn_terminal_progress_begin ();
+  QnStatus status = qn_modal_run (&input->project.model, &input->contacts,
+                                  (modal_loaded ? QN_MODAL_LOADED : QN_MODAL_DEAD_LOAD)
+                                    | (modal_slip ? QN_MODAL_SLIDING : 0),
+                                  (size_t) modal_count, qn_terminal_progress_update, NULL,
+                                  &modes, &result, &diag);
+  qn_terminal_progress_done ();
+  if (status != QN_OK)
+    qn_input_fail (input, modal_loaded ? QN_INPUT_PATH : QN_INPUT_DEAD_LOAD, &diag);
+  if (qn_no_timings)
+    qn_statistics_clear_timings (&result.statistics);
+  if (result.outcome == QN_OUTCOME_CANCELLED)
+    qn_cli_cancelled (input->project.name);
+  if (result.stop == QN_STOP_FACTORIZATIONS || result.stop == QN_STOP_TIME
+      || result.stop == QN_STOP_CHECK) {
+    g_autofree char *reason = qn_outcome_dup_reason (&input->project.model, &result);
+    qn_cli_fail (QN_EXIT_NO_ANSWER, "%s: %s", input->project.name, reason);
+  }
+  if (modes.count == 0)
+    qn_cli_fail (QN_EXIT_NO_ANSWER,
+                 _ ("%s: no equilibrium was found, so there are no vibrations about it"),
+                 input->project.name);
+  if (qn_subcommand_prints ())
+    print_modes (input, &modes);
+  if (modal_csv != NULL)
+    write_modes (&input->project.model, &modes);
+  if (modal_output != NULL) {
+    /* A result whose mechanism is one of the modes, for pictures and animations. */
+    if ((size_t) modal_mode > modes.count)
+      qn_cli_fail (QN_EXIT_INVALID, _ ("there is no mode %d: only %zu were found"),
+                   modal_mode, modes.count);
+    if (qn_modes_show (&modes, (size_t) modal_mode - 1, &input->project.model, &result,
+                       &diag)
+        != QN_OK)
+      qn_cli_fail (QN_EXIT_INTERNAL, _ ("not enough memory"));
+    qn_cli_must (qn_result_file_write (modal_output, &input->project, &input->contacts,
+                                       &result, QN_DETAIL_FORCES, QN_TROUBLE));
+  }
+  qn_modes_clear (&modes);
+  qn_result_clear (&result);
 }
 
 const QnSubcommand qn_cmd_modal = {

@@ -25,9 +25,28 @@ print_stability (const QnProject *project, const QnResult *result)
   qn_print ("%s\n", reason);
 }
 
+static const GOptionEntry stability_entries[] = {
+  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &stability_output,
+    N_ ("Write a result here whose mechanism is the buckling mode"), N_ ("RESULT.json") },
+  QN_INPUT_ENTRIES,
+  QN_TIMINGS_ENTRY,
+  QN_QUIET_ENTRY,
+  G_OPTION_ENTRY_NULL,
+};
+
 static void
-solve_stability (const QnInput *input)
+run_stability (char **arguments)
 {
+  const QnInput *input = qn_input_load (arguments[0]);
+  /* On the undeformed structure the tangent of elastic joints never changes: every answer would be
+   * "stable". */
+  if (input->project.model.analysis.geometry != QN_GEOMETRY_NONLINEAR) {
+    qn_project_set_key_error (&input->project, "analysis.geometry",
+                              _ ("linear geometry has no buckling: set it to nonlinear"),
+                              QN_TROUBLE);
+    qn_cli_must (FALSE);
+  }
+  qn_input_require_sound (input);
   QnResult result;
   QnDiag diag = { 0 };
   const QnProject *project = &input->project;
@@ -53,31 +72,6 @@ solve_stability (const QnInput *input)
     qn_cli_fail (QN_EXIT_NO_ANSWER, "%s: %s", project->name, reason);
   }
   qn_result_clear (&result);
-}
-
-static const GOptionEntry stability_entries[] = {
-  { "output", 'o', 0, G_OPTION_ARG_FILENAME, &stability_output,
-    N_ ("Write a result here whose mechanism is the buckling mode"), N_ ("RESULT.json") },
-  QN_INPUT_ENTRIES,
-  QN_TIMINGS_ENTRY,
-  QN_QUIET_ENTRY,
-  G_OPTION_ENTRY_NULL,
-};
-
-static void
-run_stability (char **arguments)
-{
-  const QnInput *input = qn_input_load (arguments[0]);
-  /* On the undeformed structure the tangent of elastic joints never changes: every answer would be
-   * "stable". */
-  if (input->project.model.analysis.geometry != QN_GEOMETRY_NONLINEAR) {
-    qn_project_set_key_error (&input->project, "analysis.geometry",
-                              _ ("linear geometry has no buckling: set it to nonlinear"),
-                              QN_TROUBLE);
-    qn_cli_must (FALSE);
-  }
-  qn_input_require_sound (input);
-  solve_stability (input);
 }
 
 const QnSubcommand qn_cmd_stability = {

@@ -91,58 +91,44 @@ qn_input_require_sound (const QnInput *input)
   tell_warnings (texts);
 }
 
-/* A path without a live load has no answer, unless it is that of the dead load alone. Limit
- * analysis and stages refuse it themselves. */
-static void
-require_live_load (const QnProject *project)
-{
-  const QnAnalysisSettings *analysis = &project->model.analysis;
-  gboolean lacks = qn_model_lacks_live_load (&project->model);
-  if (analysis->procedure == QN_PROCEDURE_DYNAMIC) {
-    if (!lacks)
-      qn_cli_warning ("%s: loads.live: %s", project->name,
-                      _ ("has no effect in an analysis in time"));
-    return;
-  }
-  if (project->model.stage_count > 0 || analysis->procedure == QN_PROCEDURE_LIMIT
-      || analysis->max_multiplier == 0 || !lacks)
-    return;
-  qn_cli_fail (QN_EXIT_INVALID,
-               _ ("%s: loads: %s: add one to loads.live, or set "
-                  "analysis.max_multiplier=0 for the dead load alone"),
-               project->name, _ (qn_problem_text (QN_PROBLEM_NO_LIVE_LOAD)));
-}
-
 void
 qn_input_prepare (QnInput *input)
 {
   QnProject *project = &input->project;
-  if (project->model.analysis.procedure == QN_PROCEDURE_DYNAMIC) {
+  const QnAnalysisSettings *analysis = &project->model.analysis;
+  if (analysis->procedure == QN_PROCEDURE_DYNAMIC) {
     qn_cli_must (qn_project_read_records (project, NULL, qn_allow_outside, QN_TROUBLE));
     tell_warnings (project->warnings);
   }
   qn_input_require_sound (input);
-  require_live_load (project);
-}
-
-/* The sentence of a problem that lies in the state, translated; NULL for one of the input. */
-static const char *
-state_problem (QnInputState state, const QnDiag *diag)
-{
-  if (diag->problem == QN_PROBLEM_STATE_SLIPS && state == QN_INPUT_DEAD_LOAD)
-    return _ ("pairs slip without dilatancy under the dead load: no symmetric stiffness");
-  return qn_problem_is_of_state (diag->problem) ? _ (qn_problem_text (diag->problem))
-                                                : NULL;
+  gboolean lacks = qn_model_lacks_live_load (&project->model);
+  if (analysis->procedure == QN_PROCEDURE_DYNAMIC && !lacks)
+    qn_cli_warning ("%s: loads.live: %s", project->name,
+                    _ ("has no effect in an analysis in time"));
+  /* A path without a live load has no answer, unless it is that of the dead load alone. Limit
+   * analysis and stages refuse it themselves. */
+  if (analysis->procedure != QN_PROCEDURE_DYNAMIC
+      && analysis->procedure != QN_PROCEDURE_LIMIT && project->model.stage_count == 0
+      && analysis->max_multiplier != 0 && lacks)
+    qn_cli_fail (QN_EXIT_INVALID,
+                 _ ("%s: loads: %s: add one to loads.live, or set "
+                    "analysis.max_multiplier=0 for the dead load alone"),
+                 project->name, _ (qn_problem_text (QN_PROBLEM_NO_LIVE_LOAD)));
 }
 
 void
 qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *diag)
 {
-  const char *problem =
-    diag->status != QN_ERROR_NO_MEMORY ? state_problem (state, diag) : NULL;
-  if (problem == NULL)
+  const gboolean slips =
+    diag->problem == QN_PROBLEM_STATE_SLIPS && state == QN_INPUT_DEAD_LOAD;
+  if (diag->status == QN_ERROR_NO_MEMORY
+      || !(slips || qn_problem_is_of_state (diag->problem))) /* but of the input */
     qn_input_refuse (&input->project, diag);
-  qn_cli_fail (QN_EXIT_NO_ANSWER, "%s: %s", input->project.name, problem);
+  qn_cli_fail (QN_EXIT_NO_ANSWER, "%s: %s", input->project.name,
+               slips
+                 ? _ ("pairs slip without dilatancy under the dead load: no symmetric "
+                      "stiffness")
+                 : _ (qn_problem_text (diag->problem)));
 }
 
 QnInput *

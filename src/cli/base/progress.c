@@ -45,15 +45,6 @@ heap_in_use (void)
   return info.uordblks + info.hblkhd;
 }
 
-static void
-measure_memory (void)
-{
-  enum { STEP = 1 << 20 };
-  gsize now = heap_in_use ();
-  gsize grown = now > idle_heap ? now - idle_heap : 0;
-  peak_memory = MAX (peak_memory, (grown + STEP - 1) / STEP * STEP);
-}
-
 gboolean
 qn_progress_is_shown (void)
 {
@@ -74,8 +65,11 @@ bool
 qn_terminal_progress_update (const QnProgress *progress, void *user_data)
 {
   enum { INTERVAL = 100000 }; /* us; faster than the eye needs is only noise */
+  enum { STEP = 1 << 20 };
   (void) user_data;
-  measure_memory ();
+  gsize heap = heap_in_use ();
+  gsize grown = heap > idle_heap ? heap - idle_heap : 0;
+  peak_memory = MAX (peak_memory, (grown + STEP - 1) / STEP * STEP);
   gint64 now = shown ? g_get_monotonic_time () : 0;
 
   if (shown && now - last_time >= INTERVAL) {

@@ -8,34 +8,11 @@
 #include <string.h>
 #include <sys/stat.h>
 
-static const char *
-kind_of (const GOptionEntry *entry)
-{
-  if (entry->arg == G_OPTION_ARG_NONE)
-    return "flag";
-  return entry->arg == G_OPTION_ARG_FILENAME || entry->arg == G_OPTION_ARG_FILENAME_ARRAY
-           ? "file"
-           : "text";
-}
-
 static gboolean
 is_repeated (const GOptionEntry *entry)
 {
   return entry->arg == G_OPTION_ARG_STRING_ARRAY
          || entry->arg == G_OPTION_ARG_FILENAME_ARRAY;
-}
-
-/* Keeps the strings and lists that parsing has put where the entries say, and checks numbers. */
-static void
-take_values (const GOptionEntry *entries)
-{
-  for (; entries->long_name != NULL; entries++)
-    if (entries->arg == G_OPTION_ARG_STRING || entries->arg == G_OPTION_ARG_FILENAME
-        || is_repeated (entries))
-      qn_cli_keep (*(void **) entries->arg_data);
-    else if (entries->arg == G_OPTION_ARG_DOUBLE
-             && !isfinite (*(double *) entries->arg_data))
-      qn_cli_usage_error (_ ("--%s must be a finite number"), entries->long_name);
 }
 
 /* Whether two paths lead to one file, there or not. */
@@ -52,14 +29,6 @@ is_same_file (const char *path, const char *other)
   return strcmp (left, right) == 0;
 }
 
-static gboolean
-is_output (const GOptionEntry *entry)
-{
-  static const char *const names[] = { "output", "csv", "json", "plot", "keep", NULL };
-  return entry->arg == G_OPTION_ARG_FILENAME && *(char **) entry->arg_data != NULL
-         && g_strv_contains (names, entry->long_name);
-}
-
 static gboolean to_stdout; /* some output goes there */
 
 gboolean
@@ -73,6 +42,7 @@ qn_subcommand_prints (void)
 static void
 check_files (const GOptionEntry *entries, int count, char **arguments)
 {
+  static const char *const outputs[] = { "output", "csv", "json", "plot", "keep", NULL };
   g_autoptr (GPtrArray) files = g_ptr_array_new ();
   for (const GOptionEntry *e = entries; e->long_name != NULL; e++)
     if (e->arg == G_OPTION_ARG_FILENAME && *(char **) e->arg_data != NULL
@@ -80,28 +50,18 @@ check_files (const GOptionEntry *entries, int count, char **arguments)
       g_ptr_array_add (files, *(char **) e->arg_data);
   for (int i = 1; i < count; i++)
     g_ptr_array_add (files, arguments[i]);
-  for (; entries->long_name != NULL; entries++)
-    for (guint i = 0; is_output (entries) && i < files->len; i++) {
-      const char *output = *(char **) entries->arg_data;
+  for (; entries->long_name != NULL; entries++) {
+    const char *output = entries->arg == G_OPTION_ARG_FILENAME
+                             && g_strv_contains (outputs, entries->long_name)
+                           ? *(char **) entries->arg_data
+                           : NULL;
+    for (guint i = 0; output != NULL && i < files->len; i++) {
       to_stdout |= strcmp (output, "-") == 0;
       if (files->pdata[i] != output && is_same_file (output, files->pdata[i]))
         qn_cli_usage_error (_ ("%s: another file of this command is the same file"),
                             output);
     }
-}
-
-/* GLib's own answer to --help ends the program with 0 where nobody can read it. */
-static void
-end_by_help (GOptionContext *context, int argc, char **argv)
-{
-  for (int i = 1; i < argc && strcmp (argv[i], "--") != 0; i++)
-    if (strcmp (argv[i], "--help") == 0 || strcmp (argv[i], "-h") == 0
-        || strcmp (argv[i], "-?") == 0) {
-      char *help = g_option_context_get_help (context, TRUE, NULL);
-      qn_print_text (help);
-      g_free (help);
-      qn_cli_stop (QN_EXIT_DONE);
-    }
+  }
 }
 
 /* One line for the subcommand, one for each option, fields parted by tabs; in English, since manual pages and
@@ -113,7 +73,12 @@ describe (const QnSubcommand *self)
             self->help != NULL ? self->help : "");
   for (const GOptionEntry *e = self->options; e != NULL && e->long_name != NULL; e++)
     qn_print ("option\t%s\t%c\t%s\t%s\t%s\t%s\n", e->long_name,
-              e->short_name != 0 ? e->short_name : '-', kind_of (e),
+              e->short_name != 0 ? e->short_name : '-',
+              e->arg == G_OPTION_ARG_NONE ? "flag"
+              : e->arg == G_OPTION_ARG_FILENAME || e->arg == G_OPTION_ARG_FILENAME_ARRAY
+                ? "file"
+                : "text",
+
               is_repeated (e) ? "many" : "once",
               e->arg_description != NULL ? e->arg_description : "", e->description);
   for (gsize i = 0; self->actions != NULL && self->actions[i] != NULL; i++)
@@ -149,7 +114,15 @@ qn_subcommand_run (const QnSubcommand *self, int argc, char **argv)
   for (const GOptionEntry *e = options; e->long_name != NULL; e++)
     if (strcmp (e->long_name, "allow-outside") == 0)
       qn_cli_offer_outside ();
-  end_by_help (context, argc, argv);
+  /* GLib's own answer to --help ends the program with 0 where nobody can read it. */
+  for (int i = 1; i < argc && strcmp (argv[i], "--") != 0; i++)
+    if (strcmp (argv[i], "--help") == 0 || strcmp (argv[i], "-h") == 0
+        || strcmp (argv[i], "-?") == 0) {
+      char *help = g_option_context_get_help (context, TRUE, NULL);
+      qn_print_text (help);
+      g_free (help);
+      qn_cli_stop (QN_EXIT_DONE);
+    }
   gboolean parsed = g_option_context_parse (context, &argc, &argv, &error);
   g_set_prgname ("quoin-cli");
   if (!parsed)
@@ -162,7 +135,13 @@ qn_subcommand_run (const QnSubcommand *self, int argc, char **argv)
     qn_cli_usage_error (_ ("an argument is missing: expected %s"), self->arguments);
   if (argc > 2 && !self->many)
     qn_cli_usage_error (_ ("too many arguments: expected %s"), self->arguments);
-  take_values (options);
+  /* Strings and lists that parsing has put where the entries say are kept. */
+  for (const GOptionEntry *e = options; e->long_name != NULL; e++)
+    if (e->arg == G_OPTION_ARG_STRING || e->arg == G_OPTION_ARG_FILENAME
+        || is_repeated (e))
+      qn_cli_keep (*(void **) e->arg_data);
+    else if (e->arg == G_OPTION_ARG_DOUBLE && !isfinite (*(double *) e->arg_data))
+      qn_cli_usage_error (_ ("--%s must be a finite number"), e->long_name);
   check_files (options, argc, argv);
   argv[argc] = NULL;
   self->run (argv + 1);

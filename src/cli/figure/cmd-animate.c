@@ -49,31 +49,6 @@ on_frame (int done, int total, void *user_data)
   return !qn_interrupt_seen ();
 }
 
-static void
-animate (double scale, const QnInput *input)
-{
-  const QnResult *result = &input->file.result;
-  QnView view = result->mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED;
-  QnAnimation animation;
-  QnMetadata metadata;
-  qn_find_word (animate_view, qn_view_names, QN_VIEW_COUNT, &view);
-  qn_animation_init (&animation, &input->project.model, &input->contacts, result, view);
-  animation.figure.options.monochrome = qn_picture.monochrome;
-  animation.figure.options.scale = scale;
-  animation.once = animate_once;
-  animation.curve = !animate_no_curve;
-  if (animate_frames != 0)
-    animation.frames = animate_frames;
-  animation.rate = animate_rate;
-  animation.progress = on_frame;
-  qn_project_get_metadata (&input->project, &metadata);
-  qn_interrupt_install ();
-  qn_cli_must (animate_speed == 0
-               || qn_animation_set_speed (&animation, animate_speed, QN_TROUBLE));
-  qn_cli_must (qn_animation_export (&animation, qn_picture.path, &qn_picture.output,
-                                    &metadata, QN_TROUBLE));
-}
-
 static const GOptionEntry animate_entries[] = {
   { "result", 'r', 0, G_OPTION_ARG_FILENAME, &animate_result, N_ ("Result that is shown"),
     N_ ("RESULT.json") },
@@ -106,7 +81,27 @@ run_animate (char **arguments)
     qn_picture.size = (char *) "960x720";
   qn_picture_page ();
   check (&view);
-  animate (view.scale, qn_input_load_or_solve (arguments[0], animate_result));
+  const QnInput *input = qn_input_load_or_solve (arguments[0], animate_result);
+  const QnResult *result = &input->file.result;
+  QnView shown = result->mechanism != NULL ? QN_VIEW_MECHANISM : QN_VIEW_DEFORMED;
+  QnAnimation animation;
+  QnMetadata metadata;
+  qn_find_word (animate_view, qn_view_names, QN_VIEW_COUNT, &shown);
+  qn_animation_init (&animation, &input->project.model, &input->contacts, result, shown);
+  animation.figure.options.monochrome = qn_picture.monochrome;
+  animation.figure.options.scale = view.scale;
+  animation.once = animate_once;
+  animation.curve = !animate_no_curve;
+  if (animate_frames != 0)
+    animation.frames = animate_frames;
+  animation.rate = animate_rate;
+  animation.progress = on_frame;
+  qn_project_get_metadata (&input->project, &metadata);
+  qn_interrupt_install ();
+  qn_cli_must (animate_speed == 0
+               || qn_animation_set_speed (&animation, animate_speed, QN_TROUBLE));
+  qn_cli_must (qn_animation_export (&animation, qn_picture.path, &qn_picture.output,
+                                    &metadata, QN_TROUBLE));
 }
 
 const QnSubcommand qn_cmd_animate = {

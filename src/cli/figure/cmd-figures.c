@@ -57,41 +57,6 @@ make (const QnRecipe *recipe, Workshop *shop)
                     recipe->name);
 }
 
-/* Given names that no figure has are reported first. */
-static void
-check_names (const GPtrArray *recipes)
-{
-  for (char **name = figures_names; name != NULL && *name != NULL; name++) {
-    gboolean found = FALSE;
-    for (guint i = 0; i < recipes->len; i++)
-      found |= strcmp (((QnRecipe *) g_ptr_array_index (recipes, i))->name, *name) == 0;
-    if (!found)
-      qn_cli_fail (QN_EXIT_USAGE, _ ("the project has no figure \"%s\""), *name);
-  }
-}
-
-static void
-make_all (const GPtrArray *recipes, Workshop *shop)
-{
-  const char *const *names = (const char *const *) figures_names;
-  check_names (recipes);
-  qn_cli_must (figures_list || qn_recipes_check_files (recipes, names, QN_TROUBLE));
-  if (recipes->len == 0)
-    qn_cli_warning (_ ("%s: the project has no figures"), shop->path);
-  for (guint i = 0; i < recipes->len; i++) {
-    const QnRecipe *recipe = g_ptr_array_index (recipes, i);
-    if (names != NULL && !g_strv_contains (names, recipe->name))
-      continue;
-    if (!figures_list)
-      make (recipe, shop);
-    else
-      qn_print (
-        "%s\t%s\t%s\t%s\n", recipe->name, qn_view_names[recipe->view.view], recipe->file,
-        qn_recipe_is_stale (recipe, &shop->input->project) ? _ ("the model changed")
-                                                           : _ ("current"));
-  }
-}
-
 static const GOptionEntry figures_entries[] = {
   { "output", 'o', 0, G_OPTION_ARG_FILENAME, &figures_folder,
     N_ ("Write the pictures here instead of beside the project"), N_ ("FOLDER") },
@@ -112,7 +77,30 @@ run_figures (char **arguments)
   shop.folder = figures_folder != NULL ? figures_folder : shop.result_folder;
   g_autoptr (GPtrArray) recipes = qn_recipes_read (&shop.input->project, QN_TROUBLE);
   qn_cli_must (recipes != NULL);
-  make_all (recipes, &shop);
+  const char *const *names = (const char *const *) figures_names;
+  /* Given names that no figure has are reported first. */
+  for (char **name = figures_names; name != NULL && *name != NULL; name++) {
+    gboolean found = FALSE;
+    for (guint i = 0; i < recipes->len; i++)
+      found |= strcmp (((QnRecipe *) g_ptr_array_index (recipes, i))->name, *name) == 0;
+    if (!found)
+      qn_cli_fail (QN_EXIT_USAGE, _ ("the project has no figure \"%s\""), *name);
+  }
+  qn_cli_must (figures_list || qn_recipes_check_files (recipes, names, QN_TROUBLE));
+  if (recipes->len == 0)
+    qn_cli_warning (_ ("%s: the project has no figures"), shop.path);
+  for (guint i = 0; i < recipes->len; i++) {
+    const QnRecipe *recipe = g_ptr_array_index (recipes, i);
+    if (names != NULL && !g_strv_contains (names, recipe->name))
+      continue;
+    if (!figures_list)
+      make (recipe, &shop);
+    else
+      qn_print (
+        "%s\t%s\t%s\t%s\n", recipe->name, qn_view_names[recipe->view.view], recipe->file,
+        qn_recipe_is_stale (recipe, &shop.input->project) ? _ ("the model changed")
+                                                          : _ ("current"));
+  }
 }
 
 const QnSubcommand qn_cmd_figures = {

@@ -56,22 +56,6 @@ parse_view (QnViewOptions *view)
   parse_switches (render_hide, false, view);
 }
 
-static void
-render (const QnViewOptions *view, const char *path)
-{
-  gboolean solved = render_result != NULL || qn_view_needs_result (view->view)
-                    || view->field != QN_FIELD_NONE;
-  const QnInput *input =
-    solved ? qn_input_load_or_solve (path, render_result) : qn_input_load (path);
-  QnFigure figure;
-  qn_figure_init (&figure, &input->project.model, &input->contacts,
-                  solved ? &input->file.result : NULL, view->view);
-  figure.options = *view;
-  if (render_onion != NULL) /* of the same project; it may have been computed otherwise */
-    figure.options.onion = &qn_input_load_with_result (path, render_onion)->file.result;
-  qn_cli_must (qn_picture_figure (&figure, input, qn_picture.path, &qn_picture.output));
-}
-
 static const GOptionEntry render_entries[] = {
   { "view", 0, 0, G_OPTION_ARG_STRING, &render_view, N_ ("What to show"),
     "model|contacts|deformed|mechanism|forces|diagrams" },
@@ -106,7 +90,18 @@ run_render (char **arguments)
 
   parse_view (&view);
   qn_picture_output ();
-  render (&view, arguments[0]);
+  gboolean solved = render_result != NULL || qn_view_needs_result (view.view)
+                    || view.field != QN_FIELD_NONE;
+  const QnInput *input = solved ? qn_input_load_or_solve (arguments[0], render_result)
+                                : qn_input_load (arguments[0]);
+  QnFigure figure;
+  qn_figure_init (&figure, &input->project.model, &input->contacts,
+                  solved ? &input->file.result : NULL, view.view);
+  figure.options = view;
+  if (render_onion != NULL) /* of the same project; it may have been computed otherwise */
+    figure.options.onion =
+      &qn_input_load_with_result (arguments[0], render_onion)->file.result;
+  qn_cli_must (qn_picture_figure (&figure, input, qn_picture.path, &qn_picture.output));
 }
 
 const QnSubcommand qn_cmd_render = {

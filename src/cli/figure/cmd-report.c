@@ -38,21 +38,15 @@ solve_run (QnReportRun *run, const char *model)
   qn_result_clear (&input->file.result);
 }
 
-/* Numbers of a report go with its words, as those of its pictures do. */
-static void
-use_numbers_of_words (void)
-{
-  setlocale (LC_NUMERIC, "");
-  if (strcmp (localeconv ()->decimal_point, C_ ("decimal sign", ".")) != 0)
-    setlocale (LC_NUMERIC, "C");
-}
-
 static void
 write_report (QnReport *report)
 {
   gsize length;
   qn_terminal_progress_begin ();
-  use_numbers_of_words ();
+  /* Numbers of a report go with its words, as those of its pictures do. */
+  setlocale (LC_NUMERIC, "");
+  if (strcmp (localeconv ()->decimal_point, C_ ("decimal sign", ".")) != 0)
+    setlocale (LC_NUMERIC, "C");
   report->progress = qn_terminal_progress_update;
   g_autoptr (GBytes) bytes = qn_report_encode (report, QN_TROUBLE);
   setlocale (LC_NUMERIC, "C");
@@ -62,40 +56,6 @@ write_report (QnReport *report)
   qn_cli_must (bytes != NULL);
   const void *data = g_bytes_get_data (bytes, &length);
   qn_cli_must (qn_file_replace (report_output, data, length, QN_TROUBLE));
-}
-
-/* What the project keeps, and what options say instead. */
-static void
-plan_report (const QnProject *project, QnReportTemplate *plan)
-{
-  const char *const given[][2] = { { "paper", report_paper },
-                                   { "demand", report_demand },
-                                   { "sections", report_sections } };
-  qn_cli_must (qn_report_template_read (plan, project, QN_TROUBLE));
-  for (gsize i = 0; i < G_N_ELEMENTS (given); i++)
-    if (given[i][1] != NULL
-        && !qn_report_template_set (plan, given[i][0], given[i][1], QN_TROUBLE))
-      qn_cli_usage_error ("--%s: %s", given[i][0], qn_cli_trouble->message);
-}
-
-static void
-make_report (const char *model)
-{
-  guint count = report_results != NULL ? g_strv_length (report_results) : 0;
-  QnReportRun *runs = qn_cli_keep (g_new0 (QnReportRun, count + 1));
-  const QnInput *input = qn_input_load (model);
-  QnReport *report = qn_cli_keep (g_new0 (QnReport, 1));
-  *report = (QnReport){ .project = &input->project,
-                        .contacts = &input->contacts,
-                        .runs = runs,
-                        .units = QN_UNITS_REPORT };
-  plan_report (&input->project, &report->plan);
-  for (guint i = 0; i < count; i++)
-    load_run (&runs[i], model, report_results[i]);
-  if (count == 0)
-    solve_run (&runs[count++], model);
-  report->run_count = count;
-  write_report (report);
 }
 
 static const GOptionEntry report_entries[] = {
@@ -120,7 +80,29 @@ run_report (char **arguments)
 {
   if (report_output == NULL)
     qn_cli_usage_error (_ ("-o is missing"));
-  make_report (arguments[0]);
+  guint count = report_results != NULL ? g_strv_length (report_results) : 0;
+  QnReportRun *runs = qn_cli_keep (g_new0 (QnReportRun, count + 1));
+  const QnInput *input = qn_input_load (arguments[0]);
+  QnReport *report = qn_cli_keep (g_new0 (QnReport, 1));
+  *report = (QnReport){ .project = &input->project,
+                        .contacts = &input->contacts,
+                        .runs = runs,
+                        .units = QN_UNITS_REPORT };
+  /* What the project keeps, and what options say instead. */
+  const char *const given[][2] = { { "paper", report_paper },
+                                   { "demand", report_demand },
+                                   { "sections", report_sections } };
+  qn_cli_must (qn_report_template_read (&report->plan, &input->project, QN_TROUBLE));
+  for (gsize i = 0; i < G_N_ELEMENTS (given); i++)
+    if (given[i][1] != NULL
+        && !qn_report_template_set (&report->plan, given[i][0], given[i][1], QN_TROUBLE))
+      qn_cli_usage_error ("--%s: %s", given[i][0], qn_cli_trouble->message);
+  for (guint i = 0; i < count; i++)
+    load_run (&runs[i], arguments[0], report_results[i]);
+  if (count == 0)
+    solve_run (&runs[count++], arguments[0]);
+  report->run_count = count;
+  write_report (report);
 }
 
 const QnSubcommand qn_cmd_report = {

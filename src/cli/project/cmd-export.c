@@ -29,17 +29,6 @@ format_of (const char *path)
   return (Format) format;
 }
 
-static gboolean
-write_table (const QnInput *input, GError **error)
-{
-  const QnProject *project = &input->project;
-  const QnResult *result = &input->file.result;
-  return export_table == QN_TABLE_COUNT
-           ? qn_cracks_csv_write (export_output, project, &input->contacts, result, error)
-           : qn_result_table_write (export_output, export_table, project,
-                                    &input->contacts, result, error);
-}
-
 /* Walls and masonry become the polygons that they expand to, of the same names. */
 static gboolean
 write_polygons (QnInput *input, GError **error)
@@ -66,7 +55,11 @@ write_as (Format format, QnInput *input, GError **error)
   case FORMAT_PVD:
     return qn_vtu_export (model, &input->contacts, result, export_output, error);
   case FORMAT_CSV:
-    return write_table (input, error);
+    return export_table == QN_TABLE_COUNT
+             ? qn_cracks_csv_write (export_output, &input->project, &input->contacts,
+                                    result, error)
+             : qn_result_table_write (export_output, export_table, &input->project,
+                                      &input->contacts, result, error);
   case FORMAT_QUOIN:
     return write_polygons (input, error);
   case FORMAT_COUNT:

@@ -83,49 +83,37 @@ apply_setting (QnLaw *law, const char *setting)
 }
 
 static void
-parse_path (const char *text, QnLawPreset *what)
-{
-  g_auto (GStrv) parts = g_strsplit (text, ",", -1);
-  gsize count = g_strv_length (parts);
-  gboolean good = count >= 1 && count <= QN_LAW_MAX_TURNS;
-  for (gsize i = 0; i < count && good; i++)
-    good = parse_number (parts[i], &what->turns[i]);
-  what->turn_count = count;
-  if (!good)
-    qn_cli_usage_error (_ ("--path takes 1 to 64 elongations with commas between"));
-}
-
-/* A law of a project, by name. */
-static void
-take_law_of_project (const char *model, const char *name, QnLawPreset *what)
-{
-  QnProject *project = qn_cli_keep (g_new0 (QnProject, 1));
-  qn_cli_must (qn_project_load (model, NULL, project, QN_TROUBLE));
-  QnId id = qn_model_find_law (&project->model, name);
-  if (id == QN_NONE)
-    qn_cli_fail (QN_EXIT_INVALID, _ ("%s: no law is called “%s”"), model, name);
-  const QnLaw *law = &project->model.laws[id];
-  *what = *qn_law_preset (law->kind);
-  what->law = *law;
-  what->law.name = what->law.source = NULL;
-}
-
-static void
 prepare (const char *name, History *history)
 {
   QnLawPreset *what = &history->what;
   QnDiag diag = { 0 };
   QnLawKind kind = QN_LAW_ELASTIC;
-  if (law_model != NULL)
-    take_law_of_project (law_model, name, what);
-  else if (qn_find_word (name, qn_law_kind_names, QN_LAW_KIND_COUNT, &kind))
+  if (law_model != NULL) {
+    QnProject *project = qn_cli_keep (g_new0 (QnProject, 1));
+    qn_cli_must (qn_project_load (law_model, NULL, project, QN_TROUBLE));
+    QnId id = qn_model_find_law (&project->model, name);
+    if (id == QN_NONE)
+      qn_cli_fail (QN_EXIT_INVALID, _ ("%s: no law is called “%s”"), law_model, name);
+    const QnLaw *law = &project->model.laws[id];
+    *what = *qn_law_preset (law->kind);
+    what->law = *law;
+    what->law.name = what->law.source = NULL;
+  } else if (qn_find_word (name, qn_law_kind_names, QN_LAW_KIND_COUNT, &kind))
     *what = *qn_law_preset (kind);
   else
     qn_cli_usage_error (_ ("no law is called “%s”"), name);
   for (char **setting = law_settings; setting && *setting; setting++)
     apply_setting (&what->law, *setting);
-  if (law_path != NULL)
-    parse_path (law_path, what);
+  if (law_path != NULL) {
+    g_auto (GStrv) parts = g_strsplit (law_path, ",", -1);
+    gsize count = g_strv_length (parts);
+    gboolean good = count >= 1 && count <= QN_LAW_MAX_TURNS;
+    for (gsize i = 0; i < count && good; i++)
+      good = parse_number (parts[i], &what->turns[i]);
+    what->turn_count = count;
+    if (!good)
+      qn_cli_usage_error (_ ("--path takes 1 to 64 elongations with commas between"));
+  }
   if (!(law_length > 0 && isfinite (law_length)))
     qn_cli_usage_error (_ ("--length must be positive"));
 

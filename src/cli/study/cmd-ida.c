@@ -71,20 +71,6 @@ parse_scales (const char *text, GArray *scales)
   return scales->len > 0;
 }
 
-static void
-check_ida_options (GArray *scales)
-{
-  if (ida_records == NULL)
-    qn_cli_usage_error (_ ("--record is missing"));
-  if (ida_scale == NULL || !parse_scales (ida_scale, scales))
-    qn_cli_usage_error (
-      _ ("--scale is least:greatest:step, all positive, as in 0.1:2:0.1"));
-  if (ida_folder == NULL)
-    qn_cli_usage_error (_ ("-o is missing"));
-  if (ida_jobs < 0 || ida_jobs > 1024)
-    qn_cli_usage_error (_ ("--jobs is a number from 1 to 1024"));
-}
-
 /* --- A study for each record --------------------------------------------------------------- */
 
 /* The model with this record, the only one, as its ground motion. It acts along the direction of
@@ -294,38 +280,6 @@ draw_runs (const Ida *ida)
 
 /* --- All of it ------------------------------------------------------------------------------ */
 
-/* Computes the cases of one record that are missing in its folder. */
-static void
-compute (const Ida *ida, gsize index, Curve *curve)
-{
-  g_auto (QnStudy) study = { 0 };
-  QnStudyProgress progress;
-  const QnStudyRunSettings settings = { .jobs = (guint) ida_jobs, .shard = { 0, 1 } };
-  g_autofree char *name = g_strdup_printf ("record-%" G_GSIZE_FORMAT, index + 1);
-  g_autofree char *folder = g_build_filename (ida_folder, name, NULL);
-  make_study (ida, index, curve, &study);
-  if (!qn_study_compute (&study, folder, settings, index, ida->count, &progress))
-    qn_study_cancelled (ida_folder);
-  take_run_curve (curve, &study, folder);
-}
-
-static void
-run_all (Ida *ida)
-{
-  if (g_mkdir_with_parents (ida_folder, 0777) != 0)
-    qn_cli_fail (QN_EXIT_FILE, "%s: %s", ida_folder, _ ("cannot be written"));
-  ida->count = g_strv_length (ida_records);
-  ida->curves = qn_cli_keep (g_new0 (Curve, ida->count));
-  for (gsize i = 0; i < ida->count; i++)
-    compute (ida, i, &ida->curves[i]);
-  if (ida_csv != NULL)
-    write_runs (ida);
-  if (qn_picture.path != NULL)
-    draw_runs (ida);
-  if (qn_subcommand_prints ())
-    print_runs (ida);
-}
-
 static const GOptionEntry ida_entries[] = {
   { "record", 0, 0, G_OPTION_ARG_FILENAME_ARRAY, &ida_records,
     N_ ("A record of ground motion; may be given again"), N_ ("FILE") },
@@ -357,11 +311,40 @@ run_ida (char **arguments)
 {
   Ida *ida = qn_cli_keep (g_new0 (Ida, 1));
   ida->scales = g_array_new (FALSE, FALSE, sizeof (double));
-  check_ida_options (ida->scales);
+  if (ida_records == NULL)
+    qn_cli_usage_error (_ ("--record is missing"));
+  if (ida_scale == NULL || !parse_scales (ida_scale, ida->scales))
+    qn_cli_usage_error (
+      _ ("--scale is least:greatest:step, all positive, as in 0.1:2:0.1"));
+  if (ida_folder == NULL)
+    qn_cli_usage_error (_ ("-o is missing"));
+  if (ida_jobs < 0 || ida_jobs > 1024)
+    qn_cli_usage_error (_ ("--jobs is a number from 1 to 1024"));
   qn_picture_if_any ();
   qn_cli_must (qn_project_load (arguments[0], (const char *const *) qn_overrides,
                                 &ida->project, QN_TROUBLE));
-  run_all (ida);
+  if (g_mkdir_with_parents (ida_folder, 0777) != 0)
+    qn_cli_fail (QN_EXIT_FILE, "%s: %s", ida_folder, _ ("cannot be written"));
+  ida->count = g_strv_length (ida_records);
+  ida->curves = qn_cli_keep (g_new0 (Curve, ida->count));
+  for (gsize i = 0; i < ida->count; i++) {
+    /* Computes the cases of one record that are missing in its folder. */
+    g_auto (QnStudy) study = { 0 };
+    QnStudyProgress progress;
+    const QnStudyRunSettings settings = { .jobs = (guint) ida_jobs, .shard = { 0, 1 } };
+    g_autofree char *name = g_strdup_printf ("record-%" G_GSIZE_FORMAT, i + 1);
+    g_autofree char *folder = g_build_filename (ida_folder, name, NULL);
+    make_study (ida, i, &ida->curves[i], &study);
+    if (!qn_study_compute (&study, folder, settings, i, ida->count, &progress))
+      qn_study_cancelled (ida_folder);
+    take_run_curve (&ida->curves[i], &study, folder);
+  }
+  if (ida_csv != NULL)
+    write_runs (ida);
+  if (qn_picture.path != NULL)
+    draw_runs (ida);
+  if (qn_subcommand_prints ())
+    print_runs (ida);
 }
 
 const QnSubcommand qn_cmd_ida = {

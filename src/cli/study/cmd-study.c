@@ -93,38 +93,6 @@ qn_study_cancelled (const char *name)
   qn_cli_fail (QN_EXIT_CANCELLED, _ ("%s: cancelled; the same command continues"), name);
 }
 
-/* "3/10": the third of ten slices. */
-static gboolean
-parse_shard (const char *text, QnShard *shard)
-{
-  guint index, count;
-  char rest;
-  *shard = (QnShard){ 0, 1 };
-  if (text == NULL)
-    return TRUE;
-  if (sscanf (text, "%u/%u%c", &index, &count, &rest) != 2 || index < 1 || index > count
-      || count > QN_STUDY_MAX_CASES)
-    return FALSE;
-  *shard = (QnShard){ index - 1, count };
-  return TRUE;
-}
-
-static void
-compute (const QnStudy *study, QnStudyRunSettings settings)
-{
-  QnStudyProgress progress;
-  gboolean done = qn_study_compute (study, study_folder, settings, 0, 1, &progress);
-  if (!qn_cli_quiet) {
-    qn_print (_ ("%s: %zu of %zu cases"), study_folder, progress.present,
-              progress.wanted);
-    if (progress.failed > 0)
-      qn_print (_ (", %zu of those computed now failed"), progress.failed);
-    qn_print (_ ("; %.1f s\n"), progress.seconds);
-  }
-  if (!done)
-    qn_study_cancelled (study_folder);
-}
-
 static void
 run_cases (char **arguments)
 {
@@ -141,8 +109,13 @@ run_cases (char **arguments)
     qn_cli_usage_error (_ ("-o is missing"));
   if (study_jobs < 0 || study_jobs > 1024)
     qn_cli_usage_error (_ ("--jobs is a number from 1 to 1024"));
-  if (!parse_shard (study_shard, &settings.shard))
+  guint index = 1, count = 1; /* "3/10": the third of ten slices */
+  char rest;
+  if (study_shard != NULL
+      && (sscanf (study_shard, "%u/%u%c", &index, &count, &rest) != 2 || index < 1
+          || index > count || count > QN_STUDY_MAX_CASES))
     qn_cli_usage_error (_ ("--shard is k/n, the k-th of n slices, as in 3/10"));
+  settings.shard = (QnShard){ index - 1, count };
   qn_cli_must (again ? qn_folder_read_study (path, study, QN_TROUBLE)
                      : qn_study_read (path, NULL, study, QN_TROUBLE));
   if (again)
@@ -152,7 +125,17 @@ run_cases (char **arguments)
   for (guint i = 0; i < study->project.warnings->len; i++)
     qn_cli_warning ("%s", (char *) g_ptr_array_index (study->project.warnings, i));
   if (!study_prepare) {
-    compute (study, settings);
+    QnStudyProgress progress;
+    gboolean done = qn_study_compute (study, study_folder, settings, 0, 1, &progress);
+    if (!qn_cli_quiet) {
+      qn_print (_ ("%s: %zu of %zu cases"), study_folder, progress.present,
+                progress.wanted);
+      if (progress.failed > 0)
+        qn_print (_ (", %zu of those computed now failed"), progress.failed);
+      qn_print (_ ("; %.1f s\n"), progress.seconds);
+    }
+    if (!done)
+      qn_study_cancelled (study_folder);
     return;
   }
   qn_cli_must (qn_folder_prepare (study_folder, study, QN_TROUBLE));

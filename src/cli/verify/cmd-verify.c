@@ -109,22 +109,6 @@ read_case (GKeyFile *file, const char *row)
   };
 }
 
-static void
-load_case (Table table, const Case *test, QnInput *input)
-{
-  const char *const overrides[] = { text_of (table.file, table.name, "Set"), NULL };
-  gsize length = 0;
-  QnDiag diag = { 0 };
-  *input = (QnInput){ 0 };
-
-  g_autoptr (GBytes) bytes = look_up (test->model);
-  const char *text = g_bytes_get_data (bytes, &length);
-  qn_cli_must (
-    qn_project_parse (text, length, test->model, overrides, &input->project, QN_TROUBLE));
-  if (qn_contacts_detect (&input->project.model, &input->contacts, &diag) != QN_OK)
-    qn_input_refuse (&input->project, &diag);
-}
-
 /* A column of `width` characters: text is padded by what is seen, not by bytes. */
 static void
 print_cell (const char *text, int width, gboolean left)
@@ -201,16 +185,6 @@ keep_result (const char *table, const QnInput *input, const QnResult *result)
 
 /* --- What a case compares --- */
 
-/* The last step of a stage, or of the path where `stage` is 0; -1 where there is none. */
-static gssize
-find_step (const QnResult *result, int stage)
-{
-  for (gssize i = (gssize) result->step_count - 1; i >= 0; i--)
-    if (stage == 0 || result->steps[i].stage == stage)
-      return i;
-  return -1;
-}
-
 static double
 find_reaction (const Case *test, const QnModel *model, const QnResult *result)
 {
@@ -267,7 +241,9 @@ read_path (const Case *test, const QnModel *model, const QnResult *result)
     return result->outcome == QN_OUTCOME_COLLAPSE ? result->collapse_multiplier : NAN;
   if (test->quantity == BRANCH)
     return read_branch (test, model, result);
-  gssize step = find_step (result, test->number);
+  gssize step = (gssize) result->step_count - 1; /* of the stage, or of the path */
+  while (step >= 0 && test->number != 0 && result->steps[step].stage != test->number)
+    step--;
   if (result->outcome != QN_OUTCOME_TARGET_REACHED || step < 0)
     return NAN;
   if (test->quantity == MULTIPLIER)
@@ -283,23 +259,6 @@ read_path (const Case *test, const QnModel *model, const QnResult *result)
     result, (size_t) step)[body * QN_DOF_COUNT + (size_t) test->dof];
 }
 
-static QnStatus
-run_modes (const Case *test, const QnInput *input, QnResult *result, double *value,
-           QnDiag *diag)
-{
-  QnModes modes;
-  size_t wanted = (size_t) test->number;
-  QnStatus status =
-    qn_modal_run (&input->project.model, &input->contacts, QN_MODAL_DEAD_LOAD, wanted,
-                  qn_terminal_progress_update, NULL, &modes, result, diag);
-  if (status != QN_OK)
-    return status;
-  if (modes.count >= wanted)
-    *value = modes.omega[wanted - 1];
-  qn_modes_clear (&modes);
-  return QN_OK;
-}
-
 /* Runs the analysis that the case asks for. *value is not-a-number where it did not come to what is
  * compared. *result is overwritten, empty on failure. */
 static QnStatus
@@ -308,12 +267,19 @@ run_analysis (const Case *test, const QnInput *input, QnResult *result, double *
 {
   const QnModel *model = &input->project.model;
   const QnContacts *contacts = &input->contacts;
+  QnModes modes;
   QnStatus status;
 
   *value = NAN;
   switch (test->quantity) {
   case FREQUENCY:
-    return run_modes (test, input, result, value, diag);
+    status = qn_modal_run (model, contacts, QN_MODAL_DEAD_LOAD, (size_t) test->number,
+                           qn_terminal_progress_update, NULL, &modes, result, diag);
+    if (status == QN_OK && modes.count >= (size_t) test->number)
+      *value = modes.omega[test->number - 1];
+    if (status == QN_OK)
+      qn_modes_clear (&modes);
+    return status;
   case CRITICAL:
     status =
       qn_stability_run (model, contacts, qn_terminal_progress_update, NULL, result, diag);
@@ -340,12 +306,19 @@ run_analysis (const Case *test, const QnInput *input, QnResult *result, double *
 static void
 run_case (Table table, const Case *test, Tally *tally)
 {
-  QnInput input;
+  QnInput input = { 0 };
   QnResult result = { 0 };
   QnDiag diag = { 0 };
   double found = NAN;
 
-  load_case (table, test, &input);
+  const char *const overrides[] = { text_of (table.file, table.name, "Set"), NULL };
+  gsize length = 0;
+  g_autoptr (GBytes) bytes = look_up (test->model);
+  const char *text = g_bytes_get_data (bytes, &length);
+  qn_cli_must (
+    qn_project_parse (text, length, test->model, overrides, &input.project, QN_TROUBLE));
+  if (qn_contacts_detect (&input.project.model, &input.contacts, &diag) != QN_OK)
+    qn_input_refuse (&input.project, &diag);
   qn_terminal_progress_begin ();
   QnStatus status = run_analysis (test, &input, &result, &found, &diag);
   gsize memory = qn_terminal_progress_done ();
