@@ -319,23 +319,6 @@ qn_envelope_dup_factor (const QnEnvelope *e, QnEnvelopePlace at)
     vehicle_of (e, at.line)->name, qn_envelope_multiplier (e, at), e->x[at.position]);
 }
 
-/* Where a line has no answer, by the first few places. */
-static void
-append_open (GString *text, const QnEnvelope *e, gsize line)
-{
-  g_autoptr (GString) places = g_string_new (NULL);
-  gsize count = 0;
-  for (gsize i = 0; i < e->count; i++)
-    if (qn_envelope_is_open (e, (QnEnvelopePlace){ line, i }) && count++ < MOST_NAMED)
-      g_string_append_printf (places, "%s%.6g", count > 1 ? "; " : "", e->x[i]);
-  if (count == 0)
-    return;
-  g_autofree char *name = qn_envelope_dup_line_name (e, line);
-  g_string_append_c (text, '\n');
-  g_string_append_printf (text, _ ("%s: no answer with the front at x = %s%s m"), name,
-                          places->str, count > MOST_NAMED ? "; …" : "");
-}
-
 char *
 qn_envelope_dup_text (const QnEnvelope *e, QnEnvelopePlace at, gboolean whole)
 {
@@ -369,8 +352,20 @@ qn_envelope_dup_text (const QnEnvelope *e, QnEnvelopePlace at, gboolean whole)
                             _ ("All are bounds from above where joints slide: "
                                "non-associative limit analysis or the path may find "
                                "less."));
-  for (gsize k = 0; whole && k < e->line_count; k++)
-    append_open (text, e, k);
+  for (gsize k = 0; whole && k < e->line_count; k++) {
+    /* Where a line has no answer, by the first few places. */
+    g_autoptr (GString) places = g_string_new (NULL);
+    gsize count = 0;
+    for (gsize i = 0; i < e->count; i++)
+      if (qn_envelope_is_open (e, (QnEnvelopePlace){ k, i }) && count++ < MOST_NAMED)
+        g_string_append_printf (places, "%s%.6g", count > 1 ? "; " : "", e->x[i]);
+    if (count == 0)
+      continue;
+    g_autofree char *name = qn_envelope_dup_line_name (e, k);
+    g_string_append_c (text, '\n');
+    g_string_append_printf (text, _ ("%s: no answer with the front at x = %s%s m"), name,
+                            places->str, count > MOST_NAMED ? "; …" : "");
+  }
   return g_string_free (text, FALSE);
 }
 

@@ -158,28 +158,18 @@ receive (Worker *worker)
   return count > 0 || (count < 0 && errno == EINTR);
 }
 
-/* Takes the first line; NULL where none is complete. */
-static char *
-take_line (Worker *worker)
-{
-  const char *end = memchr (worker->received->str, '\n', worker->received->len);
-  if (end == NULL)
-    return NULL;
-  gsize length = (gsize) (end - worker->received->str);
-  char *line = g_strndup (worker->received->str, length);
-  g_string_erase (worker->received, 0, (gssize) length + 1);
-  return line;
-}
-
-/* The result of its case, once that is complete: it is free for the next one then. FALSE where there is
+/* The result of the worker's case, once that is complete: it is free for the next one then. FALSE where there is
  * none. *result is overwritten; to be cleared. */
 static gboolean
 take_answer (Worker *worker, QnCaseResult *result)
 {
   for (;;) {
-    g_autofree char *line = take_line (worker);
-    if (line == NULL)
+    const char *end = memchr (worker->received->str, '\n', worker->received->len);
+    if (end == NULL)
       return FALSE;
+    const gsize length = (gsize) (end - worker->received->str);
+    g_autofree char *line = g_strndup (worker->received->str, length);
+    g_string_erase (worker->received, 0, (gssize) length + 1);
     if (strcmp (line, "ready") == 0) {
       worker->ready = TRUE;
       worker->begun = qn_clock_seconds ();
@@ -236,19 +226,6 @@ typedef struct Run {
   gboolean cancelled;
 } Run;
 
-/* The next case to be computed; FALSE where none is left. */
-static gboolean
-take_case (Run *run, gsize *index)
-{
-  while (run->next < run->count && run->taken[run->next])
-    run->next++;
-  if (run->next == run->count)
-    return FALSE;
-  *index = run->next;
-  run->taken[run->next++] = 1;
-  return TRUE;
-}
-
 static gboolean
 keep_row (Run *run, gsize index, const QnCaseResult *result, GError **error)
 {
@@ -259,13 +236,16 @@ keep_row (Run *run, gsize index, const QnCaseResult *result, GError **error)
                        error);
 }
 
-/* Gives a case to a worker that has none, and starts it before where there is none. */
+/* Gives the next case to a worker that has none, and starts it before where there is none. */
 static gboolean
 feed (Run *run, Worker *worker, GError **error)
 {
-  gsize index;
-  if (worker->busy || !take_case (run, &index))
+  while (run->next < run->count && run->taken[run->next])
+    run->next++;
+  if (worker->busy || run->next == run->count)
     return TRUE;
+  const gsize index = run->next++;
+  run->taken[index] = 1;
   if (worker->pid == 0
       && !start_worker (worker, run->settings->program, run->folder, run->settings->keep,
                         error))

@@ -46,22 +46,6 @@ run (QnStore *store, const char *sql, GError **error)
          || fail (store, error);
 }
 
-/* The columns of the table, in the order in which rows are written. */
-static void
-append_columns (GString *sql, const QnStudy *study)
-{
-  g_string_append (sql, "\"case\" INTEGER PRIMARY KEY, status TEXT NOT NULL");
-  for (guint i = 0; i < study->parameters->len; i++)
-    g_string_append_printf (sql, ", \"%s\" REAL", qn_study_parameter (study, i)->name);
-  for (guint i = 0; i < study->outputs->len; i++) {
-    QnStudyOutput output = qn_study_output (study, i);
-    g_string_append_printf (sql, ", %s %s", qn_study_output_names[output],
-                            qn_study_output_is_number (output) ? "REAL" : "TEXT");
-  }
-  g_string_append (sql, ", outcome TEXT, reason TEXT, seconds REAL, version TEXT, "
-                        "model_sha256 TEXT");
-}
-
 /* One number or text of the database; FALSE on an error. */
 static gboolean
 ask (QnStore *store, const char *sql, char **answer, GError **error)
@@ -116,7 +100,17 @@ check_study (QnStore *store, gboolean create, GError **error)
                      "CREATE TABLE study (key TEXT PRIMARY KEY, value TEXT); %s "
                      "CREATE TABLE cases (",
                      APPLICATION_ID, values);
-    append_columns (sql, store->study);
+    g_string_append (sql, "\"case\" INTEGER PRIMARY KEY, status TEXT NOT NULL");
+    for (guint i = 0; i < store->study->parameters->len; i++)
+      g_string_append_printf (sql, ", \"%s\" REAL",
+                              qn_study_parameter (store->study, i)->name);
+    for (guint i = 0; i < store->study->outputs->len; i++) {
+      QnStudyOutput output = qn_study_output (store->study, i);
+      g_string_append_printf (sql, ", %s %s", qn_study_output_names[output],
+                              qn_study_output_is_number (output) ? "REAL" : "TEXT");
+    }
+    g_string_append (sql, ", outcome TEXT, reason TEXT, seconds REAL, version TEXT, "
+                          "model_sha256 TEXT");
     g_string_append (sql, "); COMMIT;");
     sqlite3_free (values);
     return run (store, sql->str, error);
@@ -186,21 +180,6 @@ qn_store_forget_failed (QnStore *store, GError **error)
   return run (store, "DELETE FROM cases WHERE status = 'failed'", error);
 }
 
-static gboolean
-prepare_add (QnStore *store, GError **error)
-{
-  if (store->add != NULL)
-    return TRUE;
-  g_autoptr (GString) sql = g_string_new ("INSERT OR REPLACE INTO cases VALUES (?");
-  guint columns =
-    OWN_COLUMNS + store->study->parameters->len + store->study->outputs->len;
-  for (guint i = 1; i < columns; i++)
-    g_string_append (sql, ", ?");
-  g_string_append (sql, ")");
-  return sqlite3_prepare_v2 (store->db, sql->str, -1, &store->add, NULL) == SQLITE_OK
-         || fail (store, error);
-}
-
 /* NULL binds NULL, and so does not-a-number. */
 static void
 bind_text (sqlite3_stmt *statement, int *column, const char *text)
@@ -215,8 +194,16 @@ qn_store_add (QnStore *store, gsize index, const double *values,
   const QnStudy *study = store->study;
   int column = 1;
   store->open = store->open || run (store, "BEGIN IMMEDIATE", error);
-  if (!store->open || !prepare_add (store, error))
+  if (!store->open)
     return FALSE;
+  if (store->add == NULL) {
+    g_autoptr (GString) sql = g_string_new ("INSERT OR REPLACE INTO cases VALUES (?");
+    for (guint i = 1; i < OWN_COLUMNS + study->parameters->len + study->outputs->len; i++)
+      g_string_append (sql, ", ?");
+    g_string_append (sql, ")");
+    if (sqlite3_prepare_v2 (store->db, sql->str, -1, &store->add, NULL) != SQLITE_OK)
+      return fail (store, error);
+  }
   sqlite3_bind_int64 (store->add, column++, (gint64) index + 1);
   bind_text (store->add, &column, result->failed ? "failed" : "done");
   for (guint i = 0; i < study->parameters->len; i++)
@@ -282,33 +269,6 @@ qn_store_merge (QnStore *store, const char *path, gsize *added, GError **error)
   return run (store, "DETACH other", ok ? error : NULL) && ok;
 }
 
-/* Reads the row that the statement stands at; texts are borrowed from it. */
-static void
-take_row (const QnStudy *study, sqlite3_stmt *statement, double *values,
-          QnCaseResult *result)
-{
-  int column = 1;
-  *result = (QnCaseResult){ 0 };
-  for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++)
-    result->numbers[i] = NAN;
-  result->failed =
-    g_strcmp0 ((const char *) sqlite3_column_text (statement, column++), "failed") == 0;
-  for (guint i = 0; i < study->parameters->len; i++)
-    values[i] = sqlite3_column_double (statement, column++);
-  for (guint i = 0; i < study->outputs->len; i++, column++) {
-    QnStudyOutput output = qn_study_output (study, i);
-    if (output == QN_STUDY_MECHANISM_KIND)
-      result->mechanism = (char *) sqlite3_column_text (statement, column);
-    else if (output == QN_STUDY_MECHANISM_SHAPE)
-      result->shape = (char *) sqlite3_column_text (statement, column);
-    else if (sqlite3_column_type (statement, column) != SQLITE_NULL)
-      result->numbers[output] = sqlite3_column_double (statement, column);
-  }
-  result->outcome = (char *) sqlite3_column_text (statement, column++);
-  result->reason = (char *) sqlite3_column_text (statement, column++);
-  result->seconds = sqlite3_column_double (statement, column);
-}
-
 gboolean
 qn_store_read (QnStore *store, QnStoreRowFunc row, gpointer data, GError **error)
 {
@@ -322,7 +282,27 @@ qn_store_read (QnStore *store, QnStoreRowFunc row, gpointer data, GError **error
     return fail (store, error);
   while (wanted && (step = sqlite3_step (statement)) == SQLITE_ROW) {
     QnCaseResult result;
-    take_row (store->study, statement, values, &result);
+    /* Reads the row that the statement stands at; texts are borrowed from it. */
+    int column = 1;
+    result = (QnCaseResult){ 0 };
+    for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++)
+      result.numbers[i] = NAN;
+    result.failed =
+      g_strcmp0 ((const char *) sqlite3_column_text (statement, column++), "failed") == 0;
+    for (guint i = 0; i < store->study->parameters->len; i++)
+      values[i] = sqlite3_column_double (statement, column++);
+    for (guint i = 0; i < store->study->outputs->len; i++, column++) {
+      QnStudyOutput output = qn_study_output (store->study, i);
+      if (output == QN_STUDY_MECHANISM_KIND)
+        result.mechanism = (char *) sqlite3_column_text (statement, column);
+      else if (output == QN_STUDY_MECHANISM_SHAPE)
+        result.shape = (char *) sqlite3_column_text (statement, column);
+      else if (sqlite3_column_type (statement, column) != SQLITE_NULL)
+        result.numbers[output] = sqlite3_column_double (statement, column);
+    }
+    result.outcome = (char *) sqlite3_column_text (statement, column++);
+    result.reason = (char *) sqlite3_column_text (statement, column++);
+    result.seconds = sqlite3_column_double (statement, column);
     wanted = row ((gsize) sqlite3_column_int64 (statement, 0) - 1, values, &result, data);
   }
   gboolean ok = !wanted || step == SQLITE_DONE || fail (store, error);

@@ -141,23 +141,6 @@ hand_over (QnStore *store, const char *folder, const char *jobs, guint slices,
          && qn_store_set_note (store, "slurm-jobs", all, error);
 }
 
-/* Marks in `wanted` the slices that lack cases and that nobody computes. */
-static gboolean
-find_wanted (QnStore *store, gsize count, guint slices, const guint8 *active,
-             guint8 *wanted, QnSubmission *submission, GError **error)
-{
-  g_autofree guint8 *present = g_new0 (guint8, count);
-  if (!qn_store_mark_present (store, present, count, error))
-    return FALSE;
-  for (gsize i = 0; i < count; i++) {
-    submission->missing += !present[i];
-    if (!present[i] && !active[i % slices])
-      wanted[i % slices] = 1;
-  }
-  submission->tasks = count_marks (wanted, slices);
-  return TRUE;
-}
-
 static gboolean
 submit (QnStore *store, gsize count, const char *folder, const QnSlurmSettings *settings,
         QnSubmission *submission, GError **error)
@@ -180,8 +163,15 @@ submit (QnStore *store, gsize count, const char *folder, const QnSlurmSettings *
   if (former != slices && submission->active > 0)
     return qn_io_fail (error, QN_IO_ERROR_INVALID, "%s: %s", folder,
                        _ ("tasks of another array size still wait or run"));
-  if (!find_wanted (store, count, slices, active, wanted, submission, error))
+  g_autofree guint8 *present = g_new0 (guint8, count);
+  if (!qn_store_mark_present (store, present, count, error))
     return FALSE;
+  for (gsize i = 0; i < count; i++) {
+    submission->missing += !present[i];
+    if (!present[i] && !active[i % slices])
+      wanted[i % slices] = 1;
+  }
+  submission->tasks = count_marks (wanted, slices);
   if (submission->tasks == 0)
     return TRUE;
   submission->script = dup_script (folder, settings, wanted, slices);

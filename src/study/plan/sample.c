@@ -57,38 +57,6 @@ qn_correlation_copula (const double *correlation, gsize width, double *points,
   gsl_matrix_free (factor);
 }
 
-/* Normal scores in random order, one permutation per coordinate. */
-static gsl_matrix *
-create_scores (gsize count, gsize width, gsl_rng *random)
-{
-  gsl_matrix *scores = gsl_matrix_alloc (count, width);
-  g_autofree double *column = g_new (double, count);
-  for (gsize j = 0; j < width; j++) {
-    for (gsize i = 0; i < count; i++)
-      column[i] = gsl_cdf_ugaussian_Pinv ((double) (i + 1) / (double) (count + 1));
-    gsl_ran_shuffle (random, column, count, sizeof *column);
-    for (gsize i = 0; i < count; i++)
-      gsl_matrix_set (scores, i, j, column[i]);
-  }
-  return scores;
-}
-
-/* The correlation that the shuffled scores have by chance, as its Cholesky factor. */
-static gsl_matrix *
-chance_factor (const gsl_matrix *scores)
-{
-  gsize width = scores->size2;
-  gsl_matrix *factor = gsl_matrix_alloc (width, width);
-  for (gsize i = 0; i < width; i++)
-    for (gsize j = 0; j < width; j++)
-      gsl_matrix_set (factor, i, j,
-                      gsl_stats_correlation (scores->data + i, scores->tda,
-                                             scores->data + j, scores->tda,
-                                             scores->size1));
-  gsl_linalg_cholesky_decomp1 (factor);
-  return factor;
-}
-
 /* Puts the values of a column into the order of another. */
 static void
 order_like (double *values, gsize stride, const double *model, gsize model_stride,
@@ -109,8 +77,24 @@ qn_correlation_reorder (const double *correlation, gsize width, double *points,
                         gsize count, gsl_rng *random)
 {
   gsl_matrix *wanted = factor_of (correlation, width);
-  gsl_matrix *scores = create_scores (count, width, random);
-  gsl_matrix *chance = chance_factor (scores);
+  /* Normal scores in random order, and the correlation that they have by chance. */
+  gsl_matrix *scores = gsl_matrix_alloc (count, width);
+  g_autofree double *column = g_new (double, count);
+  for (gsize j = 0; j < width; j++) {
+    for (gsize i = 0; i < count; i++)
+      column[i] = gsl_cdf_ugaussian_Pinv ((double) (i + 1) / (double) (count + 1));
+    gsl_ran_shuffle (random, column, count, sizeof *column);
+    for (gsize i = 0; i < count; i++)
+      gsl_matrix_set (scores, i, j, column[i]);
+  }
+  gsl_matrix *chance = gsl_matrix_alloc (width, width);
+  for (gsize i = 0; i < width; i++)
+    for (gsize j = 0; j < width; j++)
+      gsl_matrix_set (chance, i, j,
+                      gsl_stats_correlation (scores->data + i, scores->tda,
+                                             scores->data + j, scores->tda,
+                                             scores->size1));
+  gsl_linalg_cholesky_decomp1 (chance);
   /* Scores R with R'R = QQ' become R Q'^-1 P' with the correlation PP'. */
   gsl_blas_dtrsm (CblasRight, CblasLower, CblasTrans, CblasNonUnit, 1, chance, scores);
   gsl_blas_dtrmm (CblasRight, CblasLower, CblasTrans, CblasNonUnit, 1, wanted, scores);

@@ -109,23 +109,6 @@ static const QnMember distribution_members[QN_DISTRIBUTION_COUNT][7] = {
                                  QN_KNOWN ("weights") },
 };
 
-/* Mean with either deviation or coefficient of variation. */
-static gboolean
-take_moments (const QnJsonValue *place, const Stated *stated, QnDistribution *d)
-{
-  const QnJsonValue by_share = qn_json_value_member (place, "cov");
-  if ((stated->cov > 0) == (stated->deviation > 0))
-    return qn_json_value_fail (place, _ ("expected either cov or deviation"));
-  if (stated->cov > 0 && stated->mean == 0)
-    return qn_json_value_fail (&by_share,
-                               _ ("a mean of 0 needs a deviation instead of cov"));
-  d->first = stated->mean;
-  d->second = stated->cov > 0 ? stated->cov * fabs (stated->mean) : stated->deviation;
-  if (d->kind == QN_DISTRIBUTION_LOGNORMAL)
-    qn_distribution_set_lognormal (d, d->first, d->second);
-  return TRUE;
-}
-
 static gboolean
 read_distribution (const QnJsonValue *place, QnDistribution *d)
 {
@@ -145,8 +128,19 @@ read_distribution (const QnJsonValue *place, QnDistribution *d)
   d->max = stated.max;
   d->first = weibull ? stated.scale : stated.mode;
   d->second = stated.shape;
-  if (d->kind <= QN_DISTRIBUTION_LOGNORMAL && !take_moments (place, &stated, d))
-    return FALSE;
+  if (d->kind <= QN_DISTRIBUTION_LOGNORMAL) {
+    /* Mean with either deviation or coefficient of variation. */
+    const QnJsonValue by_share = qn_json_value_member (place, "cov");
+    if ((stated.cov > 0) == (stated.deviation > 0))
+      return qn_json_value_fail (place, _ ("expected either cov or deviation"));
+    if (stated.cov > 0 && stated.mean == 0)
+      return qn_json_value_fail (&by_share,
+                                 _ ("a mean of 0 needs a deviation instead of cov"));
+    d->first = stated.mean;
+    d->second = stated.cov > 0 ? stated.cov * fabs (stated.mean) : stated.deviation;
+    if (d->kind == QN_DISTRIBUTION_LOGNORMAL)
+      qn_distribution_set_lognormal (d, d->first, d->second);
+  }
   if (!(d->min < d->max))
     return qn_json_value_fail (place, _ ("min must be less than max"));
   if (d->kind == QN_DISTRIBUTION_TRIANGULAR
@@ -379,29 +373,6 @@ find_parameter (const QnJsonValue *place, const QnStudy *study, guint *index)
 }
 
 static gboolean
-read_pair (const QnJsonValue *pair, QnStudy *study)
-{
-  guint width = study->parameters->len, a = 0, b = 0;
-  double value;
-  if (!qn_json_value_array (pair))
-    return FALSE;
-  if (cJSON_GetArraySize (pair->json) != 3)
-    return qn_json_value_fail (pair, _ ("expected [name, name, rank correlation]"));
-  QnJsonValue item = { 0 };
-  qn_json_value_next (pair, &item);
-  if (!find_parameter (&item, study, &a) || !qn_json_value_next (pair, &item)
-      || !find_parameter (&item, study, &b) || !qn_json_value_next (pair, &item)
-      || !qn_json_value_number (&item, QN_RANGE_FINITE, &value))
-    return FALSE;
-  if (a == b || study->correlation[a * width + b] != 0)
-    return qn_json_value_fail (pair, _ ("expected two parameters, and each pair once"));
-  if (!(fabs (value) < 1))
-    return qn_json_value_fail (&item, _ ("a correlation lies between -1 and 1"));
-  study->correlation[a * width + b] = study->correlation[b * width + a] = value;
-  return TRUE;
-}
-
-static gboolean
 read_correlation (const QnJsonValue *root, QnStudy *study)
 {
   QnJsonValue list = qn_json_value_member (root, "correlation"), element = { 0 };
@@ -414,9 +385,26 @@ read_correlation (const QnJsonValue *root, QnStudy *study)
     return qn_json_value_failf (&list, _ ("a plan \"%s\" has independent parameters"),
                                 qn_plan_kind_names[study->plan]);
   study->correlation = g_new0 (double, width *width);
-  while (qn_json_value_next (&list, &element))
-    if (!read_pair (&element, study))
+  while (qn_json_value_next (&list, &element)) {
+    guint a = 0, b = 0;
+    double value;
+    if (!qn_json_value_array (&element))
       return FALSE;
+    if (cJSON_GetArraySize (element.json) != 3)
+      return qn_json_value_fail (&element, _ ("expected [name, name, rank correlation]"));
+    QnJsonValue item = { 0 };
+    qn_json_value_next (&element, &item);
+    if (!find_parameter (&item, study, &a) || !qn_json_value_next (&element, &item)
+        || !find_parameter (&item, study, &b) || !qn_json_value_next (&element, &item)
+        || !qn_json_value_number (&item, QN_RANGE_FINITE, &value))
+      return FALSE;
+    if (a == b || study->correlation[a * width + b] != 0)
+      return qn_json_value_fail (&element,
+                                 _ ("expected two parameters, and each pair once"));
+    if (!(fabs (value) < 1))
+      return qn_json_value_fail (&item, _ ("a correlation lies between -1 and 1"));
+    study->correlation[a * width + b] = study->correlation[b * width + a] = value;
+  }
   for (guint i = 0; i < width; i++)
     study->correlation[i * width + i] = 1;
   if (!qn_correlation_is_possible (study->correlation, width))
@@ -426,28 +414,6 @@ read_correlation (const QnJsonValue *root, QnStudy *study)
   if (study->plan == QN_PLAN_LATIN_HYPERCUBE && (guint) study->count < 2 * width + 2)
     return qn_json_value_failf (&list, _ ("correlated layers need at least %u cases"),
                                 2 * width + 2);
-  return TRUE;
-}
-
-static gboolean
-check_levels (const QnJsonValue *root, const QnStudy *study)
-{
-  QnJsonValue list = qn_json_value_member (root, "parameters");
-  for (guint i = 0; i < study->parameters->len - (study->combinations != NULL); i++) {
-    const QnParameter *parameter = qn_study_parameter (study, i);
-    QnJsonValue element =
-      qn_json_value_element (&list, i, cJSON_GetArrayItem (list.json, (int) i));
-    if (qn_parameter_level_count (parameter) == 0)
-      return qn_json_value_failf (&element,
-                                  _ ("a distribution in a plan \"%s\" needs \"levels\""),
-                                  qn_plan_kind_names[study->plan]);
-    if (study->plan == QN_PLAN_ONE_AT_A_TIME && isnan (parameter->base))
-      return qn_json_value_failf (
-        &element,
-        _ ("the plan begins with the project's own values, and %s "
-           "gives none here"),
-        study->project.name);
-  }
   return TRUE;
 }
 
@@ -467,8 +433,24 @@ read_plan (const QnJsonValue *root, QnStudy *study)
   int32_t count;
   if (!levels && !qn_member_count (&plan, "count", QN_REQUIRED, G_MAXINT32, &count))
     return FALSE;
-  if (levels && !check_levels (root, study))
-    return FALSE;
+  if (levels) {
+    QnJsonValue list = qn_json_value_member (root, "parameters");
+    for (guint i = 0; i < study->parameters->len - (study->combinations != NULL); i++) {
+      const QnParameter *parameter = qn_study_parameter (study, i);
+      QnJsonValue element =
+        qn_json_value_element (&list, i, cJSON_GetArrayItem (list.json, (int) i));
+      if (qn_parameter_level_count (parameter) == 0)
+        return qn_json_value_failf (
+          &element, _ ("a distribution in a plan \"%s\" needs \"levels\""),
+          qn_plan_kind_names[study->plan]);
+      if (study->plan == QN_PLAN_ONE_AT_A_TIME && isnan (parameter->base))
+        return qn_json_value_failf (
+          &element,
+          _ ("the plan begins with the project's own values, and %s "
+             "gives none here"),
+          study->project.name);
+    }
+  }
   if (study->plan == QN_PLAN_SOBOL && study->parameters->len > SOBOL_PARAMETERS)
     return qn_json_value_failf (&plan, _ ("a plan \"sobol\" has at most %d parameters"),
                                 SOBOL_PARAMETERS);

@@ -71,16 +71,6 @@ draw_scatter (const Page *page)
   return plot;
 }
 
-/* The rule of Freedman and Diaconis for the width of bars. */
-static gsize
-bar_count (const double *sorted, gsize count)
-{
-  double spread = qn_quantile (sorted, count, 0.75) - qn_quantile (sorted, count, 0.25);
-  double range = sorted[count - 1] - sorted[0];
-  double width = 2 * spread / cbrt ((double) count);
-  return (gsize) qn_to_integer (ceil (range / width), 1, MOST_BARS);
-}
-
 static QnPlot *
 draw_histogram (const Page *page)
 {
@@ -90,7 +80,11 @@ draw_histogram (const Page *page)
     plot, qn_table_dup_sorted (page->table, (gsize) page->figure->column, &count));
   if (count == 0)
     return plot;
-  gsize bars = bar_count (sorted, count);
+  /* The rule of Freedman and Diaconis for the width of bars. */
+  double spread = qn_quantile (sorted, count, 0.75) - qn_quantile (sorted, count, 0.25);
+  double range = sorted[count - 1] - sorted[0];
+  double step = 2 * spread / cbrt ((double) count);
+  gsize bars = (gsize) qn_to_integer (ceil (range / step), 1, MOST_BARS);
   double low = sorted[0], width = (sorted[count - 1] - low) / (double) bars;
   if (!(width > 0)) {
     width = fmax (fabs (low), 1) * 1e-3;

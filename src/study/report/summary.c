@@ -7,27 +7,6 @@
 #include <string.h>
 
 static void
-append_outcomes (GString *text, const QnTable *table)
-{
-  gsize failed = 0;
-  guint counts[QN_OUTCOME_COUNT] = { 0 };
-  const char *const title = table->study->title;
-  for (gsize i = 0; i < table->rows->len; i++) {
-    const QnRow *row = &g_array_index (table->rows, QnRow, i);
-    failed += row->failed;
-    for (int o = 0; o < QN_OUTCOME_COUNT; o++)
-      counts[o] += g_strcmp0 (row->outcome, qn_outcome_names[o]) == 0;
-  }
-  qn_text_append (text, "%s\n", title != NULL ? title : table->study->name);
-  qn_text_append (text, _ ("%u of %zu cases are computed, %zu failed\n"),
-                  table->rows->len, qn_study_case_count (table->study), failed);
-  for (int o = 0; o < QN_OUTCOME_COUNT; o++)
-    if (counts[o] > 0)
-      qn_text_append (text, "  %6u  %s\n", counts[o],
-                      qn_outcome_text ((QnOutcome) o, FALSE));
-}
-
-static void
 append_interval (GString *text, QnInterval interval)
 {
   qn_text_append (text, " (%.6g … %.6g)\n", interval.low, interval.high);
@@ -69,34 +48,6 @@ append_fragility (GString *text, const char *share, const double *sorted, gsize 
     qn_text_append (text, "    %10.6g %8.2f %% (%.2f … %.2f)\n", x,
                     100.0 * (double) part / (double) count, 100 * interval.low,
                     100 * interval.high);
-  }
-}
-
-static void
-append_correlations (GString *text, const QnTable *table, gsize column)
-{
-  g_string_append (text, _ ("  rank correlation with\n"));
-  for (gsize k = 0; k < table->parameters; k++) {
-    g_autofree double *x = NULL, *y = NULL;
-    gsize count = qn_table_dup_pairs (table, k, column, &x, &y);
-    double r = qn_rank_correlation (x, y, count);
-    if (!isnan (r))
-      qn_text_append (text, "    %-24s %8.3f\n", qn_table_column_name (table, k), r);
-  }
-}
-
-static void
-append_effects (GString *text, const QnTable *table, gsize column)
-{
-  double base = NAN;
-  QnInterval effect;
-  for (gsize k = 0; k < table->parameters; k++) {
-    if (!qn_table_effect (table, k, column, &base, &effect))
-      continue;
-    if (k == 0)
-      qn_text_append (text, _ ("  %.6g as the project is; range by parameter\n"), base);
-    qn_text_append (text, "    %-24s %10.6g … %.6g\n", qn_table_column_name (table, k),
-                    effect.low, effect.high);
   }
 }
 
@@ -183,14 +134,30 @@ append_output (GString *text, const QnTable *table, gsize column)
   if (!qn_table_is_sample (table)) {
     qn_text_append (text, "  %-12s %10.6g … %.6g\n", _ ("range"), sorted[0],
                     sorted[count - 1]);
-    append_effects (text, table, column);
+    double base = NAN;
+    QnInterval effect;
+    for (gsize k = 0; k < table->parameters; k++) {
+      if (!qn_table_effect (table, k, column, &base, &effect))
+        continue;
+      if (k == 0)
+        qn_text_append (text, _ ("  %.6g as the project is; range by parameter\n"), base);
+      qn_text_append (text, "    %-24s %10.6g … %.6g\n", qn_table_column_name (table, k),
+                      effect.low, effect.high);
+    }
     return;
   }
   append_sample (text, sorted, count);
   const char *share = qn_table_fragility_text (table, column);
   if (share != NULL)
     append_fragility (text, share, sorted, count);
-  append_correlations (text, table, column);
+  g_string_append (text, _ ("  rank correlation with\n"));
+  for (gsize k = 0; k < table->parameters; k++) {
+    g_autofree double *x = NULL, *y = NULL;
+    gsize pairs = qn_table_dup_pairs (table, k, column, &x, &y);
+    double r = qn_rank_correlation (x, y, pairs);
+    if (!isnan (r))
+      qn_text_append (text, "    %-24s %8.3f\n", qn_table_column_name (table, k), r);
+  }
   g_autofree QnSobolIndex *indices = g_new (QnSobolIndex, table->parameters);
   if (!qn_table_sobol (table, column, indices))
     return;
@@ -225,7 +192,22 @@ char *
 qn_summary_dup_text (const QnTable *table)
 {
   GString *text = g_string_new (NULL);
-  append_outcomes (text, table);
+  gsize failed = 0;
+  guint counts[QN_OUTCOME_COUNT] = { 0 };
+  const char *const title = table->study->title;
+  for (gsize i = 0; i < table->rows->len; i++) {
+    const QnRow *row = &g_array_index (table->rows, QnRow, i);
+    failed += row->failed;
+    for (int o = 0; o < QN_OUTCOME_COUNT; o++)
+      counts[o] += g_strcmp0 (row->outcome, qn_outcome_names[o]) == 0;
+  }
+  qn_text_append (text, "%s\n", title != NULL ? title : table->study->name);
+  qn_text_append (text, _ ("%u of %zu cases are computed, %zu failed\n"),
+                  table->rows->len, qn_study_case_count (table->study), failed);
+  for (int o = 0; o < QN_OUTCOME_COUNT; o++)
+    if (counts[o] > 0)
+      qn_text_append (text, "  %6u  %s\n", counts[o],
+                      qn_outcome_text ((QnOutcome) o, FALSE));
   gboolean mechanisms = FALSE;
   for (gsize i = table->parameters; i < table->width; i++) {
     if (qn_study_output_is_number (
