@@ -529,6 +529,8 @@ spread_fan (const QnModel *model, const QnSeenEdges *edges, const Fan *fan,
       continue;
     if (ua < 0)
       a = qn_vec2_lerp (a, b, ua / (ua - ub));
+    if (ua < QN_TOLERANCE_CONVEX * ub) /* the apex may stand on the edge */
+      a.x = fan->apex.x;
     double from = fmax (tangent_of (fan, a), horizon), to = tangent_of (fan, b);
     double last = fmin (fan->most, last_in_fill (fan, fmax (ua, 0), ub));
     if (fmin (to, last) > from)
@@ -627,15 +629,15 @@ resolve_vehicle (Resolver *r)
   QnShare *shares = qn_pool_alloc (&r->room, count, sizeof *shares);
   if (shares == NULL)
     return QN_OK;
-  QnBox box = QN_BOX_EMPTY;
+  QnBox road = QN_BOX_EMPTY;
   for (size_t i = 0; i < count; i++) {
     shares[i] = (QnShare){ .from = INFINITY, .to = -INFINITY };
     for (int end = 0; end < 2; end++)
-      qn_box_add_point (&box, r->seen[QN_BLOCK_SIDE_TOP].items[i].ends[end]);
+      qn_box_add_point (&road, r->seen[QN_BLOCK_SIDE_TOP].items[i].ends[end]);
   }
-  /* What stands farther beside the structure does not press on it. */
-  const double margin = qn_box_diagonal (box),
-               near[2] = { box.min.x - margin, box.max.x + margin };
+  for (size_t i = 0; i < r->model->dead_load_count; i++)
+    for (int32_t k = 0; k < r->model->dead_loads[i].surface_count; k++)
+      qn_box_add_point (&road, r->model->dead_loads[i].surface[k]);
   int32_t beside = 0;
   for (int32_t n = 0; n < load->convoy && status == QN_OK; n++) {
     for (int32_t i = 0; i < vehicle->axle_count && status == QN_OK; i++) {
@@ -643,21 +645,19 @@ resolve_vehicle (Resolver *r)
       double height;
       qn_model_find_road (r->model, &r->seen[QN_BLOCK_SIDE_TOP], x, &height);
       beside += isnan (height);
-      if (x > near[0] && x < near[1])
-        add_source (r, x, vehicle->axles[i].load, 0, shares);
+      add_source (r, x, vehicle->axles[i].load, 0, shares);
       status = add_shares (r, shares);
     }
     for (int32_t i = 0; i < vehicle->line_count && status == QN_OK; i++) {
       const QnLineLoad *line = &vehicle->lines[i];
-      int64_t parts =
-        qn_to_integer (ceil ((line->to - line->from) / LINE_PART), 1, 1000000);
-      double part = (line->to - line->from) / (double) parts;
-      for (int64_t k = 0; k < parts; k++) {
-        double x = qn_load_behind_front (r->model, load, n,
-                                         line->from + ((double) k + 0.5) * part);
-        if (x > near[0] && x < near[1])
-          add_source (r, x, line->intensity * part, part, shares);
-      }
+      double a = qn_load_behind_front (r->model, load, n, line->from);
+      double b = qn_load_behind_front (r->model, load, n, line->to);
+      double from = fmax (fmin (a, b), road.min.x), to = fmin (fmax (a, b), road.max.x);
+      int64_t parts = qn_to_integer (ceil ((to - from) / LINE_PART), 0, 1000000);
+      double part = (to - from) / (double) parts;
+      for (int64_t k = 0; k < parts; k++)
+        add_source (r, from + ((double) k + 0.5) * part, line->intensity * part, part,
+                    shares);
       status = add_shares (r, shares);
     }
   }
