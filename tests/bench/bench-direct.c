@@ -1,14 +1,14 @@
-/* Collapse without associativity, found directly, of seeded walls (seeded-walls.h): answers, and what
+/* Collapse without associativity, found directly, of seeded walls (support/walls.h): answers, and what
  * they cost, beside the load path of the same wall.
  *
  *     bench-direct [FIRST-LAST [LEAST MOST [path]]]    seeds (1-48), fewest and most blocks (20 600)
  *     bench-direct wall|facade BLOCKS...               those of scaling-case.h, beside the associative program */
 #include "bench/bench.h"
 #include "bench/scaling-case.h"
-#include "bench/seeded-walls.h"
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
 #include "support/auto-clear.h"
+#include "support/walls.h"
 
 #include <math.h>
 
@@ -66,33 +66,33 @@ main (int argc, char **argv)
 
   if (argc > 1 && (g_str_equal (argv[1], "wall") || g_str_equal (argv[1], "facade")))
     return tell_large (argv[1][0] == 'f', argv + 2);
-  if (argc > 1 && !seeded_wall_parse_range (argv[1], &first, &last))
+  if (argc > 1 && !test_wall_parse_seeds (argv[1], &first, &last))
     return 2;
   if (argc > 3) {
     least = atoi (argv[2]);
     most = atoi (argv[3]);
   }
   for (int seed = first; seed <= last; seed++) {
-    g_auto (QnProject) project;
+    g_auto (QnModel) model;
     g_auto (QnContacts) contacts;
     QnLimitSolution interval;
-    seeded_wall_init (&project, (guint32) seed, least, most);
-    g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
+    test_wall_draw_sized (&model, (guint32) seed, least, most);
+    g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
     double start = bench_cpu_seconds ();
-    g_assert_cmpint (qn_limit_non_associative (&project.model, &contacts, INFINITY, NULL,
-                                               NULL, &interval, NULL),
-                     ==, QN_OK);
+    g_assert_cmpint (
+      qn_limit_non_associative (&model, &contacts, INFINITY, NULL, NULL, &interval, NULL),
+      ==, QN_OK);
     walls++;
     found += interval.outcome == QN_OUTCOME_COLLAPSE;
     work += interval.effort.factorizations;
     double took = bench_cpu_seconds () - start;
     seconds += took;
     printf ("%4d %-8s %5zu %-20s %.6f bound %.6f count %d factorisations %4d %.2f s",
-            seed, seeded_wall_family ((guint32) seed), project.model.block_count,
+            seed, test_wall_family ((guint32) seed), model.block_count,
             qn_outcome_names[interval.outcome], interval.lower_bound,
             interval.associative, interval.count, interval.effort.factorizations, took);
     if (argc > 4)
-      tell_path (&project.model, &contacts, &path_work, &path_seconds);
+      tell_path (&model, &contacts, &path_work, &path_seconds);
     printf ("\n");
     fflush (stdout);
     qn_limit_solution_clear (&interval);

@@ -4,8 +4,8 @@
 #include "bench/bench.h"
 #include "core/path/analysis.h"
 #include "support/earthquakes.h"
-#include "support/generate.h"
 #include "support/models.h"
+#include "support/walls.h"
 
 #include <math.h>
 
@@ -64,11 +64,7 @@ init_wall_6 (QnModel *model)
 static void
 init_large_wall (QnModel *model)
 {
-  QnWallRecipe recipe = qn_wall_recipe_default ();
-  recipe.length = 28;
-  recipe.courses = 28;
-  qn_model_init (model);
-  qn_generate_wall (model, &recipe);
+  test_bond_init (model, TEST_UNIT, 28, 28, 0, 0);
   set_up (model, DURATION, 0.8, 5e-4);
   add_record (model, 4);
 }

@@ -3,9 +3,9 @@
  * overturns the six walls where it grows slowly; with contacts that stay where they are drawn and with
  * contacts that follow the blocks. */
 #include "bench/bench.h"
-#include "bench/seeded-walls.h"
 #include "support/earthquakes.h"
 #include "support/models.h"
+#include "support/walls.h"
 
 #include <math.h>
 
@@ -139,10 +139,7 @@ init_wall (QnModel *model, int number)
   if (number <= TEST_WALL_COUNT) {
     test_model_init_wall (model, number, 0);
   } else {
-    g_auto (QnProject) project;
-    seeded_wall_init (&project, (guint32) number, LEAST, MOST);
-    *model = project.model;
-    qn_model_init (&project.model);
+    test_wall_draw_sized (model, (guint32) number, LEAST, MOST);
   }
   for (size_t law = 0; law < model->law_count; law++)
     model->laws[law].kn = model->laws[law].ks = RAMP_STIFFNESS;
@@ -220,7 +217,7 @@ measure_wall (FILE *csv, int number, gboolean follow)
   g_autofree char *name =
     number <= TEST_WALL_COUNT
       ? g_strdup_printf ("wall %d", number)
-      : g_strdup_printf ("seed %d, %s", number, seeded_wall_family ((guint32) number));
+      : g_strdup_printf ("seed %d, %s", number, test_wall_family ((guint32) number));
   QnId block;
   double moved, error, multiplier = static_collapse (number, &block, &moved);
   if (isnan (multiplier))

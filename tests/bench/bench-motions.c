@@ -1,10 +1,10 @@
 /* Small walls shaken with every kind of joint: which motions are followed to their end, and what is lost
  * of their energy. */
 #include "bench/bench.h"
-#include "bench/seeded-walls.h"
 
 #include "core/path/analysis.h"
 #include "support/auto-clear.h"
+#include "support/walls.h"
 
 #include <glib.h>
 #include <math.h>
@@ -147,15 +147,14 @@ set_up (QnModel *model, gsize joint, gsize setting, double duration)
 static void
 shake (const Options *options, int seed, gsize joint, gsize setting, Tally *tally)
 {
-  g_auto (QnProject) project;
+  g_auto (QnModel) model;
   g_auto (QnContacts) contacts;
   g_auto (QnResult) result;
-  seeded_wall_init (&project, (guint32) seed, LEAST, MOST);
-  QnModel *model = &project.model;
-  set_up (model, joint, setting, options->duration);
-  g_assert_cmpint (qn_model_prepare (model, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_analysis_run (model, &contacts, NULL, NULL, &result, NULL), ==,
+  test_wall_draw_sized (&model, (guint32) seed, LEAST, MOST);
+  set_up (&model, joint, setting, options->duration);
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
                    QN_OK);
   tally->runs++;
   tally->factorizations += result.statistics.factorizations;
@@ -165,8 +164,8 @@ shake (const Options *options, int seed, gsize joint, gsize setting, Tally *tall
   if (!ended) {
     tally->failed++;
     printf ("# seed %d (%s), %s, %s: outcome %d, stop %d, at %.5f s\n", seed,
-            seeded_wall_family ((guint32) seed), joints[joint].name,
-            settings[setting].name, result.outcome, result.stop, result.history.end);
+            test_wall_family ((guint32) seed), joints[joint].name, settings[setting].name,
+            result.outcome, result.stop, result.history.end);
     return;
   }
   tally->ended++;

@@ -1,4 +1,4 @@
-/* Is every answer true? Seeded walls of up to 90 blocks (stress/random-wall.h), each with one of the
+/* Is every answer true? Seeded walls of up to 90 blocks (support/walls.h), each with one of the
  * laws that joints may have, in linear geometry and in large displacements in turn. Each is written as a
  * project, read, solved, written as a result, read, and checked as `quoin-cli check --result` does.
  *
@@ -21,9 +21,9 @@
 #include "core/path/analysis.h"
 #include "io/result/result-file.h"
 #include "io/text/fault-text.h"
-#include "stress/random-wall.h"
 #include "support/models.h"
 #include "support/scratch.h"
+#include "support/walls.h"
 
 #include <locale.h>
 #include <math.h>
@@ -225,7 +225,7 @@ lay (Wall *wall, const Options *options, QnProject *project)
   int law = options->joints != NULL ? find_joints (options->joints)
                                     : wall->seed / 2 % (int) G_N_ELEMENTS (joints);
 
-  stress_random_wall ((guint32) wall->seed, &model, wall->kind, sizeof wall->kind);
+  test_wall_draw_any (&model, (guint32) wall->seed, wall->kind, sizeof wall->kind);
   g_strdelimit (wall->kind, ",", ';');
   joints[law].make (&model);
   wall->joints = joints[law].name;

@@ -1,4 +1,4 @@
-/* The load path of large walls: seeded ones of six families (seeded-walls.h), each beside the
+/* The load path of large walls: seeded ones of six families (support/walls.h), each beside the
  * limit analysis of the same wall.
  *
  *   bench-paths [--seeds FIRST-LAST] [--least N] [--most N] [--increments N] [--tolerance T]
@@ -12,10 +12,11 @@
  * ends above the bound, which nothing may exceed. --save writes every wall as a project file. */
 #include "bench/bench.h"
 #include "bench/chart.h"
-#include "bench/seeded-walls.h"
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
+#include "io/project/project.h"
 #include "support/auto-clear.h"
+#include "support/walls.h"
 
 #include <locale.h>
 #include <math.h>
@@ -54,13 +55,13 @@ typedef struct Bound {
 } Bound;
 
 static Bound
-run_limit (const QnProject *project, const QnContacts *contacts, double time_limit)
+run_limit (const QnModel *model, const QnContacts *contacts, double time_limit)
 {
   g_auto (QnLimitSolution) solution;
   double start = bench_cpu_seconds (), end = start + time_limit;
-  g_assert_cmpint (qn_limit_associative (&project->model, contacts, bench_within_time,
-                                         &end, &solution, NULL),
-                   ==, QN_OK);
+  g_assert_cmpint (
+    qn_limit_associative (model, contacts, bench_within_time, &end, &solution, NULL), ==,
+    QN_OK);
   Bound bound = { .outcome = solution.outcome,
                   .seconds = bench_cpu_seconds () - start,
                   .factorizations = solution.effort.factorizations };
@@ -82,7 +83,7 @@ report (FILE *csv, guint32 seed, const QnModel *model, size_t faces, const Bound
         const QnResult *result, double seconds, Totals *totals)
 {
   double tolerance = model->analysis.multiplier_tolerance;
-  const char *family = seeded_wall_family (seed);
+  const char *family = test_wall_family (seed);
   g_autofree char *first_limit =
     result->has_first_limit_multiplier
       ? g_strdup_printf ("%.5f", result->first_limit_multiplier)
@@ -109,16 +110,14 @@ report (FILE *csv, guint32 seed, const QnModel *model, size_t faces, const Bound
 }
 
 static void
-run_path (FILE *csv, guint32 seed, QnProject *project, const Options *options,
-          Totals *totals)
+run_path (FILE *csv, guint32 seed, QnModel *model, const Options *options, Totals *totals)
 {
-  QnModel *model = &project->model;
   g_auto (QnContacts) contacts;
   g_auto (QnResult) result;
 
   g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_require_sound (model, &contacts, NULL), ==, QN_OK);
-  Bound bound = run_limit (project, &contacts, options->time_limit);
+  Bound bound = run_limit (model, &contacts, options->time_limit);
   double start = bench_cpu_seconds (), end = start + options->time_limit;
   g_assert_cmpint (
     qn_analysis_run (model, &contacts, bench_within_time, &end, &result, NULL), ==,
@@ -128,30 +127,30 @@ run_path (FILE *csv, guint32 seed, QnProject *project, const Options *options,
 }
 
 static void
-save (const QnProject *project, guint32 seed, const char *folder)
+save (const QnModel *model, guint32 seed, const char *folder)
 {
+  const QnProject project = { .model = *model };
   g_autoptr (GError) error = NULL;
   g_autofree char *name = g_strdup_printf ("seed-%u.quoin", seed);
   g_autofree char *path = g_build_filename (folder, name, NULL);
   if (g_mkdir_with_parents (folder, 0777) != 0
-      || !qn_project_save (project, path, &error))
+      || !qn_project_save (&project, path, &error))
     g_error ("%s: %s", path, error != NULL ? error->message : "no folder");
 }
 
 static void
 run (FILE *csv, guint32 seed, const Options *options, Totals *totals)
 {
-  g_auto (QnProject) project;
-  seeded_wall_init (&project, seed, options->least, options->most);
-  QnModel *model = &project.model;
-  model->analysis.increments = options->increments;
-  model->analysis.multiplier_tolerance = options->tolerance;
+  g_auto (QnModel) model;
+  test_wall_draw_sized (&model, seed, options->least, options->most);
+  model.analysis.increments = options->increments;
+  model.analysis.multiplier_tolerance = options->tolerance;
   if (options->associative)
-    model->laws[0].dilatancy = model->laws[0].friction;
+    model.laws[0].dilatancy = model.laws[0].friction;
   if (options->save != NULL)
-    save (&project, seed, options->save);
+    save (&model, seed, options->save);
   if (!options->only_save)
-    run_path (csv, seed, &project, options, totals);
+    run_path (csv, seed, &model, options, totals);
 }
 
 static gboolean
@@ -180,7 +179,7 @@ parse (int *argc, char ***argv, Options *options, GError **error)
   if (!g_option_context_parse (context, argc, argv, error))
     return FALSE;
   if ((seeds != NULL
-       && !seeded_wall_parse_range (seeds, &options->first_seed, &options->last_seed))
+       && !test_wall_parse_seeds (seeds, &options->first_seed, &options->last_seed))
       || options->least < 10 || options->most < options->least || options->increments < 1
       || !(options->tolerance > 0)) {
     g_set_error (error, G_OPTION_ERROR, G_OPTION_ERROR_BAD_VALUE,

@@ -1,6 +1,6 @@
 /* Does the answer depend on what must not matter? In linear geometry the multipliers of a wall are the
  * same whatever its increments, tolerance, joint stiffness, the order of its blocks and the direction in
- * which it stands. Seeded walls (seeded-walls.h), each with one of these changed at a time.
+ * which it stands. Seeded walls (support/walls.h), each with one of these changed at a time.
  *
  *   bench-variations [--seeds FIRST-LAST] [--least N] [--most N] [--variations NAMES]
  *                    [--factorizations N]
@@ -11,9 +11,9 @@
  * where only some variations have a first limit point, or where all paths together take more than the
  * given number of factorisations. NAMES are separated by commas: see the table below. */
 #include "bench/bench.h"
-#include "bench/seeded-walls.h"
 #include "core/path/analysis.h"
 #include "support/models.h"
+#include "support/walls.h"
 
 #include <locale.h>
 #include <math.h>
@@ -127,16 +127,15 @@ static void
 solve (guint32 seed, gsize which, const Options *options, QnResult *result,
        size_t *blocks)
 {
-  g_auto (QnProject) project;
+  g_auto (QnModel) model;
   g_auto (QnContacts) contacts;
 
-  seeded_wall_init (&project, seed, options->least, options->most);
-  QnModel *model = &project.model;
-  vary (model, which, seed);
-  g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_analysis_run (model, &contacts, NULL, NULL, result, NULL), ==,
+  test_wall_draw_sized (&model, seed, options->least, options->most);
+  vary (&model, which, seed);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, result, NULL), ==,
                    QN_OK);
-  *blocks = model->block_count;
+  *blocks = model.block_count;
 }
 
 static char *
@@ -150,7 +149,7 @@ static gboolean
 run (FILE *csv, guint32 seed, const Options *options, int *factorizations)
 {
   Spread collapse = no_spread, first = no_spread;
-  const char *family = seeded_wall_family (seed);
+  const char *family = test_wall_family (seed);
 
   for (gsize i = 0; i < G_N_ELEMENTS (variations); i++) {
     QnResult result;
@@ -205,7 +204,7 @@ parse (int *argc, char ***argv, Options *options, GError **error)
   if (names != NULL)
     options->names = g_strsplit (names, ",", -1);
   if ((seeds != NULL
-       && !seeded_wall_parse_range (seeds, &options->first_seed, &options->last_seed))
+       && !test_wall_parse_seeds (seeds, &options->first_seed, &options->last_seed))
       || options->least < 10 || options->most < options->least) {
     g_set_error (error, G_OPTION_ERROR, G_OPTION_ERROR_BAD_VALUE,
                  "seeds from 1, sizes from 10");

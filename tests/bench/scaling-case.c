@@ -6,7 +6,7 @@
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
 #include "support/auto-clear.h"
-#include "support/generate.h"
+#include "support/walls.h"
 
 #include <math.h>
 #include <string.h>
@@ -18,11 +18,8 @@ static const ScalingPart not_run = {
 void
 scaling_case_init (ScalingCase *c, int blocks, gboolean facade)
 {
-  QnWallRecipe recipe = qn_wall_recipe_default ();
-  recipe.length = (int32_t) lround (sqrt (blocks * recipe.unit.y / recipe.unit.x));
-  recipe.courses = (int32_t) lround ((double) blocks / (recipe.length + 0.5));
-  recipe.openings = facade ? blocks / 60 : 0;
-  recipe.seed = 7;
+  int length = (int) lround (sqrt (blocks * TEST_UNIT.y / TEST_UNIT.x));
+  int courses = (int) lround ((double) blocks / (length + 0.5));
   *c = (ScalingCase){ .kind = facade ? "façade" : "wall",
                       .first_limit = NAN,
                       .detection = not_run,
@@ -31,8 +28,7 @@ scaling_case_init (ScalingCase *c, int blocks, gboolean facade)
                       .path = not_run,
                       .clp = not_run,
                       .highs = not_run };
-  qn_model_init (&c->model);
-  qn_generate_wall (&c->model, &recipe);
+  test_bond_init (&c->model, TEST_UNIT, length, courses, facade ? blocks / 60 : 0, 7);
   g_assert_cmpint (qn_model_prepare (&c->model, NULL), ==, QN_OK);
   c->blocks = c->model.block_count - 1;
 }

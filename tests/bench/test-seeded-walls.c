@@ -1,9 +1,8 @@
-#include "bench/seeded-walls.h"
-
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
 #include "support/auto-clear.h"
 #include "support/room.h"
+#include "support/walls.h"
 
 #include <math.h>
 
@@ -12,18 +11,15 @@ static void
 test_same_seed (void)
 {
   for (guint32 seed = 1; seed <= 6; seed++) {
-    QnProject projects[3];
-    g_autofree char *texts[3] = { NULL, NULL, NULL };
-    for (guint32 i = 0; i < 3; i++) {
-      seeded_wall_init (&projects[i], i < 2 ? seed : seed + 6, 100, 300);
-      texts[i] = qn_project_to_text (&projects[i], NULL);
-      qn_project_clear (&projects[i]);
-    }
-    g_assert_cmpstr (texts[0], ==, texts[1]);
-    g_assert_cmpstr (texts[0], !=, texts[2]);
-    g_free (texts[1]);
-    g_free (texts[2]);
-    texts[1] = texts[2] = NULL;
+    QnModel models[3];
+    for (guint32 i = 0; i < 3; i++)
+      test_wall_draw_sized (&models[i], i < 2 ? seed : seed + 6, 100, 300);
+    g_assert_cmpmem (models[0].vertices, models[0].vertex_count * sizeof (QnVec2),
+                     models[1].vertices, models[1].vertex_count * sizeof (QnVec2));
+    g_assert_cmpfloat (models[0].laws[0].friction, ==, models[1].laws[0].friction);
+    g_assert_cmpuint (models[0].vertex_count, !=, models[2].vertex_count);
+    for (guint32 i = 0; i < 3; i++)
+      qn_model_clear (&models[i]);
   }
 }
 
@@ -33,9 +29,9 @@ test_sizes (void)
 {
   double lowest = INFINITY, highest = 0;
   for (guint32 seed = 1; seed <= 12; seed++) {
-    g_auto (QnProject) project;
-    seeded_wall_init (&project, seed, 200, 1000);
-    double blocks = (double) project.model.block_count;
+    g_auto (QnModel) model;
+    test_wall_draw_sized (&model, seed, 200, 1000);
+    double blocks = (double) model.block_count;
     g_assert_cmpfloat (blocks, >, 0.9 * 200);
     g_assert_cmpfloat (blocks, <, 1.1 * 1000);
     lowest = fmin (lowest, blocks);
@@ -45,39 +41,19 @@ test_sizes (void)
   g_assert_cmpfloat (highest, >, 700);
 }
 
-/* What is written reads back as the same wall. */
-static void
-test_saved (void)
-{
-  for (guint32 seed = 1; seed <= 6; seed++) {
-    g_auto (QnProject) project, again;
-    g_autoptr (GError) error = NULL;
-    gsize length;
-    seeded_wall_init (&project, seed, 60, 120);
-    g_autofree char *text = qn_project_to_text (&project, &length);
-    g_assert_true (qn_project_parse (text, length, "wall.quoin", NULL, &again, &error));
-    g_assert_no_error (error);
-    g_assert_cmpuint (again.warnings->len, ==, 0);
-    g_assert_cmpuint (again.model.block_count, ==, project.model.block_count);
-    g_assert_cmpfloat (again.model.laws[0].friction, ==, project.model.laws[0].friction);
-  }
-}
-
 /* Sound, standing under its own weight, and falling under some part of it sideways. */
 static void
 test_stands (void)
 {
   for (guint32 seed = 1; seed <= 36; seed++) {
-    g_auto (QnProject) project;
+    g_auto (QnModel) model;
     g_auto (QnContacts) contacts;
     g_auto (QnLimitSolution) solution;
-    seeded_wall_init (&project, seed, 60, 400);
-    g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
-    g_assert_cmpint (qn_contacts_require_sound (&project.model, &contacts, NULL), ==,
-                     QN_OK);
+    test_wall_draw_sized (&model, seed, 60, 400);
+    g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+    g_assert_cmpint (qn_contacts_require_sound (&model, &contacts, NULL), ==, QN_OK);
     g_assert_cmpint (
-      qn_limit_associative (&project.model, &contacts, NULL, NULL, &solution, NULL), ==,
-      QN_OK);
+      qn_limit_associative (&model, &contacts, NULL, NULL, &solution, NULL), ==, QN_OK);
     if (solution.outcome != QN_OUTCOME_COLLAPSE || !(solution.lower_bound > 0.005))
       g_error ("seed %u: %s at %g", seed, qn_outcome_names[solution.outcome],
                solution.lower_bound);
@@ -88,7 +64,7 @@ test_stands (void)
 static void
 test_creeps (void)
 {
-  QnProject project;
+  QnModel model;
   QnContacts contacts;
   QnResult result;
 
@@ -96,27 +72,27 @@ test_creeps (void)
     g_test_skip ("takes a quarter of a minute");
     return;
   }
-  seeded_wall_init (&project, 20, 800, 5000);
-  project.model.analysis.max_multiplier = 1e-4;
-  g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_analysis_run (&project.model, &contacts, NULL, NULL, &result, NULL),
-                   ==, QN_OK);
+  test_wall_draw_sized (&model, 20, 800, 5000);
+  model.analysis.max_multiplier = 1e-4;
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, &result, NULL), ==,
+                   QN_OK);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
   g_assert_cmpfloat (result.steps[0].residual, <, 1e-8);
   qn_result_clear (&result);
   qn_contacts_clear (&contacts);
-  qn_project_clear (&project);
+  qn_model_clear (&model);
 }
 
 static void
-solve (QnProject *project, QnProcedure procedure, int increments, QnResult *result)
+solve (QnModel *model, QnProcedure procedure, int increments, QnResult *result)
 {
   g_auto (QnContacts) contacts;
-  project->model.analysis.procedure = procedure;
-  project->model.analysis.increments = increments;
-  g_assert_cmpint (qn_contacts_detect (&project->model, &contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_analysis_run (&project->model, &contacts, NULL, NULL, result, NULL),
-                   ==, QN_OK);
+  model->analysis.procedure = procedure;
+  model->analysis.increments = increments;
+  g_assert_cmpint (qn_contacts_detect (model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (qn_analysis_run (model, &contacts, NULL, NULL, result, NULL), ==,
+                   QN_OK);
   g_assert_cmpint (result->outcome, ==, QN_OUTCOME_COLLAPSE);
 }
 
@@ -130,13 +106,13 @@ test_least_collapse (void)
   static const int increments[] = { 10, 14, 100 };
 
   for (gsize i = 0; i < G_N_ELEMENTS (seeds); i++) {
-    g_auto (QnProject) project;
+    g_auto (QnModel) model;
     g_auto (QnResult) by_work;
-    seeded_wall_init (&project, seeds[i], 20, 80);
-    solve (&project, QN_PROCEDURE_WORK, 10, &by_work);
+    test_wall_draw_sized (&model, seeds[i], 20, 80);
+    solve (&model, QN_PROCEDURE_WORK, 10, &by_work);
     for (gsize k = 0; k < G_N_ELEMENTS (increments); k++) {
       g_auto (QnResult) result;
-      solve (&project, QN_PROCEDURE_LOAD, increments[k], &result);
+      solve (&model, QN_PROCEDURE_LOAD, increments[k], &result);
       const QnStep *last = &result.steps[result.step_count - 1];
       g_assert_cmpfloat_with_epsilon (result.collapse_multiplier,
                                       by_work.collapse_multiplier,
@@ -153,15 +129,15 @@ test_least_collapse (void)
 static void
 test_found_directly (void)
 {
-  g_auto (QnProject) project;
+  g_auto (QnModel) model;
   g_auto (QnContacts) contacts;
   QnLimitSolution interval;
 
-  seeded_wall_init (&project, 207, 20, 600);
-  g_assert_cmpint (qn_contacts_detect (&project.model, &contacts, NULL), ==, QN_OK);
-  g_assert_cmpint (qn_limit_non_associative (&project.model, &contacts, INFINITY, NULL,
-                                             NULL, &interval, NULL),
-                   ==, QN_OK);
+  test_wall_draw_sized (&model, 207, 20, 600);
+  g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
+  g_assert_cmpint (
+    qn_limit_non_associative (&model, &contacts, INFINITY, NULL, NULL, &interval, NULL),
+    ==, QN_OK);
   g_assert_cmpint (interval.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpfloat (interval.lower_bound, >, 0);
   g_assert_cmpfloat (interval.upper_bound, <=, interval.associative);
@@ -172,13 +148,13 @@ test_found_directly (void)
 static void
 test_lower_collapse (void)
 {
-  g_auto (QnProject) project;
+  g_auto (QnModel) model;
   g_auto (QnResult) result;
   QnProcedure found_by;
   double least, bound;
 
-  seeded_wall_init (&project, 251, 20, 600);
-  solve (&project, QN_PROCEDURE_LOAD, 10, &result);
+  test_wall_draw_sized (&model, 251, 20, 600);
+  solve (&model, QN_PROCEDURE_LOAD, 10, &result);
   qn_result_collapse_interval (&result, &least, &found_by, &bound);
   g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
   g_assert_cmpint (found_by, ==, QN_PROCEDURE_LIMIT);
@@ -191,7 +167,6 @@ QN_TESTS
 {
   g_test_add_func ("/bench/seeded-walls/same-seed", test_same_seed);
   g_test_add_func ("/bench/seeded-walls/sizes", test_sizes);
-  g_test_add_func ("/bench/seeded-walls/saved", test_saved);
   g_test_add_func ("/bench/seeded-walls/stands", test_stands);
   g_test_add_func ("/bench/seeded-walls/least-collapse", test_least_collapse);
   g_test_add_func ("/bench/seeded-walls/found-directly", test_found_directly);

@@ -1,8 +1,8 @@
 /* Structures of extreme size, place, slenderness, and with slivers among their blocks. */
 #include "stress/cases.h"
 
-#include "support/generate.h"
 #include "support/models.h"
+#include "support/walls.h"
 
 #include <math.h>
 
@@ -47,13 +47,8 @@ build_heavy (const StressCase *c, QnModel *model)
 static void
 build_aspect (const StressCase *c, QnModel *model)
 {
-  QnWallRecipe recipe = qn_wall_recipe_default ();
-
-  recipe.length = 5;
-  recipe.courses = 6;
-  recipe.unit = qn_vec2 (0.3 * sqrt (c->value), 0.3 / sqrt (c->value));
-  qn_model_init (model);
-  qn_generate_wall (model, &recipe);
+  QnVec2 unit = qn_vec2 (0.3 * sqrt (c->value), 0.3 / sqrt (c->value));
+  test_bond_init (model, unit, 5, 6, 0, 0);
 }
 
 /* Friction that makes blocks turn about the slivers rather than slide. With number = 1 a contact tolerance that tells both sides of the sliver apart, with 0 the usual
@@ -134,12 +129,7 @@ build_stack (const StressCase *c, QnModel *model)
 static void
 build_bonded_tower (const StressCase *c, QnModel *model)
 {
-  QnWallRecipe recipe = qn_wall_recipe_default ();
-
-  recipe.length = 2;
-  recipe.courses = (int32_t) (c->number / 2.5);
-  qn_model_init (model);
-  qn_generate_wall (model, &recipe);
+  test_bond_init (model, TEST_UNIT, 2, (int) (c->number / 2.5), 0, 0);
 }
 
 /* A row of blocks that push one another: all slide, or the last one overturns. */

@@ -1,8 +1,8 @@
 /* Structures that hardly stand, do not stand, stand only just, or are none. */
 #include "stress/cases.h"
 
-#include "support/generate.h"
 #include "support/models.h"
+#include "support/walls.h"
 
 #include <math.h>
 
@@ -50,16 +50,8 @@ build_loaded (const StressCase *c, QnModel *model)
 static void
 build_arch_at_rest (const StressCase *c, QnModel *model)
 {
-  QnArchRecipe recipe = qn_arch_recipe_default ();
-
-  recipe.radius = 1;
-  recipe.ring = 0.106721 * (1 + c->value);
-  recipe.embrace = G_PI;
-  recipe.count = 27;
-  recipe.segments = 1;
-  recipe.material.friction = 2;
-  qn_model_init (model);
-  qn_generate_arch (model, &recipe);
+  test_arch_init (model, 0.106721 * (1 + c->value), 27, 1);
+  model->laws[0].friction = 2;
 }
 
 /* A block that hangs from its support by tension which exceeds its weight by the part `value`. */

@@ -1,8 +1,8 @@
 /* How the path is followed, and from which side the wall is loaded. */
 #include "stress/cases.h"
 
-#include "support/generate.h"
 #include "support/models.h"
+#include "support/walls.h"
 
 #include <math.h>
 
@@ -57,13 +57,7 @@ build_wall (const StressCase *c, QnModel *model)
 static void
 build_arch (const StressCase *c, QnModel *model)
 {
-  QnArchRecipe recipe = qn_arch_recipe_default ();
-
-  recipe.ring = c->value * recipe.radius;
-  recipe.count = c->number;
-  recipe.segments = 1;
-  qn_model_init (model);
-  qn_generate_arch (model, &recipe);
+  test_arch_init (model, c->value, c->number, 1);
 }
 
 static void

@@ -1,8 +1,7 @@
 #include "stress/cases.h"
 
-#include "stress/random-wall.h"
-
 #include "support/models.h"
+#include "support/walls.h"
 
 #include <math.h>
 
@@ -40,7 +39,7 @@ void
 stress_case_build_random (const StressCase *c, QnModel *model)
 {
   char description[160];
-  stress_random_wall ((guint32) c->number, model, description, sizeof description);
+  test_wall_draw_any (model, (guint32) c->number, description, sizeof description);
 }
 
 void

@@ -2,12 +2,12 @@
 
 #include "stress/cases.h"
 #include "stress/checks.h"
-#include "stress/random-wall.h"
 
 #include "core/limit/limit.h"
 #include "core/path/analysis.h"
 #include "io/project/project.h"
 #include "support/auto-clear.h"
+#include "support/walls.h"
 
 #include <math.h>
 #include <time.h>
@@ -283,7 +283,7 @@ describe (const StressCase *c, StressRow *row)
   if (c->build != stress_case_build_random)
     return;
   g_auto (QnModel) model;
-  stress_random_wall ((guint32) c->number, &model, row->description,
+  test_wall_draw_any (&model, (guint32) c->number, row->description,
                       sizeof row->description);
 }
 

@@ -2,13 +2,13 @@
 #include "stress/cases.h"
 #include "stress/checks.h"
 #include "stress/process.h"
-#include "stress/random-wall.h"
 #include "stress/report.h"
 
 #include "core/path/analysis.h"
 #include "support/contacts.h"
 #include "support/models.h"
 #include "support/room.h"
+#include "support/walls.h"
 
 #include <math.h>
 #include <signal.h>
@@ -176,7 +176,7 @@ test_random (void)
     QnModel models[3];
     char text[3][160];
     for (int i = 0; i < 3; i++)
-      stress_random_wall (seed + (i == 2), &models[i], text[i], sizeof text[i]);
+      test_wall_draw_any (&models[i], seed + (i == 2), text[i], sizeof text[i]);
     g_assert_cmpstr (text[0], ==, text[1]);
     g_assert_cmpuint (models[0].block_count, ==, models[1].block_count);
     g_assert_cmpmem (models[0].vertices, models[0].vertex_count * sizeof (QnVec2),
@@ -232,7 +232,7 @@ test_slow_load (void)
     g_auto (QnResult) result;
     char text[160];
 
-    stress_random_wall (seeds[i], &model, text, sizeof text);
+    test_wall_draw_any (&model, seeds[i], text, sizeof text);
     model.laws[0].dilatancy = 0;
     test_detect (&model, &contacts);
     g_assert_cmpint (qn_analysis_run (&model, &contacts, NULL, NULL, &result, NULL), ==,

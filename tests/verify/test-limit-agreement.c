@@ -5,8 +5,9 @@
 
 #include "core/limit/limit.h"
 #include "support/auto-clear.h"
-#include "support/generate.h"
+#include "support/models.h"
 #include "support/room.h"
+#include "support/walls.h"
 
 #include <glib.h>
 #include <math.h>
@@ -19,67 +20,31 @@
 /* Walls of each kind. */
 #define COUNT 5
 
-/* Running bond with two openings under lintels. */
-static void
-make_opened (QnModel *model, int seed)
-{
-  QnWallRecipe recipe = qn_wall_recipe_default ();
-  recipe.length = 5;
-  recipe.courses = 7;
-  recipe.openings = 2;
-  recipe.seed = (uint64_t) seed;
-  recipe.material.friction = FRICTION;
-  qn_model_init (model);
-  qn_generate_wall (model, &recipe);
-}
-
 /* Blocks of random lengths, one half to one and a half units, in every course. */
 static void
 make_random_bond (QnModel *model, int seed)
 {
-  const double length = 2.4;
-  const QnVec2 base[4] = { { 0, -0.2 }, { 1.2, -0.2 }, { 1.2, 0 }, { 0, 0 } };
-  g_autoptr (GRand) random = g_rand_new_with_seed ((guint32) seed);
-  QnLaw *law;
-  QnBlock *block;
-  QnWall *wall;
+  g_autoptr (GRand) rand = g_rand_new_with_seed ((guint32) seed);
 
-  qn_model_init (model);
-  law = qn_model_add_law (model, "joint");
-  law->kind = QN_LAW_COULOMB;
-  law->kn = law->ks = 1e7;
-  law->friction = FRICTION;
-  model->contact.law = 0;
-  block = qn_model_add_block (model, "base", base, 4);
-  block->thickness = 1;
-  block->unit_weight = 1e4;
-  block->support[0] = block->support[1] = block->support[2] = true;
-  wall = qn_model_add_wall (model, "w");
+  test_model_init (model);
+  test_model_add_base (model, 0, -0.2, 1.2, 0.2);
+  test_model_add_weight_loads (model, 1);
+  QnWall *wall = qn_model_add_wall (model, "w");
   wall->unit = qn_vec2 (0.5, 0.25);
   wall->thickness = 1;
   wall->unit_weight = 1e4;
-  for (int course = 0; course < 9; course++) {
-    double lengths[16], left = length;
-    size_t count = 0;
-    while (left > 1.6) {
-      lengths[count] = g_rand_double_range (random, 0.5, 1.5);
-      left -= lengths[count++];
-    }
-    lengths[count++] = left;
-    g_assert_true (qn_wall_add_course (wall, lengths, count));
-  }
-  qn_model_add_dead_load (model)->vector = qn_vec2 (0, -1);
-  qn_model_add_live_load (model)->vector = qn_vec2 (1, 0);
+  test_wall_add_courses (wall, rand, 9, 2.4, 0.5, 1.6);
 }
 
 static void
 make (QnModel *model, int number, double dilatancy, double compression)
 {
   if (number < COUNT)
-    make_opened (model, number + 1);
+    test_bond_init (model, TEST_UNIT, 5, 7, 2, (guint64) number + 1);
   else
     make_random_bond (model, number + 1);
   for (size_t i = 0; i < model->law_count; i++) {
+    model->laws[i].friction = FRICTION;
     model->laws[i].dilatancy = dilatancy;
     model->laws[i].compression = compression;
     if (compression > 0)

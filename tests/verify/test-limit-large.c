@@ -3,8 +3,8 @@
 #include "core/limit/limit.h"
 #include "support/auto-clear.h"
 #include "support/certificate.h"
-#include "support/generate.h"
 #include "support/room.h"
+#include "support/walls.h"
 
 #include <glib.h>
 
@@ -14,13 +14,8 @@ test_ten_thousand (void)
   g_auto (QnModel) model;
   g_auto (QnContacts) contacts;
   g_auto (QnLimitSolution) solution;
-  QnWallRecipe recipe = qn_wall_recipe_default ();
 
-  recipe.length = 66;
-  recipe.courses = 150;
-  recipe.openings = 0;
-  qn_model_init (&model);
-  qn_generate_wall (&model, &recipe);
+  test_bond_init (&model, TEST_UNIT, 66, 150, 0, 0);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpuint (model.block_count, >, 9900);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);

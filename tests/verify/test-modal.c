@@ -1,9 +1,9 @@
 /* Frequencies against closed forms. */
 #include "core/modal/modal.h"
-#include "support/generate.h"
 #include "support/models.h"
 #include "support/room.h"
 #include "support/run.h"
+#include "support/walls.h"
 
 #include <glib.h>
 #include <math.h>
@@ -107,13 +107,8 @@ test_dry_wall (void)
   static const QnLawKind kinds[] = { QN_LAW_COULOMB, QN_LAW_NO_TENSION };
   QnModes modes[2];
   for (gsize i = 0; i < G_N_ELEMENTS (kinds); i++) {
-    QnWallRecipe recipe = qn_wall_recipe_default ();
     QnModel model;
-    recipe.unit = qn_vec2 (0.4, 0.2);
-    recipe.length = recipe.courses = 25;
-    recipe.openings = 0;
-    qn_model_init (&model);
-    qn_generate_wall (&model, &recipe);
+    test_bond_init (&model, qn_vec2 (0.4, 0.2), 25, 25, 0, 0);
     model.laws[0].kind = kinds[i];
     model.laws[0].basis = QN_BASIS_SURFACE;
     model.laws[0].kn = model.laws[0].ks = 2e10;

@@ -1,9 +1,9 @@
 /* Mechanisms by code against hand numbers; docs/method/capacity.md has the same. */
 #include "core/capacity/capacity.h"
-#include "support/generate.h"
 #include "support/models.h"
 #include "support/room.h"
 #include "support/run.h"
+#include "support/walls.h"
 
 #include <glib.h>
 #include <math.h>
@@ -274,10 +274,8 @@ test_arch (void)
   g_auto (TestRun) run = { 0 };
   QnCapacity capacity;
   QnMechanism mechanism;
-  QnArchRecipe recipe = qn_arch_recipe_default ();
-  recipe.material.friction = 2;
-  qn_model_init (&run.model);
-  qn_generate_arch (&run.model, &recipe);
+  test_arch_init (&run.model, 0.15, 27, 1);
+  run.model.laws[0].friction = 2;
   find (&run, &capacity, QN_NONE);
   g_assert_cmpint (
     qn_mechanism_of_result (&mechanism, &run.model, &run.contacts, &run.result, NULL), ==,

@@ -1,8 +1,8 @@
 #include "core/base/polygon.h"
 #include "support/contacts.h"
-#include "support/generate.h"
 #include "support/models.h"
 #include "support/room.h"
+#include "support/walls.h"
 
 #include <glib.h>
 
@@ -118,13 +118,7 @@ test_invariance (void)
   for (unsigned seed = 1; seed <= 12; seed++) {
     g_auto (QnModel) model;
     g_auto (QnContacts) contacts;
-    QnWallRecipe recipe = qn_wall_recipe_default ();
-    recipe.length = 6 + (int32_t) seed;
-    recipe.courses = 15;
-    recipe.openings = (int32_t) seed / 2;
-    recipe.seed = seed;
-    qn_model_init (&model);
-    qn_generate_wall (&model, &recipe);
+    test_bond_init (&model, TEST_UNIT, 6 + (int) seed, 15, (int) seed / 2, seed);
     test_detect (&model, &contacts);
     g_autofree Line *lines = describe (&model, &contacts, 1, 0, qn_vec2 (0, 0));
 
@@ -315,11 +309,7 @@ test_hundred_thousand_blocks (void)
 {
   g_auto (QnModel) model;
   g_auto (QnContacts) contacts;
-  QnWallRecipe recipe = qn_wall_recipe_default ();
-  recipe.length = 250;
-  recipe.courses = 400;
-  qn_model_init (&model);
-  qn_generate_wall (&model, &recipe);
+  test_bond_init (&model, TEST_UNIT, 250, 400, 0, 0);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   g_assert_cmpint (qn_contacts_detect (&model, &contacts, NULL), ==, QN_OK);
   g_assert_cmpuint (model.block_count, ==, 100201);

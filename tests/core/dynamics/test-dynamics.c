@@ -1,8 +1,8 @@
 /* Closed forms of single bodies in time. */
-#include "support/generate.h"
 #include "support/models.h"
 #include "support/room.h"
 #include "support/run.h"
+#include "support/walls.h"
 
 #include <glib.h>
 #include <math.h>
@@ -58,15 +58,11 @@ test_joints (void)
   static const double rho[] = { 0, 0.5, 0.8, 1 };
   for (gsize joint = 0; joint < G_N_ELEMENTS (joints); joint++)
     for (gsize i = 0; i < G_N_ELEMENTS (rho); i++) {
-      QnWallRecipe recipe = qn_wall_recipe_default ();
       g_auto (TestRun) c = { 0 };
-      recipe.length = 3;
-      recipe.courses = 6;
-      recipe.material.stiffness = 1e9;
-      recipe.material.friction = joints[joint].friction;
-      qn_model_init (&c.model);
-      qn_generate_wall (&c.model, &recipe);
+      test_bond_init (&c.model, TEST_UNIT, 3, 6, 0, 0);
       QnLaw *law = &c.model.laws[0];
+      law->kn = law->ks = 1e9;
+      law->friction = joints[joint].friction;
       law->kind = joints[joint].kind;
       law->cohesion = joints[joint].cohesion;
       law->tension = joints[joint].tension;

@@ -1,8 +1,8 @@
 #include "core/equilibrium/central-path.h"
 
 #include "core/solver.h"
-#include "support/generate.h"
 #include "support/room.h"
+#include "support/walls.h"
 
 #include <math.h>
 #include <string.h>
@@ -153,13 +153,9 @@ test_work (void)
 static void
 test_stays_on_the_path (void)
 {
-  QnWallRecipe recipe = qn_wall_recipe_default ();
   QnModel model;
   Solver solver;
-  recipe.length = 7;
-  recipe.courses = 16;
-  qn_model_init (&model);
-  qn_generate_wall (&model, &recipe);
+  test_bond_init (&model, TEST_UNIT, 7, 16, 0, 0);
   g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
   solver_init (&solver, &model);
   QnEquilibrium *eq = &solver.equilibrium;

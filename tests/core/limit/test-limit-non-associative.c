@@ -1,7 +1,7 @@
 #include "core/limit/limit.h"
-#include "support/generate.h"
 #include "support/models.h"
 #include "support/room.h"
+#include "support/walls.h"
 
 #include <glib.h>
 #include <math.h>
@@ -194,15 +194,9 @@ test_coupling (void)
 static void
 check_masonry (int32_t length, int32_t courses, int32_t openings)
 {
-  QnWallRecipe recipe = qn_wall_recipe_default ();
   QnModel model;
 
-  recipe.length = length;
-  recipe.courses = courses;
-  recipe.openings = openings;
-  recipe.seed = 7;
-  qn_model_init (&model);
-  qn_generate_wall (&model, &recipe);
+  test_bond_init (&model, TEST_UNIT, length, courses, openings, 7);
   QnLimitSolution interval = solve (&model);
   g_test_message ("%.5f of %.5f, %d factorisations", interval.lower_bound,
                   interval.associative, interval.effort.factorizations);

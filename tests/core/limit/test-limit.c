@@ -1,8 +1,8 @@
 #include "core/limit/limit.h"
 #include "support/certificate.h"
-#include "support/generate.h"
 #include "support/models.h"
 #include "support/room.h"
+#include "support/walls.h"
 
 #include <glib.h>
 #include <math.h>
@@ -416,16 +416,9 @@ test_symmetry (void)
 static bool
 arch_stands (double thickness, int count, int segments)
 {
-  QnArchRecipe recipe = qn_arch_recipe_default ();
   QnModel model;
 
-  recipe.radius = 1;
-  recipe.ring = thickness;
-  recipe.embrace = G_PI;
-  recipe.count = count;
-  recipe.segments = segments;
-  qn_model_init (&model);
-  qn_generate_arch (&model, &recipe);
+  test_arch_init (&model, thickness, count, segments);
   model.laws[0].kind = QN_LAW_NO_TENSION;
   g_auto (QnLimitSolution) solution = solve (&model);
   g_assert_true (solution.outcome == QN_OUTCOME_COLLAPSE

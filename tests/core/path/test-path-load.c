@@ -1,8 +1,8 @@
 #include "core/check/result-check.h"
 #include "core/path/analysis.h"
-#include "support/generate.h"
 #include "support/models.h"
 #include "support/room.h"
+#include "support/walls.h"
 
 #include <float.h>
 #include <glib.h>
@@ -274,13 +274,8 @@ test_cancel_what_is_sought (void)
 static void
 init_bond (QnModel *model, double stiffness)
 {
-  QnWallRecipe recipe = qn_wall_recipe_default ();
-
-  recipe.length = 10;
-  recipe.courses = 20;
-  recipe.material.stiffness = stiffness;
-  qn_model_init (model);
-  qn_generate_wall (model, &recipe);
+  test_bond_init (model, TEST_UNIT, 10, 20, 0, 0);
+  model->laws[0].kn = model->laws[0].ks = stiffness;
   model->analysis.geometry = QN_GEOMETRY_LINEAR;
 }
 

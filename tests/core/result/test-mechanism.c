@@ -1,9 +1,9 @@
 #include "core/result/mechanism.h"
 
 #include "core/limit/limit.h"
-#include "support/generate.h"
 #include "support/models.h"
 #include "support/room.h"
+#include "support/walls.h"
 
 #include <glib.h>
 #include <math.h>
@@ -256,9 +256,7 @@ test_names (void)
   g_assert_cmpint (c.mechanism.bodies[0].block_count, ==, 3);
   case_clear (&c);
 
-  QnArchRecipe arch = qn_arch_recipe_default ();
-  qn_model_init (&c.model);
-  qn_generate_arch (&c.model, &arch);
+  test_arch_init (&c.model, 0.15, 27, 1);
   collapse (&c);
   g_assert_cmpint (c.mechanism.kind, ==, QN_MECHANISM_KIND_ARCH);
   g_assert_cmpuint (c.mechanism.body_count, ==, 3);
