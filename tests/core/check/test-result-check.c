@@ -118,6 +118,55 @@ test_fibre_strained_on_the_way (void)
   g_assert_true (test_run_tells (&run, QN_CLAIM_BALANCE));
 }
 
+/* A bar across a joint at a slant that was pulled beyond yield while the structure came to rest: any force along
+ * it has a reason, none across it. */
+static void
+test_bar_strained_on_the_way (void)
+{
+  g_auto (TestRun) run = { 0 };
+  QnModel *model = &run.model;
+  test_model_init (model);
+  QnLaw *steel = qn_model_add_law (model, "steel");
+  *steel = (QnLaw){ .name = steel->name,
+                    .kind = QN_LAW_BILINEAR,
+                    .basis = QN_BASIS_MATERIAL,
+                    .kn = 2e11,
+                    .ks = 8e10,
+                    .yield = 5e8,
+                    .hardening = 0.2 };
+  test_model_add_base (model, -0.5, -1, 1, 1);
+  test_model_add_rectangle (model, "block", -0.5, 0, 1, 1);
+  model->blocks[1].support[QN_DOF_UX] = model->blocks[1].support[QN_DOF_RZ] = true;
+  *qn_model_add_bar (model) =
+    (QnBar){ .law = 1, .area = 3e-4, .start = { -0.3, -0.5 }, .end = { 0.3, 0.5 } };
+  add_force (model, "live", 0, 1.5e5);
+  add_stage (model, 1, 1.3);
+  add_stage (model, 1, 0.4);
+  test_run_solve (&run);
+  QnResult *r = &run.result;
+  g_assert_cmpint (r->outcome, ==, QN_OUTCOME_TARGET_REACHED);
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+
+  drop_steps (r, 1, end_of (r, 2));
+  g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+  size_t bar = 0;
+  while (run.contacts.pairs[bar].bar == QN_NONE)
+    bar++;
+  double s = run.contacts.pairs[bar].slant, c = sqrt (1 - s * s);
+  double *force = r->step_forces + 2 * (r->pair_count + bar);
+  const double along[2] = { c, s }, across[2] = { -s, c };
+  g_assert_cmpfloat (fabs (s), >, 0.5);
+  for (int i = 0; i < 2; i++) {
+    const double *way = i == 0 ? along : across, before[2] = { force[0], force[1] };
+    r->pairs[bar].normal_force = force[0] += 1e4 * way[0];
+    r->pairs[bar].shear_force = force[1] += 1e4 * way[1];
+    g_assert_true (test_run_tells (&run, QN_CLAIM_BALANCE));
+    g_assert_true (test_run_tells (&run, QN_CLAIM_FORCES) == (i == 1));
+    force[0] = before[0];
+    force[1] = before[1];
+  }
+}
+
 /* How far a joint that dilates has risen by sliding is not told while it stands open. It shows once it carries
  * again, in whatever step. */
 static void
@@ -688,6 +737,8 @@ QN_TESTS
                    test_bond_damaged_on_the_way);
   g_test_add_func ("/core/result-check/fibre-strained-on-the-way",
                    test_fibre_strained_on_the_way);
+  g_test_add_func ("/core/result-check/bar-strained-on-the-way",
+                   test_bar_strained_on_the_way);
   g_test_add_func ("/core/result-check/joint-that-has-risen", test_joint_that_has_risen);
   g_test_add_func ("/core/result-check/between-supports", test_between_supports);
 }
