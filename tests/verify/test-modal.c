@@ -89,6 +89,62 @@ check_one_block (QnLawKind kind, double push)
   g_assert_cmpfloat_with_epsilon (modes.omega[1] / sqrt (k / mass), 1, 1e-9);
 }
 
+/* A block whose centroid is held turns alone: no translation takes part. Held altogether it has no modes. */
+static void
+test_held (void)
+{
+  const double b = 1, h = 0.4, k = 1e7, inertia = 1000 * b * h * (b * b + h * h) / 12;
+  for (int all = 0; all < 2; all++) {
+    g_auto (TestRun) run = { 0 };
+    g_auto (QnModes) modes = { 0 };
+    QnDiag diag = { 0 };
+    test_model_init_block_on_plane (&run.model, b, h);
+    run.model.laws[0].kind = QN_LAW_ELASTIC;
+    run.model.gravity = 10;
+    test_model_add_weight_loads (&run.model, 1);
+    bool *held = run.model.blocks[1].support;
+    held[QN_DOF_UX] = held[QN_DOF_UY] = true;
+    held[QN_DOF_RZ] = all == 1;
+    test_run_prepare (&run);
+    QnStatus status = qn_modal_run (&run.model, &run.contacts, QN_MODAL_DEAD_LOAD, 3,
+                                    NULL, NULL, &modes, &run.result, &diag);
+    g_assert_cmpint (status, ==, all == 1 ? QN_ERROR_INVALID : QN_OK);
+    g_assert_cmpuint (modes.count, ==, all == 1 ? 0 : 1);
+    if (all == 1) {
+      g_assert_cmpint (diag.problem, ==, QN_PROBLEM_TOO_FEW_UNKNOWNS);
+      continue;
+    }
+    double exact = sqrt (k * (h * h + b * b) / 4 / inertia);
+    g_assert_cmpfloat_with_epsilon (modes.omega[0] / exact, 1, 1e-9);
+    g_assert_cmpfloat (modes.masses[1] + modes.masses[2], ==, 0);
+  }
+}
+
+/* Damping of a rigid motion, of three modes and of the last one alone: between the first mode that is none and
+ * the last it is less than asked for. The main mode is the one with most of the mass along x. */
+static void
+test_damping (void)
+{
+  double omega[] = { 0, 10, 20, 40 };
+  double masses[] = { 9, 900, 0, 9, 50, 800, 9, 70, 0, 9, 60, 0 };
+  QnModes modes = { .count = 4, .omega = omega, .masses = masses };
+  QnModesDamping damping = qn_modes_damping (&modes, 0.05);
+  g_assert_cmpuint (damping.first, ==, 1);
+  g_assert_cmpuint (damping.last, ==, 3);
+  for (int i = 1; i < 4; i++) {
+    double ratio = (damping.mass / omega[i] + damping.stiffness * omega[i]) / 2;
+    if (i == 2)
+      g_assert_cmpfloat (ratio, <, 0.05);
+    else
+      g_assert_cmpfloat_with_epsilon (ratio, 0.05, 1e-15);
+  }
+  g_assert_cmpuint (qn_modes_main (&modes), ==, 2);
+  modes.count = 1;
+  g_assert_cmpuint (qn_modes_main (&modes), ==, 1);
+  damping = qn_modes_damping (&modes, 0.05);
+  g_assert_cmpfloat (damping.mass + damping.stiffness, ==, 0);
+}
+
 /* Joints that are closed are elastic, the one as well that slides because the push relieves it. */
 static void
 test_one_block (void)
@@ -235,6 +291,8 @@ QN_TESTS
   g_test_add_func ("/verify/modal/cancel", test_cancel);
   g_test_add_func ("/verify/modal/without-state", test_without_state);
   g_test_add_func ("/verify/modal/one-block", test_one_block);
+  g_test_add_func ("/verify/modal/held", test_held);
+  g_test_add_func ("/verify/modal/damping", test_damping);
   g_test_add_func ("/verify/modal/dry-wall", test_dry_wall);
   g_test_add_func ("/verify/modal/wallet", test_wallet);
 }

@@ -188,6 +188,49 @@ test_soft_periods (void)
   qn_capacity_clear (&capacity[0]);
 }
 
+/* A block that slips at its peak, and a curve that ends before it has fallen by a fifth: near collapse is its
+ * end. A load of another set, that does not grow, counts for nothing. Spectra of points ask for the largest
+ * displacement up to the period: here 4 m/s2 at 0.4 s, less at all others. */
+static void
+test_ends_early (void)
+{
+  const double multipliers[] = { 0, 0.3, 0.28, 0.26 };
+  const double ux[] = { 0, 0, 0, 0.01, 0, 0.01, 0, 0.05 };
+  const QnVec2 points[] = { { 0, 0.1 }, { 0.4, 4 }, { 0.42, 0.1 } };
+  const QnSpectrum spectrum = {
+    .kind = QN_SPECTRUM_POINTS, .points = points, .point_count = 3, .damping = 0.05
+  };
+  const QnSpectrum weak = {
+    .kind = QN_SPECTRUM_EN_1, .ground_acceleration = 1, .soil = QN_SOIL_A, .damping = 0.05
+  };
+  g_auto (QnModel) model;
+  g_auto (QnResult) result;
+  QnCapacity capacity;
+  test_model_init_block_on_plane (&model, 0.6, 3);
+  test_model_add_weight_loads (&model, 1);
+  QnLoad *other = qn_model_add_live_load (&model);
+  other->kind = QN_LOAD_WEIGHT;
+  other->vector = qn_vec2 (0, -1);
+  other->set = qn_model_add_load_set (&model, "other");
+  g_assert_cmpint (qn_model_prepare (&model, NULL), ==, QN_OK);
+  init_result (&result, &model, multipliers, ux, 4);
+  g_assert_cmpint (qn_capacity_init (&capacity, &model, &result, 1, NULL), ==, QN_OK);
+  g_assert_false (capacity.reaches_zero);
+  check_close (capacity.end, 0.05, 1e-12);
+  check_close (qn_capacity_acceleration (&capacity, 0.01), 0.3 * G, 1e-12);
+  check_close (qn_capacity_acceleration (&capacity, 0.03), 0.27 * G, 1e-12);
+
+  QnEnDemand demand = qn_capacity_en_demand (&capacity, &weak);
+  g_assert_cmpfloat (demand.q, <, 1);
+  g_assert_cmpfloat (demand.target, ==, demand.elastic); /* it stays elastic */
+  QnCapacityState nc = qn_capacity_check_en (&capacity, &demand, QN_EN_NC);
+  check_close (nc.capacity, capacity.end, 1e-12);
+  QnCapacityState slv = qn_capacity_check_ntc (&capacity, &spectrum, 1, QN_NTC_SLV);
+  g_assert_cmpfloat (slv.period, >, 0.4);
+  check_close (slv.demand, 4 * 0.16 / (4 * G_PI * G_PI), 1e-9);
+  qn_capacity_clear (&capacity);
+}
+
 static QnProblem
 refusal (QnModel *model, const double *multipliers, const double *ux, QnId control)
 {
@@ -232,6 +275,18 @@ test_refuse (void)
                    QN_PROBLEM_CAPACITY_LOADS);
   test_model_init_block_on_plane (&model, 1, 1);
   test_model_add_weight_loads (&model, 1);
+  g_assert_cmpint (refusal (&model, multipliers, (double[4]){ 0 }, 1), ==,
+                   QN_PROBLEM_CAPACITY_MOTION); /* nothing moves */
+  test_model_init_block_on_plane (&model, 1, 1);
+  test_model_add_weight_loads (&model, 1);
+  g_assert_cmpint (refusal (&model, (double[2]){ 1, 0 }, along, 1), ==,
+                   QN_PROBLEM_CAPACITY_MOTION); /* the peak is at rest */
+  test_model_init_block_on_plane (&model, 1, 1);
+  test_model_add_weight_loads (&model, 0); /* in no direction */
+  g_assert_cmpint (refusal (&model, multipliers, along, 1), ==,
+                   QN_PROBLEM_CAPACITY_MOTION);
+  test_model_init_block_on_plane (&model, 1, 1);
+  test_model_add_weight_loads (&model, 1);
   model.gravity = 0; /* no mass can be told from a weight */
   g_assert_cmpint (refusal (&model, multipliers, along, 1), ==, QN_PROBLEM_NOT_POSITIVE);
 }
@@ -262,5 +317,6 @@ QN_TESTS
   g_test_add_func ("/capacity/two-blocks", test_two_blocks);
   g_test_add_func ("/capacity/all-that-overturn", test_all_that_overturn);
   g_test_add_func ("/capacity/soft-periods", test_soft_periods);
+  g_test_add_func ("/capacity/ends-early", test_ends_early);
   g_test_add_func ("/capacity/refuse", test_refuse);
 }

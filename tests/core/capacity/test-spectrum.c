@@ -70,6 +70,11 @@ test_points (void)
   check_close (qn_spectrum_largest_displacement (&f, 5), 1.25 / (4 * G_PI * G_PI));
   check_close (qn_spectrum_largest_displacement (&f, 0.4),
                qn_spectrum_displacement (&f, 0.4));
+  const QnVec2 still[] = { { 0, 0 }, { 1, 0 } };
+  const QnSpectrum none = { .kind = QN_SPECTRUM_POINTS,
+                            .points = still,
+                            .point_count = 2 };
+  g_assert_cmpfloat (qn_spectrum_corner (&none), ==, 0);
 }
 
 /* Circolare 7/2019, C7.2.3: at the top of a building of 5 storeys, gamma = 15/11; T1 = 0.5 s, xi1 = 0.1,
@@ -95,6 +100,8 @@ test_floor (void)
   check_close (
     qn_spectrum_largest_displacement (&s, 0.45),
     fmax (qn_spectrum_displacement (&s, 0.45), factor * a * 0.44 * 0.44 / 39.47842));
+  g_assert_cmpfloat (qn_spectrum_largest_displacement (&s, 0.44), ==,
+                     qn_spectrum_displacement (&s, 0.44));
   /* near the ground no less than there */
   const QnSpectrum low = { .kind = QN_SPECTRUM_EN_1,
                            .ground_acceleration = 1,
