@@ -112,6 +112,31 @@ test_pages (void)
   g_assert_true (beneath);
 }
 
+/* So it does for the answers of three results. */
+static void
+test_first_page_of_three (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *model = cli_example ("ferris-tin-loi/wall3.quoin");
+  g_autofree char *path = g_build_filename (folder, "path.json", NULL);
+  g_autofree char *bound = g_build_filename (folder, "associative.json", NULL);
+  g_autofree char *least = g_build_filename (folder, "non-associative.json", NULL);
+  g_autofree char *pdf = g_build_filename (folder, "three.pdf", NULL);
+  cli_do ("solve", model, "-q", "-o", path, NULL);
+  cli_do ("limit", model, "-q", "-o", bound, NULL);
+  cli_do ("limit", model, "-q", "--set", "analysis.flow=\"non-associative\"", "-o", least,
+          NULL);
+  cli_do ("report", model, "-r", path, "-r", bound, "-r", least, "-o", pdf, NULL);
+  g_auto (GStrv) pages = read_pages (pdf);
+  if (pages == NULL) {
+    g_test_skip ("pdftotext is not installed");
+    return;
+  }
+  g_assert_nonnull (strstr (pages[0], "non-associative.json: Collapse"));
+  g_assert_nonnull (strstr (pages[0], "SHA-256"));
+  g_assert_true (g_str_has_prefix (pages[1], "Model"));
+}
+
 /* Chosen sections and paper. */
 static void
 test_sections (void)
@@ -464,6 +489,7 @@ QN_TESTS
   g_test_add_func ("/cli/report/without-temporary", test_without_temporary);
   g_test_add_func ("/cli/report/whole", test_whole);
   g_test_add_func ("/cli/report/pages", test_pages);
+  g_test_add_func ("/cli/report/first-page-of-three", test_first_page_of_three);
   g_test_add_func ("/cli/report/sections", test_sections);
   g_test_add_func ("/cli/report/results", test_results);
   g_test_add_func ("/cli/report/cases", test_cases);

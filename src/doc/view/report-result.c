@@ -482,7 +482,7 @@ qn_report_write_comparison (QnPages *pages, const QnReport *report, GError **err
     count += take_curve (&report->runs[i], &curves[count]);
   }
   qn_report_table (pages, cells, 2 + 5);
-  qn_report_say (pages, _ ("Curves and pictures: from figure\u00a0%d on."),
+  qn_report_say (pages, _ ("Pictures: from figure\u00a0%d on."),
                  qn_pages_next_figure (pages));
   write_curves (pages, curves, count);
   for (size_t i = 0; i < count; i++)
