@@ -449,8 +449,51 @@ test_report_combinations (void)
   driver_discard (window);
 }
 
+/* Whether a picture is white from one row and column to another. */
+static gboolean
+is_white (cairo_surface_t *picture, int left, int top, int right, int bottom)
+{
+  const unsigned char *data = cairo_image_surface_get_data (picture);
+  const int stride = cairo_image_surface_get_stride (picture);
+  for (int row = top; row < bottom; row++)
+    for (int i = left; i < right; i++)
+      if ((((const guint32 *) (gconstpointer) (data + row * stride))[i] & 0xffffff)
+          != 0xffffff)
+        return FALSE;
+  return TRUE;
+}
+
+/* The preview has the margins of the file: a title does not touch the edge. */
+static void
+test_preview_margins (void)
+{
+  QnWindow *window = driver_open_example ("02-overturning-block.quoin");
+  driver_activate (window, "win.export");
+  GtkWidget *dialog = driver_find_dialog ("Export Figure");
+  GtkWidget *preview = driver_find_id (dialog, "preview");
+  graphene_rect_t at;
+  double dx, dy;
+  g_assert_true (gtk_widget_compute_bounds (preview, dialog, &at));
+  gtk_native_get_surface_transform (GTK_NATIVE (dialog), &dx, &dy);
+  /* The page of 4 : 3 lies in the middle. */
+  const double width = MIN (at.size.width, at.size.height * 4 / 3),
+               height = width * 3 / 4;
+  const int left = (int) (dx + at.origin.x + 0.5 * (at.size.width - width)) + 1;
+  const int top = (int) (dy + at.origin.y + 0.5 * (at.size.height - height)) + 1;
+  const int right = left + (int) width - 2, bottom = top + (int) height - 2;
+  const int margin = (int) (0.008 * width);
+  cairo_surface_t *picture = driver_picture (dialog);
+  g_assert_cmpint (margin, >, 1);
+  g_assert_true (is_white (picture, left, top, left + margin, bottom));
+  g_assert_true (is_white (picture, left, top, right, top + margin));
+  g_assert_false (is_white (picture, left, top, right, bottom));
+  cairo_surface_destroy (picture);
+  driver_discard (window);
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/app/export/preview-margins", test_preview_margins);
   gtk_init ();
   g_test_add_func ("/app/export/figures", test_figures);
   g_test_add_func ("/app/export/sheet", test_sheet);

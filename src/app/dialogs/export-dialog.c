@@ -134,8 +134,7 @@ draw_preview (GtkDrawingArea *area, cairo_t *cr, int width, int height, gpointer
   cairo_clip (cr);
   cairo_set_source_rgb (cr, 1.0, 1.0, 1.0);
   cairo_paint (cr);
-  QnFrame frame = { 0.0, 0.0, page.width, page.height };
-  gboolean drawn = qn_figure_draw (&figure, cr, &page, &frame, NULL, &error);
+  gboolean drawn = qn_figure_draw_page (cr, &page, &figure, &error);
   show_refusal (dialog, drawn ? "" : error->message);
 }
 

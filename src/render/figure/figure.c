@@ -389,12 +389,11 @@ qn_figure_fit_height (const QnFigure *figure, cairo_t *cr, const QnPage *page,
 
 /* ---- export ---------------------------------------------------------------------------- */
 
-static bool
-draw_figure_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
+bool
+qn_figure_draw_page (cairo_t *cr, const QnPage *page, void *figure, GError **error)
 {
   QnFrame frame = qn_page_frame (page, PAGE_MARGIN);
-
-  return qn_figure_draw (data, cr, page, &frame, NULL, error);
+  return qn_figure_draw (figure, cr, page, &frame, NULL, error);
 }
 
 QnMetadata
@@ -414,7 +413,7 @@ qn_figure_export (const QnFigure *figure, const char *path, const QnOutput *outp
 {
   QnMetadata full = qn_figure_metadata (figure, metadata);
   QnFigure copy = *figure;
-  return qn_page_export (path, output, &full, draw_figure_page, &copy, error);
+  return qn_page_export (path, output, &full, qn_figure_draw_page, &copy, error);
 }
 
 GBytes *
@@ -423,5 +422,5 @@ qn_figure_encode (const QnFigure *figure, QnFormat format, const QnOutput *outpu
 {
   QnMetadata full = qn_figure_metadata (figure, metadata);
   QnFigure copy = *figure;
-  return qn_page_encode (format, output, &full, draw_figure_page, &copy, error);
+  return qn_page_encode (format, output, &full, qn_figure_draw_page, &copy, error);
 }

@@ -49,6 +49,9 @@ QnFrame qn_page_frame (const QnPage *page, double margin);
 bool qn_figure_draw (const QnFigure *figure, cairo_t *cr, const QnPage *page,
                      const QnFrame *frame, QnCamera *camera, GError **error);
 
+/* The same within the margin of a page, as it is exported. A QnPageFunc; `figure`: a QnFigure. */
+bool qn_figure_draw_page (cairo_t *cr, const QnPage *page, void *figure, GError **error);
+
 /* The least height of the frame, at most its own, in which the structure is drawn nearly as large as in
  * the whole frame: a wide wall needs less than a tower. False with an error where the figure cannot
  * be drawn. */

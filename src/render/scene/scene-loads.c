@@ -431,7 +431,8 @@ add_dimension (QnSceneBuilder *b, QnVec2 from, QnVec2 to, QnVec2 object_from,
     qn_scene_marker (scene, QN_LAYER_DIMENSIONS, QN_MARKER_TICK, line[i], 6, 0, color);
   }
   double length = qn_vec2_length (qn_vec2_sub (to, from));
-  g_autofree char *number = length >= 1 ? qn_label_number ("%.2f", length)
+  const bool odd = fabs (rint (100 * length) - 100 * length) > 0.04; /* 0.4 mm */
+  g_autofree char *number = length >= 1 ? qn_label_number (odd ? "%.3f" : "%.2f", length)
                                         : qn_label_number ("%.4g", 1000 * length);
   g_autofree char *text = g_strconcat (number, length >= 1 ? " m" : " mm", NULL);
   QnCommand *label = qn_scene_text (scene, QN_LAYER_LABELS, qn_vec2_lerp (from, to, 0.5),

@@ -591,8 +591,25 @@ test_dimensions_without_supports (void)
   }
 }
 
+/* A length between whole centimetres keeps its millimetres. */
+static void
+test_dimensions_in_millimetres (void)
+{
+  QnViewOptions options;
+  qn_view_options_init (&options, QN_VIEW_MODEL);
+  g_auto (QnModel) model;
+  g_auto (QnContacts) contacts;
+  test_model_init_stack (&model, 3, 1.004, 0.645);
+  test_detect (&model, &contacts);
+  g_autoptr (QnScene) scene = qn_scene_build (&model, &contacts, NULL, &options, NULL);
+  g_assert_true (has_text (scene, "1.935 m"));
+  g_assert_true (has_text (scene, "1.004 m"));
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/render/scene/dimensions-in-millimetres",
+                   test_dimensions_in_millimetres);
   g_test_add_func ("/render/scene/dimensions", test_dimensions_without_supports);
   g_test_add_func ("/render/scene/sorted", test_sorted_with_boxes);
   g_test_add_func ("/render/scene/hatch", test_hatch_among_small_blocks);
