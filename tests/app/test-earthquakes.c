@@ -477,6 +477,29 @@ test_capacity_closed (void)
   close_while_searching (TRUE);
 }
 
+/* In a small window the checks and the curve come before what was entered. */
+static void
+test_capacity_in_sight (void)
+{
+  QnWindow *window = driver_open_window (1024, 700);
+  g_autofree char *path = driver_example_path ("02-overturning-block.quoin");
+  g_assert_true (qn_window_open_path (window, path));
+  driver_activate (window, "win.capacity");
+  GtkWidget *page = driver_find_page ("Capacity Curve");
+  driver_press (page, "Compute Curve");
+  driver_wait (has_ratio, page);
+  static const char *const parts[] = { "table", "plot" };
+  for (gsize i = 0; i < G_N_ELEMENTS (parts); i++) {
+    graphene_rect_t at;
+    g_assert_true (
+      gtk_widget_compute_bounds (driver_find_id (page, parts[i]), page, &at));
+    g_assert_cmpfloat (at.origin.y, >=, 0);
+    g_assert_cmpfloat (at.origin.y + at.size.height, <=, gtk_widget_get_height (page));
+  }
+  driver_screenshot (page, "capacity-small");
+  driver_discard (window);
+}
+
 static gboolean
 is_preview (GtkWidget *widget, gconstpointer data)
 {
@@ -635,4 +658,5 @@ QN_TESTS
   g_test_add_func ("/app/earthquakes/capacity", test_capacity);
   g_test_add_func ("/app/earthquakes/capacity-undo", test_capacity_undo);
   g_test_add_func ("/app/earthquakes/capacity-closed", test_capacity_closed);
+  g_test_add_func ("/app/earthquakes/capacity-in-sight", test_capacity_in_sight);
 }

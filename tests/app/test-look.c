@@ -5,6 +5,7 @@
  * 20 points), contrast, contrast-dark, or a language. */
 #include "driver.h"
 
+#include "app/widgets/builder.h"
 #include "app/widgets/settings.h"
 
 #include <glib/gstdio.h>
@@ -165,6 +166,43 @@ test_masonry (void)
   expect_to_fit (GTK_WIDGET (window), "opening");
   driver_activate (window, "win.tool::arch");
   expect_to_fit (GTK_WIDGET (window), "arch");
+  driver_discard (window);
+}
+
+/* A window of 1024 px has room for a page and the panel beside it, with text of usual size. */
+static void
+expect_page_to_fit (QnWindow *window, const char *what)
+{
+  int width = 0;
+  driver_settle ();
+  gtk_widget_measure (GTK_WIDGET (window), GTK_ORIENTATION_HORIZONTAL, -1, &width, NULL,
+                      NULL, NULL);
+  g_test_message ("%s, page %s: %d", look, what, width);
+  if (strstr (look, "text") == NULL)
+    g_assert_cmpint (width, <=, 1024);
+  expect_to_fit (GTK_WIDGET (window), what);
+}
+
+static gboolean
+has_envelope (gpointer window)
+{
+  return g_action_group_get_action_enabled (
+    g_object_get_data (G_OBJECT (qn_window_get_page (window)), QN_ACTIONS), "worst");
+}
+
+static void
+test_pages (void)
+{
+  QnWindow *window = driver_open_window (1024, 700);
+  g_autofree char *path = driver_example_path ("53-arch-bridge.quoin");
+  g_assert_true (qn_window_open_path (window, path));
+  driver_activate (window, "win.capacity");
+  expect_page_to_fit (window, "capacity");
+  driver_activate (window, "win.envelope");
+  expect_page_to_fit (window, "envelope");
+  driver_activate (window, "win.run-shown");
+  driver_wait (has_envelope, window);
+  expect_page_to_fit (window, "envelope-found");
   driver_discard (window);
 }
 
@@ -330,6 +368,7 @@ main (int argc, char **argv)
   g_test_add_func ("/app/look/window", test_window);
   g_test_add_func ("/app/look/masonry", test_masonry);
   g_test_add_func ("/app/look/dialogs", test_dialogs);
+  g_test_add_func ("/app/look/pages", test_pages);
   if (g_str_equal (look, "plain"))
     g_test_add_func ("/app/look/picture", test_picture);
   if (g_str_equal (look, "plain") || g_str_equal (look, "fr")) {

@@ -210,16 +210,16 @@ qn_handle_draw_all (QnCanvas *canvas, cairo_t *cr)
   for (guint i = 0; i < grips->len; i++) {
     const QnGrip *grip = &g_array_index (grips, QnGrip, i);
     QnVec2 s = qn_canvas_to_screen (canvas, grip->at);
-    if (grip->kind == QN_GRIP_NODE || grip->kind == QN_GRIP_TIE)
-      cairo_arc (cr, s.x, s.y, HANDLE_PX, 0.0, 2.0 * G_PI);
-    else if (grip->kind == QN_GRIP_TURN) {
+    if (grip->kind == QN_GRIP_TURN) {
       cairo_move_to (cr, s.x, s.y + HANDLE_PX);
       cairo_line_to (cr, s.x, s.y + TURN_PX);
       cairo_set_source_rgb (cr, 0.1, 0.4, 0.9);
       cairo_set_line_width (cr, 1.0);
       cairo_stroke (cr);
-      cairo_arc (cr, s.x, s.y, HANDLE_PX, 0.0, 2.0 * G_PI);
-    } else if (grip->handle == QN_HANDLE_MIDDLE && grip->kind == QN_GRIP_MASONRY)
+    }
+    if (grip->kind == QN_GRIP_TURN || grip->kind == QN_GRIP_NODE
+        || grip->kind == QN_GRIP_TIE
+        || (grip->handle == QN_HANDLE_MIDDLE && grip->kind == QN_GRIP_MASONRY))
       cairo_arc (cr, s.x, s.y, HANDLE_PX, 0.0, 2.0 * G_PI);
     else
       cairo_rectangle (cr, s.x - HANDLE_PX, s.y - HANDLE_PX, 2.0 * HANDLE_PX,

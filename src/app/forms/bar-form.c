@@ -83,9 +83,8 @@ take (QnForm *form, QnModel *model, guint field, const QnValue *value, GError **
     return form->wanted >= 0;
   case REMOVE:
     return qn_edit_remove_item (model, QN_PICK_BAR, form->selected, error);
-  default:
-    return TRUE;
   }
+  return TRUE;
 }
 
 static const QnFormList list =

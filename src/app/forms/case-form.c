@@ -98,9 +98,8 @@ take (QnForm *form, QnModel *model, guint field, const QnValue *value, GError **
     return qn_edit_add_load_list (model, TRUE, error);
   case REMOVE:
     return qn_edit_delete_load_case (model, form->selected + 1, error);
-  default:
-    return TRUE;
   }
+  return TRUE;
 }
 
 static const QnFormList list =

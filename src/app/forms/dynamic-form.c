@@ -246,10 +246,9 @@ show (QnForm *data, const QnModel *model, guint field, QnValue *value)
     return motion != NULL && motion->record != NULL;
   case REMOVE:
     value->disabled = motion == NULL;
-    return TRUE;
-  default:
-    return TRUE;
+    break;
   }
+  return TRUE;
 }
 
 /* ---- records ---- */
@@ -305,9 +304,8 @@ take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **
     return TRUE;
   case REMOVE:
     return qn_edit_remove_ground_motion (model, (gsize) form->base.selected, error);
-  default:
-    return TRUE;
   }
+  return TRUE;
 }
 
 static QnPlot *

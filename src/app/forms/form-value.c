@@ -77,9 +77,8 @@ qn_value_set_pairs (QnValue *value, const QnModel *model, const QnPairRule *rule
   case QN_PAIRS_WEIGHTS:
     value->text = qn_pair_rule_dup_weights (rule);
     return given;
-  default:
-    return TRUE;
   }
+  return TRUE;
 }
 
 void

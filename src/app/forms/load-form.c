@@ -292,8 +292,6 @@ show_load (const Form *form, const QnModel *model, guint field, QnValue *value)
                   load->dof == QN_DOF_RZ ? QN_QUANTITY_ROTATION : QN_QUANTITY_LENGTH,
                   NULL);
     break;
-  default:
-    break;
   }
   return has_number (load, field);
 }

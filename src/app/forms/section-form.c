@@ -90,9 +90,8 @@ show (QnForm *data, const QnModel *model, guint field, QnValue *value)
     return !(section->shear_modulus > 0.0);
   case UNUSED:
     return any_is_unused (model);
-  default:
-    return TRUE;
   }
+  return TRUE;
 }
 
 static gboolean
@@ -113,10 +112,9 @@ take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **
     return TRUE;
   case UNIT_WEIGHT:
     model->sections[form->section].density = -1.0; /* no longer what counts */
-    return TRUE;
-  default:
-    return TRUE;
+    break;
   }
+  return TRUE;
 }
 
 const QnFormKind qn_section_form = QN_FORM_KIND (

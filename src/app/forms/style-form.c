@@ -144,8 +144,6 @@ show (QnForm *form, const QnModel *model, guint field, QnValue *value)
     if (model->section_count == 0)
       qn_value_add_row (value, _ ("New section"));
     break;
-  default:
-    break;
   }
   return (fields_of (tool) & BIT (field)) != 0
          && (tool != &qn_tool_column || (not_of_kind (style->kind) & BIT (field)) == 0);
@@ -185,8 +183,6 @@ take (QnForm *form, QnModel *model, guint field, const QnValue *value, GError **
   case SECTION:
     take_name (&settings->section,
                row < model->section_count ? model->sections[row].name : NULL);
-    break;
-  default:
     break;
   }
   return TRUE;

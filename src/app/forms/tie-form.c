@@ -138,9 +138,8 @@ show (QnForm *form, const QnModel *model, guint field, QnValue *value)
   case BOND:
   case GLUE:
     return tie->strip.width > 0;
-  default:
-    return TRUE;
   }
+  return TRUE;
 }
 
 static gboolean

@@ -377,10 +377,9 @@ show (QnForm *data, const QnModel *model, guint field, QnValue *value)
   case EXPORT_PICTURE:
   case EXPORT_TABLE:
     value->disabled = !form->found;
-    return TRUE;
-  default:
-    return TRUE;
+    break;
   }
+  return TRUE;
 }
 
 static void
@@ -443,7 +442,10 @@ make_plot (gpointer data, gboolean zoomed, char **message)
   const Form *form = data;
   if (form->found)
     return qn_capacity_answer_plot (&form->answer);
-  *message = g_strdup (_ ("Choose a spectrum, then compute the curve: it appears here."));
+  *message =
+    g_strdup (form->cancellable != NULL
+                ? ""
+                : _ ("Choose a spectrum, then compute the curve: it appears here."));
   return NULL;
 }
 

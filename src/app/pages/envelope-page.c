@@ -54,6 +54,8 @@ typedef struct Page {
   FIELD (POSITION, "scale", NULL)                                                        \
   FIELD (AREA, "area", NULL)                                                             \
   FIELD (ANIMATE, "animate", NULL)                                                       \
+  FIELD (CANCEL, "cancel", NULL)                                                         \
+  FIELD (PUT, "put", NULL)                                                               \
   FIELD (PROGRESS, "progress", NULL)                                                     \
   FIELD (STATUS, "status", NULL)
 QN_FORM_FIELDS;
@@ -82,7 +84,7 @@ update_actions (Page *self)
   GtkWidget *page = self->base.root;
   qn_actions_enable (page, "run", self->thread == NULL && load_of (self) != NULL);
   qn_actions_enable (page, "cancel", self->thread != NULL);
-  qn_actions_enable (page, "put", found);
+  qn_actions_enable (page, "put", found && self->thread == NULL);
   qn_actions_enable (page, "worst",
                      found && qn_envelope_find_least (&self->envelope, &least));
   qn_actions_enable (page, "export", found && self->thread == NULL);
@@ -271,14 +273,16 @@ show (QnForm *data, const QnModel *model, guint field, QnValue *value)
     value->number = self->tick != 0;
     value->disabled = e->count == 0;
     return TRUE;
+  case CANCEL:
   case PROGRESS:
     return self->thread != NULL;
+  case PUT:
+    return self->thread == NULL;
   case STATUS:
     value->text = g_strdup (self->told);
-    return TRUE;
-  default:
-    return TRUE;
+    break;
   }
+  return TRUE;
 }
 
 /* What is entered becomes a step, by which all is shown again. */

@@ -123,9 +123,8 @@ show (QnForm *data, const QnModel *model, guint field, QnValue *value)
   case OTHER:
     value->text = dup_meaning (page, &parameter);
     return *value->text != '\0';
-  default:
-    return TRUE;
   }
+  return TRUE;
 }
 
 static gboolean

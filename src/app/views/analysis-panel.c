@@ -365,8 +365,6 @@ take (QnForm *data, QnModel *model, guint field, const QnValue *value, GError **
     if (a->control.block != QN_NONE) /* in place of a node of beams */
       a->control.node = QN_NONE;
     break;
-  default:
-    break;
   }
   if (a->procedure == QN_PROCEDURE_DISPLACEMENT && !qn_control_is_given (&a->control))
     choose_control (model);

@@ -132,9 +132,8 @@ show (QnForm *data, const QnModel *model, guint field, QnValue *value)
     value->number = 0;
     add_runs (panel, state_of (panel)->onion, value);
     return value->row_count > 2;
-  default:
-    return TRUE;
   }
+  return TRUE;
 }
 
 /* ---- what is chosen ---- */

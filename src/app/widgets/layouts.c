@@ -91,11 +91,16 @@ static void
 allocate_pair (GtkWidget *widget, int width, int height, int baseline)
 {
   Pair pair = measure_children (widget, width);
-  const int below = pair.beside ? 0 : pair.height[0] + SPACING;
-  const GtkAllocation places[] = {
+  const int upper =
+    gtk_widget_get_hexpand (pair.child[1]) && pair.least[1] > pair.least[0];
+  const int below = pair.beside ? 0 : pair.height[upper] + SPACING;
+  GtkAllocation places[] = {
     { 0, 0, pair.width[0], pair.beside ? height : pair.height[0] },
-    { width - pair.width[1], below, pair.width[1], MAX (height - below, 0) },
+    { width - pair.width[1], 0, pair.width[1], pair.beside ? height : pair.height[1] },
   };
+  places[!upper].y = below;
+  if (!pair.beside)
+    places[!upper].height = MAX (height - below, 0);
   for (int i = 0; i < 2; i++)
     gtk_widget_size_allocate (pair.child[i], &places[i], -1);
 }

@@ -9,7 +9,7 @@ void qn_layout_first_fit (GtkWidget *box);
 
 /* Two children beside each other, or, without room for that, the second below the first. One takes
  * the rest of the width: the second if it expands, which then has to have its least width, or the
- * first. */
+ * first. One that expands and needs more width than the first goes above it. */
 void qn_layout_wrap_pair (GtkWidget *box);
 
 /* Children of one size, in as few columns as there is height for, all but the last of equal height. */

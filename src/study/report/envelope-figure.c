@@ -98,6 +98,7 @@ draw_structure (const QnEnvelopeFigure *figure, cairo_t *cr, const QnPage *page,
   qn_view_options_init (&options, moves ? QN_VIEW_MECHANISM : QN_VIEW_MODEL);
   options.phase = figure->phase;
   options.loads = true;
+  options.dimensions = false; /* the axis tells them, and they lie half outside */
   g_autoptr (QnScene) scene = qn_scene_build (figure->moved, moves ? &e->contacts : NULL,
                                               moves ? result : NULL, &options, error);
   if (scene == NULL)
