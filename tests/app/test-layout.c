@@ -169,6 +169,28 @@ test_views_keep_places (void)
   driver_discard (window);
 }
 
+/* The multiplier of the step is there in full, with steps of two digits too. */
+static void
+test_step_in_full (void)
+{
+  QnWindow *window = driver_open_window (1280, 800);
+  g_autofree char *path = driver_example_path ("16-load-stages.quoin");
+  g_assert_true (qn_window_open_path (window, path));
+  driver_activate (window, "win.run");
+  driver_wait_for_job (window);
+  driver_activate (window, "win.view::deformed");
+  GtkLabel *label = GTK_LABEL (driver_find_id (GTK_WIDGET (window), "step"));
+  static const char *const texts[] = { NULL,
+                                       "Schritt 125 von 125, Multiplikator 1,0000" };
+  for (gsize i = 0; i < G_N_ELEMENTS (texts); i++) {
+    if (texts[i] != NULL)
+      gtk_label_set_text (label, texts[i]);
+    driver_settle ();
+    g_assert_false (pango_layout_is_ellipsized (gtk_label_get_layout (label)));
+  }
+  driver_discard (window);
+}
+
 /* Whatever the panels show, the drawing keeps its width. */
 static void
 test_panels_keep_width (void)
@@ -263,6 +285,7 @@ QN_TESTS
   g_test_add_func ("/app/reach/small-window", test_small_window);
   g_test_add_func ("/app/reach/message", test_message_over_drawing);
   g_test_add_func ("/app/reach/views-keep-places", test_views_keep_places);
+  g_test_add_func ("/app/reach/step-in-full", test_step_in_full);
   g_test_add_func ("/app/reach/panels-keep-width", test_panels_keep_width);
   g_test_add_func ("/app/window/large-text", test_large_text);
 }
