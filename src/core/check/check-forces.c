@@ -260,19 +260,26 @@ take_damage (QnCheck *check, size_t step, size_t p)
   bool bond = qn_spring_has_bond (&springs->a) || qn_spring_has_bond (&springs->b);
   if ((moved || check->unknown[p]) && !bond) /* of a member: any, as its forces are */
     return;
-  if (at.damage > found && at.damage <= 1 && moved) {
+  const double force[2] = { at.normal_force, at.shear_force };
+  bool other = !springs->equal && at.damage == found && found > 0
+               && !same_force (response->force, force,
+                               force_tolerance (check, springs, as->elongations + 2 * p));
+  if ((at.damage > found || other) && at.damage <= 1 && moved) {
     const QnPairMemory start = *before;
-    const double force[2] = { at.normal_force, at.shear_force };
     bool weaker = springs->b.cohesion > 0 && springs->b.cohesion < springs->a.cohesion;
-    for (int i = 0; i < (springs->equal ? 1 : 2); i++) {
-      bool in_b = (weaker && !springs->equal) != (i == 1);
-      if (!qn_spring_has_bond (in_b ? &springs->b : &springs->a))
+    /* By itself, or by a flow. */
+    for (int i = 0; i < 4; i++) {
+      bool in_b = (weaker && !springs->equal) != (i % 2 == 1);
+      if ((springs->equal && i % 2 == 1)
+          || !qn_spring_has_bond (in_b ? &springs->b : &springs->a))
         continue;
       *before = start;
       *(in_b ? &before->b.extreme : &before->a.extreme) = at.damage;
       qn_pair_evaluate (springs, before, as->elongations + 2 * p, response);
       QnPairResponse flown = *response;
-      if (flow_to (check, p, force, &flown))
+      if (i < 2 ? same_force (response->force, force,
+                              force_tolerance (check, springs, as->elongations + 2 * p))
+                : flow_to (check, p, force, &flown))
         break;
     }
     found = qn_pair_damage (springs, &response->memory);

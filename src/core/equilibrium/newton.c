@@ -304,20 +304,31 @@ qn_equilibrium_iterate (QnStepEquation *equation, int budget)
   return status;
 }
 
-/* Whether the laws by themselves, from the state before, break all that is broken. */
+static bool
+is_broken (const QnPairSprings *springs, const QnPairMemory *memory, bool in_a)
+{
+  return in_a ? qn_spring_damage (&springs->a, &memory->a) >= 1
+              : !springs->equal && qn_spring_damage (&springs->b, &memory->b) >= 1;
+}
+
+/* Whether the laws by themselves, from the state before, break what is broken, and of two springs the same. */
 static bool
 breaks_by_law (const QnAssembly *as)
 {
   for (size_t p = 0; as->has_bonds && p < as->pair_count; p++) {
+    const QnPairSprings *springs = &as->springs[p];
+    const QnPairMemory *after = &as->responses[p].memory;
     QnPairMemory before = as->committed[p];
     QnPairResponse response;
     if (isnan (as->breaks[p]))
       continue;
     before.a.extreme = before.a.extreme == 1 ? as->breaks[p] : before.a.extreme;
     before.b.extreme = before.b.extreme == 1 ? as->breaks[p] : before.b.extreme;
-    if (!qn_pair_evaluate (&as->springs[p], &before, as->elongations + 2 * p, &response)
-        || qn_pair_damage (&as->springs[p], &response.memory) < 1)
+    if (!qn_pair_evaluate (springs, &before, as->elongations + 2 * p, &response))
       return false;
+    for (int in_a = 0; in_a < 2; in_a++)
+      if (is_broken (springs, &response.memory, in_a) != is_broken (springs, after, in_a))
+        return false;
   }
   return true;
 }

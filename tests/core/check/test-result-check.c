@@ -274,6 +274,37 @@ test_one_bond_broken (void)
   g_assert_cmpint (test_run_count_faults (&run), ==, 0);
 }
 
+/* Blocks pressed aslant. On the way to rest the stronger bond of a joint breaks, where the weaker one would break
+ * at the forces of rest, and its friction counts from then on. */
+static void
+test_other_bond_broken (void)
+{
+  for (int i = 0; i < 24; i++) {
+    g_auto (TestRun) run = { 0 };
+    QnModel *model = &run.model;
+    test_model_init_stack (model, 2, 1.2, 0.5);
+    for (int strong = 0; strong < 2; strong++) {
+      QnLaw *law = strong ? &model->laws[0] : qn_model_add_law (model, "weak");
+      *law = (QnLaw){ .name = law->name,
+                      .kind = QN_LAW_COULOMB,
+                      .basis = QN_BASIS_SURFACE,
+                      .kn = 2e10,
+                      .ks = 1e10,
+                      .friction = strong ? 0.88 : 0.98,
+                      .cohesion = strong ? 1e4 : 1e3,
+                      .tension = strong ? 5e3 : 100 };
+    }
+    model->blocks[1].law = 1;
+    press (model, 160e3);
+    model->dead_loads[0].block = 2;
+    model->dead_loads[0].vector.x = 30e3 + 3e3 * i;
+    model->analysis.max_multiplier = 0;
+    test_run_solve (&run);
+    g_assert_cmpint (run.result.outcome, ==, QN_OUTCOME_TARGET_REACHED);
+    g_assert_cmpint (test_run_count_faults (&run), ==, 0);
+  }
+}
+
 /* A bond that was damaged a very little more on the way of a motion carries less by more than forces may
  * differ. */
 static void
@@ -733,6 +764,7 @@ QN_TESTS
   g_test_add_func ("/core/result-check/slip-of-a-damaged-bond",
                    test_slip_of_a_damaged_bond);
   g_test_add_func ("/core/result-check/one-bond-broken", test_one_bond_broken);
+  g_test_add_func ("/core/result-check/other-bond-broken", test_other_bond_broken);
   g_test_add_func ("/core/result-check/bond-damaged-on-the-way",
                    test_bond_damaged_on_the_way);
   g_test_add_func ("/core/result-check/fibre-strained-on-the-way",
