@@ -8,22 +8,6 @@
 #include <math.h>
 
 static void
-write_nodes (QnFileWriter *out, const QnModel *model)
-{
-  qn_file_writer_puts (out, "  \"nodes\": [");
-  for (size_t i = 0; i < model->node_count; i++) {
-    const QnNode *node = &model->nodes[i];
-    qn_file_writer_json (out, ",\n    { \"name\": %s, \"at\": [%g, %g]", node->name,
-                         node->at.x, node->at.y);
-    if (node->block != QN_NONE)
-      qn_file_writer_json (out, ", \"block\": %d", node->block);
-    qn_file_writer_json (out, ", \"support\": [%i, %i, %i] }", node->support[0],
-                         node->support[1], node->support[2]);
-  }
-  qn_file_writer_puts (out, "\n  ],\n");
-}
-
-static void
 write_beam_list (QnFileWriter *out, const QnModel *model)
 {
   qn_file_writer_puts (out, "  \"beams\": [");
@@ -87,25 +71,6 @@ write_faces (QnFileWriter *out, const QnContacts *contacts)
                            pair->point.x, pair->point.y, pair->tributary);
     }
     qn_file_writer_puts (out, " ] }");
-  }
-  qn_file_writer_puts (out, "\n  ],\n");
-}
-
-static void
-write_loads (QnFileWriter *out, const QnModel *model)
-{
-  qn_file_writer_puts (out, "  \"loads\": [");
-  for (size_t i = 0; i < qn_model_load_count (model); i++) {
-    const QnLoad *load = qn_model_load (model, i);
-    const QnVec2 resultant = qn_model_load_resultant (model, i);
-    qn_file_writer_json (
-      out, ",\n    { \"kind\": %s, \"list\": %s", qn_load_kind_names[load->kind],
-      i < model->dead_load_count ? "dead" : qn_model_load_set_name (model, load->set));
-    if (load->load_case > 0)
-      qn_file_writer_json (out, ", \"case\": %s",
-                           model->load_cases[load->load_case - 1].name);
-    qn_file_writer_json (out, ", \"factor\": %g, \"resultant\": [%g, %g] }",
-                         qn_model_load_factor (model, load), resultant.x, resultant.y);
   }
   qn_file_writer_puts (out, "\n  ],\n");
 }
@@ -236,10 +201,33 @@ qn_check_report_dup_json (const QnCheckReport *report, gsize *length)
                          block->support[2]);
   }
   qn_file_writer_puts (out, "\n  ],\n");
-  write_nodes (out, model);
+  qn_file_writer_puts (out, "  \"nodes\": [");
+  for (size_t i = 0; i < model->node_count; i++) {
+    const QnNode *node = &model->nodes[i];
+    qn_file_writer_json (out, ",\n    { \"name\": %s, \"at\": [%g, %g]", node->name,
+                         node->at.x, node->at.y);
+    if (node->block != QN_NONE)
+      qn_file_writer_json (out, ", \"block\": %d", node->block);
+    qn_file_writer_json (out, ", \"support\": [%i, %i, %i] }", node->support[0],
+                         node->support[1], node->support[2]);
+  }
+  qn_file_writer_puts (out, "\n  ],\n");
   write_beam_list (out, model);
   write_ties (out, model);
-  write_loads (out, model);
+  qn_file_writer_puts (out, "  \"loads\": [");
+  for (size_t i = 0; i < qn_model_load_count (model); i++) {
+    const QnLoad *load = qn_model_load (model, i);
+    const QnVec2 resultant = qn_model_load_resultant (model, i);
+    qn_file_writer_json (
+      out, ",\n    { \"kind\": %s, \"list\": %s", qn_load_kind_names[load->kind],
+      i < model->dead_load_count ? "dead" : qn_model_load_set_name (model, load->set));
+    if (load->load_case > 0)
+      qn_file_writer_json (out, ", \"case\": %s",
+                           model->load_cases[load->load_case - 1].name);
+    qn_file_writer_json (out, ", \"factor\": %g, \"resultant\": [%g, %g] }",
+                         qn_model_load_factor (model, load), resultant.x, resultant.y);
+  }
+  qn_file_writer_puts (out, "\n  ],\n");
   if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
     write_ground (out, model);
   write_faces (out, report->contacts);

@@ -363,20 +363,6 @@ split_bodies (GPtrArray *meshes, guint number)
   g_array_set_size (mesh->points, 0);
 }
 
-/* Takes out plates without thickness, such as a floor drawn as one face: they are no blocks. Nor is what was
- * taken apart. */
-static void
-drop_plates (GPtrArray *meshes, QnDrawing *drawing)
-{
-  for (guint i = meshes->len; i-- > 0;) {
-    const Mesh *mesh = meshes->pdata[i];
-    if (!is_plate (mesh))
-      continue;
-    tell (drawing, _ ("meshes without thickness left out"), mesh->points->len > 0, FALSE);
-    g_ptr_array_remove_index (meshes, i);
-  }
-}
-
 /* Tries the views; what spoils the first one is told where another one is taken. */
 static gboolean
 view_meshes (const GPtrArray *meshes, const char *name, QnDrawing *drawing,
@@ -427,20 +413,6 @@ member (const cJSON *object, const char *key)
   return cJSON_IsObject (object) ? cJSON_GetObjectItemCaseSensitive (object, key) : NULL;
 }
 
-/* A point by an object with x, y and z, or an array of three numbers. */
-static MeshPoint
-point_of (const cJSON *vertex)
-{
-  static const char *const axes[] = { "x", "y", "z" };
-  MeshPoint p;
-  for (int axis = 0; axis < 3; axis++) {
-    const cJSON *value = cJSON_IsArray (vertex) ? cJSON_GetArrayItem (vertex, axis)
-                                                : member (vertex, axes[axis]);
-    p.at[axis] = cJSON_IsNumber (value) ? value->valuedouble : NAN;
-  }
-  return p;
-}
-
 /* Moves a point by the rows of a matrix of 4 x 4; NULL, or what is none, leaves it. */
 static void
 transform (MeshPoint *p, const cJSON *matrix)
@@ -467,7 +439,14 @@ take_mesh (const Reading *reading, const cJSON *vertices, const cJSON *faces,
     g_hash_table_new_full (g_str_hash, g_str_equal, g_free, NULL);
   guint next = 0;
   for (const cJSON *v = vertices->child; v != NULL; v = v->next, next++) {
-    MeshPoint p = point_of (v);
+    /* A point by an object with x, y and z, or an array of three numbers. */
+    static const char *const axes[] = { "x", "y", "z" };
+    MeshPoint p;
+    for (int axis = 0; axis < 3; axis++) {
+      const cJSON *value =
+        cJSON_IsArray (v) ? cJSON_GetArrayItem (v, axis) : member (v, axes[axis]);
+      p.at[axis] = cJSON_IsNumber (value) ? value->valuedouble : NAN;
+    }
     transform (&p, matrix);
     if (!isfinite (p.at[0]) || !isfinite (p.at[1]) || !isfinite (p.at[2]))
       return fail_mesh (reading, 1, name, TRUE);
@@ -625,8 +604,18 @@ qn_compas_import (const char *text, gsize length, const char *name, QnDrawing *d
                     : FALSE;
   for (guint i = 0, count = meshes->len; i < count && done; i++)
     split_bodies (meshes, i);
-  if (done)
-    drop_plates (meshes, drawing);
+  if (done) {
+    /* Leaves out plates without thickness, such as a floor drawn as one face: they are no
+     * blocks. Nor is what was taken apart. */
+    for (guint i = meshes->len; i-- > 0;) {
+      const Mesh *mesh = meshes->pdata[i];
+      if (!is_plate (mesh))
+        continue;
+      tell (drawing, _ ("meshes without thickness left out"), mesh->points->len > 0,
+            FALSE);
+      g_ptr_array_remove_index (meshes, i);
+    }
+  }
   if (done && meshes->len == 0)
     done =
       qn_io_fail (error, QN_IO_ERROR_INVALID, _ ("%s:1: no assembly of blocks"), name);

@@ -196,28 +196,6 @@ put_beams (Export *export, const QnModel *model, const QnResult *result, double 
                  place_node (model, model->elements[i].nodes[1], u, scale));
 }
 
-static void
-put_entities (Export *export, const QnModel *model, const QnContacts *contacts,
-              const QnResult *result, double scale)
-{
-  put_text (export, "  0\nSECTION\n  2\nENTITIES\n");
-  for (size_t i = 0; i < model->block_count; i++)
-    put_block (export, model, (QnId) i,
-               qn_support_is_full (model->blocks[i].support) ? "SUPPORTS" : "BLOCKS",
-               NULL, 0);
-  for (size_t i = 0; contacts != NULL && i < contacts->face_count; i++)
-    put_segment (export, "CONTACTS", contacts->faces[i].start, contacts->faces[i].end);
-  if (result != NULL && result->step_count > 0) {
-    const double *u = qn_result_step_displacements (result, result->step_count - 1);
-    for (size_t i = 0; i < model->block_count; i++)
-      put_block (export, model, (QnId) i, "DEFORMED", u + i * QN_DOF_COUNT, scale);
-  }
-  put_beams (export, model, result, scale);
-  for (size_t i = 0; i < model->tie_count; i++)
-    put_segment (export, "TIES", model->ties[i].ends[0].at, model->ties[i].ends[1].at);
-  put_text (export, "  0\nENDSEC\n");
-}
-
 gboolean
 qn_dxf_export (const QnModel *model, const QnContacts *contacts, const QnResult *result,
                double scale, double unit, const char *path, GError **error)
@@ -232,7 +210,22 @@ qn_dxf_export (const QnModel *model, const QnContacts *contacts, const QnResult 
   put_text (&export, "  9\n$MEASUREMENT\n 70\n1\n"
                      "  0\nENDSEC\n");
   put_tables (&export);
-  put_entities (&export, model, contacts, result, scale);
+  put_text (&export, "  0\nSECTION\n  2\nENTITIES\n");
+  for (size_t i = 0; i < model->block_count; i++)
+    put_block (&export, model, (QnId) i,
+               qn_support_is_full (model->blocks[i].support) ? "SUPPORTS" : "BLOCKS",
+               NULL, 0);
+  for (size_t i = 0; contacts != NULL && i < contacts->face_count; i++)
+    put_segment (&export, "CONTACTS", contacts->faces[i].start, contacts->faces[i].end);
+  if (result != NULL && result->step_count > 0) {
+    const double *u = qn_result_step_displacements (result, result->step_count - 1);
+    for (size_t i = 0; i < model->block_count; i++)
+      put_block (&export, model, (QnId) i, "DEFORMED", u + i * QN_DOF_COUNT, scale);
+  }
+  put_beams (&export, model, result, scale);
+  for (size_t i = 0; i < model->tie_count; i++)
+    put_segment (&export, "TIES", model->ties[i].ends[0].at, model->ties[i].ends[1].at);
+  put_text (&export, "  0\nENDSEC\n");
   put_text (&export,
             "  0\nSECTION\n  2\nOBJECTS\n  0\nDICTIONARY\n  5\n1B\n330\n0\n"
             "100\nAcDbDictionary\n  3\nACAD_GROUP\n350\n1C\n"

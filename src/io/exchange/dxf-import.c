@@ -431,20 +431,6 @@ choose_view (Importer *importer)
   return TRUE;
 }
 
-/* The boundaries of each hatch, which have its line, are parts of one shape. Nothing else is there. */
-static void
-join_boundaries (QnDrawing *drawing)
-{
-  for (guint first = 0, end; first < drawing->paths->len; first = end) {
-    guint line = g_array_index (drawing->paths, QnDrawingPath, first).line;
-    for (end = first + 1;
-         end < drawing->paths->len
-         && g_array_index (drawing->paths, QnDrawingPath, end).line == line;)
-      end++;
-    qn_drawing_join_parts (drawing, first, end, TRUE);
-  }
-}
-
 gboolean
 qn_dxf_import (const char *bytes, gsize size, const char *name, QnDrawing *drawing,
                GError **error)
@@ -465,8 +451,18 @@ qn_dxf_import (const char *bytes, gsize size, const char *name, QnDrawing *drawi
     add_rank (&importer, (Rank) rank);
   }
   gboolean full = is_full (&importer), seen = !full && choose_view (&importer);
-  if (seen && alone)
-    join_boundaries (drawing);
+  if (seen && alone) {
+    /* The boundaries of each hatch, which have its line, are parts of one shape. Nothing
+     * else is there. */
+    for (guint first = 0, end; first < drawing->paths->len; first = end) {
+      guint line = g_array_index (drawing->paths, QnDrawingPath, first).line;
+      for (end = first + 1;
+           end < drawing->paths->len
+           && g_array_index (drawing->paths, QnDrawingPath, end).line == line;)
+        end++;
+      qn_drawing_join_parts (drawing, first, end, TRUE);
+    }
+  }
   if (full && importer.points->len >= MAX_POINTS)
     g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID,
                  _ ("%s:1: outlines of more than %d corners"), name, MAX_POINTS);

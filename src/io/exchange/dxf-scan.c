@@ -317,18 +317,6 @@ take_hatch (Scanner *scanner)
 }
 
 static void
-take_layer (Scanner *scanner)
-{
-  const Pair *name = find (scanner, 2);
-  int state = (find_integer (scanner, 70) & 1) ? QN_DXF_FROZEN
-              : find_integer (scanner, 62) < 0 ? QN_DXF_OFF
-                                               : 0;
-  if (name != NULL && state != 0)
-    g_hash_table_insert (scanner->scan->hidden, (char *) keep_text (scanner, name, TRUE),
-                         GINT_TO_POINTER (state));
-}
-
-static void
 take_block (Scanner *scanner)
 {
   const Pair *name = find (scanner, 2);
@@ -344,19 +332,6 @@ take_block (Scanner *scanner)
                   next };
   g_hash_table_replace (scanner->scan->blocks, (char *) keep_text (scanner, name, TRUE),
                         scanner->block);
-}
-
-static void
-take_insert (Scanner *scanner)
-{
-  static const int codes[] = { 41, 42, 43, 50, 70, 71, 44, 45 };
-  QnDxfEntity insert = begin_entity (scanner, QN_DXF_INSERT);
-  const Pair *name = find (scanner, 2);
-  for (gsize k = 0; k < G_N_ELEMENTS (codes); k++)
-    insert.numbers[k] = number_at (scanner, codes[k], k < 3);
-  insert.name = name != NULL ? keep_text (scanner, name, TRUE) : NULL;
-  take_point (scanner, &insert, 10);
-  keep_entity (scanner, &insert);
 }
 
 /* The entities whose points have a group code each. */
@@ -455,8 +430,16 @@ finish_entity (Scanner *scanner)
   gboolean in_polyline = scanner->in_polyline;
   scanner->in_polyline = in_polyline && vertex;
   if (scanner->section == TABLES) {
-    if (strcmp (type, "LAYER") == 0)
-      take_layer (scanner);
+    if (strcmp (type, "LAYER") == 0) {
+      const Pair *name = find (scanner, 2);
+      int state = (find_integer (scanner, 70) & 1) ? QN_DXF_FROZEN
+                  : find_integer (scanner, 62) < 0 ? QN_DXF_OFF
+                                                   : 0;
+      if (name != NULL && state != 0)
+        g_hash_table_insert (scanner->scan->hidden,
+                             (char *) keep_text (scanner, name, TRUE),
+                             GINT_TO_POINTER (state));
+    }
   } else if (strcmp (type, "BLOCK") == 0) {
     take_block (scanner);
   } else if (strcmp (type, "ENDBLK") == 0) {
@@ -469,7 +452,14 @@ finish_entity (Scanner *scanner)
   } else if (find_integer (scanner, 67) == 1) {
     note (scanner, _ ("entities in paper space left out"));
   } else if (strcmp (type, "INSERT") == 0) {
-    take_insert (scanner);
+    static const int codes[] = { 41, 42, 43, 50, 70, 71, 44, 45 };
+    QnDxfEntity insert = begin_entity (scanner, QN_DXF_INSERT);
+    const Pair *of = find (scanner, 2);
+    for (gsize k = 0; k < G_N_ELEMENTS (codes); k++)
+      insert.numbers[k] = number_at (scanner, codes[k], k < 3);
+    insert.name = of != NULL ? keep_text (scanner, of, TRUE) : NULL;
+    take_point (scanner, &insert, 10);
+    keep_entity (scanner, &insert);
   } else if (strcmp (type, "HATCH") == 0) {
     take_hatch (scanner);
   } else if (strcmp (type, "LWPOLYLINE") == 0 || strcmp (type, "POLYLINE") == 0
@@ -480,25 +470,6 @@ finish_entity (Scanner *scanner)
   }
   scanner->type[0] = '\0';
   g_array_set_size (scanner->pairs, 0);
-}
-
-/* A pair with code 0 ends what was before it. */
-static void
-begin_thing (Scanner *scanner, const Pair *pair)
-{
-  finish_entity (scanner);
-  gboolean drawn = scanner->section >= TABLES && scanner->section <= ENTITIES;
-  if (is (pair, "SECTION")) {
-    scanner->section = OUTSIDE;
-  } else if (is (pair, "ENDSEC")) {
-    scanner->section = OTHER;
-    scanner->block = NULL;
-  } else if (drawn) {
-    g_strlcpy (scanner->type, pair->value, sizeof scanner->type);
-    for (char *c = scanner->type; *c != '\0'; c++)
-      *c = g_ascii_isgraph (*c) ? *c : '?';
-    scanner->entity_line = scanner->line - 1;
-  }
 }
 
 /* What is quoted of a line. */
@@ -513,7 +484,20 @@ take_pair (Scanner *scanner, const Pair *pair)
 {
   double number;
   if (pair->code == 0) {
-    begin_thing (scanner, pair);
+    /* A pair with code 0 ends what was before it. */
+    finish_entity (scanner);
+    gboolean drawn = scanner->section >= TABLES && scanner->section <= ENTITIES;
+    if (is (pair, "SECTION")) {
+      scanner->section = OUTSIDE;
+    } else if (is (pair, "ENDSEC")) {
+      scanner->section = OTHER;
+      scanner->block = NULL;
+    } else if (drawn) {
+      g_strlcpy (scanner->type, pair->value, sizeof scanner->type);
+      for (char *c = scanner->type; *c != '\0'; c++)
+        *c = g_ascii_isgraph (*c) ? *c : '?';
+      scanner->entity_line = scanner->line - 1;
+    }
   } else if (scanner->section == OUTSIDE && pair->code == 2) {
     scanner->section = is (pair, "HEADER")     ? HEADER
                        : is (pair, "TABLES")   ? TABLES

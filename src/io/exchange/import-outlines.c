@@ -290,25 +290,6 @@ tell_of_idle_lines (QnImportWork *work, const QnBoxTree *tree, const QnSegments 
                     length, at.x, at.y);
 }
 
-/* Turns the faces that lie in no outline and are bounded by open lines, of which there are
- * `lines`, into outlines. */
-static void
-take_faces (QnImportWork *work, QnRole role, const QnRings *faces,
-            const QnSegments *lines, guint outlines)
-{
-  QnBoxTree tree;
-  g_auto (QnPool) room = { 0 };
-  qn_segments_tree (lines, 0, &tree, &room);
-  for (gsize i = 0; i < faces->count; i++) {
-    const QnRing *face = &faces->items[i];
-    QnVec2 inner = qn_polygon_inner_point (face->points, face->count);
-    if (!lies_in_outline (work, inner, outlines)
-        && touches_lines (work, &tree, lines, face))
-      add_outline (work, face, &(QnOutline){ .role = role });
-  }
-  tell_of_idle_lines (work, &tree, lines);
-}
-
 QnStatus
 qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag)
 {
@@ -332,8 +313,20 @@ qn_import_take_faces (QnImportWork *work, QnRole role, QnDiag *diag)
   tell_healing (work, _ ("ends of lines joined"), &healing);
   if (holes > 0)
     qn_import_tell (work, TRUE, _ ("faces around other faces left out: %zu"), holes);
-  if (status == QN_OK)
-    take_faces (work, role, &faces, &lines, outlines);
+  if (status == QN_OK) {
+    /* Faces that lie in no outline and are bounded by open lines are outlines. */
+    QnBoxTree tree;
+    g_auto (QnPool) room = { 0 };
+    qn_segments_tree (&lines, 0, &tree, &room);
+    for (gsize i = 0; i < faces.count; i++) {
+      const QnRing *face = &faces.items[i];
+      QnVec2 inner = qn_polygon_inner_point (face->points, face->count);
+      if (!lies_in_outline (work, inner, outlines)
+          && touches_lines (work, &tree, &lines, face))
+        add_outline (work, face, &(QnOutline){ .role = role });
+    }
+    tell_of_idle_lines (work, &tree, &lines);
+  }
   if (role == QN_ROLE_BLOCK && outlines == 0)
     look_for_openings (work, &faces);
   return status;

@@ -268,25 +268,6 @@ read_scale (QnRecordHeading *heading, const char *lower, gsize line)
   heading->unit_line = line;
 }
 
-/* The line before the data of COSMOS, "8001 acceleration pts, approx 40 secs, units=cm/sec2 (4)", and
- * of CSMIP, "8000 points of accel data equally spaced at .005 sec, in cm/sec2". */
-static void
-read_descriptor (QnRecordHeading *heading, const char *lower, gsize number)
-{
-  const char *approx = strstr (lower, "approx");
-  double length = approx != NULL ? g_ascii_strtod (approx + 6, NULL) : 0;
-  heading->count = g_ascii_strtod (lower, NULL);
-  if (length > 0
-      && fabs (heading->count * heading->time_step - length) > 1.01 + 0.01 * length)
-    heading->time_step = 0; /* it was another number */
-  heading->second_step = heading->second_unit = 0;
-  heading->quantity = qn_record_quantity_of_name (lower);
-  if (strstr (lower, "unit") == NULL) {
-    heading->unit = qn_record_unit_of_name (lower);
-    heading->unit_line = number;
-  }
-}
-
 gboolean
 qn_record_is_descriptor (const char *line)
 {
@@ -328,7 +309,21 @@ qn_record_heading_read (QnRecordHeading *heading, char *const *lines, gsize end)
     if (strstr (lower, "real-header values follow") != NULL)
       read_cosmos (heading, lines, i + 1, end);
     if (i + 1 == end && qn_record_is_descriptor (lower)) {
-      read_descriptor (heading, lower, end);
+      /* The line before the data of COSMOS, "8001 acceleration pts, approx 40 secs,
+       * units=cm/sec2 (4)", and of CSMIP, "8000 points of accel data equally spaced at
+       * .005 sec, in cm/sec2". */
+      const char *approx = strstr (lower, "approx");
+      double length = approx != NULL ? g_ascii_strtod (approx + 6, NULL) : 0;
+      heading->count = g_ascii_strtod (lower, NULL);
+      if (length > 0
+          && fabs (heading->count * heading->time_step - length) > 1.01 + 0.01 * length)
+        heading->time_step = 0; /* it was another number */
+      heading->second_step = heading->second_unit = 0;
+      heading->quantity = qn_record_quantity_of_name (lower);
+      if (strstr (lower, "unit") == NULL) {
+        heading->unit = qn_record_unit_of_name (lower);
+        heading->unit_line = end;
+      }
       return;
     }
     const char *type = value_of (lower, "data_type", TRUE);

@@ -163,21 +163,6 @@ pass_count (Reading *r)
   r->first++;
 }
 
-static gboolean
-fail_without_numbers (const Reading *r)
-{
-  gsize end = g_strv_length (r->lines);
-  while (end > 0 && is_passed_over (r->lines[end - 1]))
-    end--;
-  if (end == 0)
-    return fail (r, 0, _ ("record is empty: no line has numbers alone"));
-  const char *last = r->lines[end - 1];
-  g_autofree char *found = g_utf8_make_valid (last, (gssize) MIN (strlen (last), 40));
-  g_autofree char *message =
-    g_strdup_printf (_ ("no line has numbers alone; the last one is \"%s\""), found);
-  return fail (r, end, message);
-}
-
 /* Where the data begin: behind the line that announces them, else at the first line of numbers. */
 static gboolean
 find_data (Reading *r)
@@ -192,8 +177,18 @@ find_data (Reading *r)
          && (is_passed_over (r->lines[r->first])
              || count_numbers (r, r->lines[r->first], &first) == 0))
     r->first++;
-  if (r->lines[r->first] == NULL)
-    return fail_without_numbers (r);
+  if (r->lines[r->first] == NULL) {
+    gsize end = g_strv_length (r->lines);
+    while (end > 0 && is_passed_over (r->lines[end - 1]))
+      end--;
+    if (end == 0)
+      return fail (r, 0, _ ("record is empty: no line has numbers alone"));
+    const char *last = r->lines[end - 1];
+    g_autofree char *found = g_utf8_make_valid (last, (gssize) MIN (strlen (last), 40));
+    g_autofree char *message =
+      g_strdup_printf (_ ("no line has numbers alone; the last one is \"%s\""), found);
+    return fail (r, end, message);
+  }
   qn_record_heading_read (&r->heading, r->lines, r->first);
   pass_count (r);
   if (r->packed)
@@ -256,23 +251,6 @@ settle_unit (Reading *r, gsize line, QnRecordUnit own)
   return TRUE;
 }
 
-/* The same for the time between samples. */
-static gboolean
-settle_time_step (Reading *r)
-{
-  double said = r->heading.time_step;
-  if (r->heading.second_step > 0)
-    return fail (r, r->heading.second_step,
-                 _ ("the heading states two different time steps"));
-  if (said > 0 && r->time_step > 0 && fabs (said / r->time_step - 1) > 1e-6)
-    return fail (r, 0, _ ("the file states another time step than the one given"));
-  if (!(said > 0) && !(r->time_step > 0))
-    return fail (r, 0,
-                 _ ("the file does not state its time step: give it (time_step, s)"));
-  r->time_step = said > 0 ? said : r->time_step;
-  return TRUE;
-}
-
 /* The unit that a heading of words has in brackets or behind "in"; only the last line of it may speak
  * of anything but acceleration. */
 static QnRecordUnit
@@ -332,9 +310,19 @@ read_samples (Reading *r)
 {
   gsize i = r->first, last_line = 0;
   gsize first = 0, last = 0, others = 0; /* lengths of exponents; how many differ */
-  if (!settle_unit (r, r->heading.unit_line, unit_of_heading (r))
-      || !settle_time_step (r))
+  if (!settle_unit (r, r->heading.unit_line, unit_of_heading (r)))
     return FALSE;
+  /* The same for the time between samples. */
+  double said = r->heading.time_step;
+  if (r->heading.second_step > 0)
+    return fail (r, r->heading.second_step,
+                 _ ("the heading states two different time steps"));
+  if (said > 0 && r->time_step > 0 && fabs (said / r->time_step - 1) > 1e-6)
+    return fail (r, 0, _ ("the file states another time step than the one given"));
+  if (!(said > 0) && !(r->time_step > 0))
+    return fail (r, 0,
+                 _ ("the file does not state its time step: give it (time_step, s)"));
+  r->time_step = said > 0 ? said : r->time_step;
   for (; r->lines[i] != NULL; i++) {
     const char *at = r->lines[i];
     double number;

@@ -528,25 +528,6 @@ walk (Importer *importer, const xmlNode *node, State state)
   return TRUE;
 }
 
-/* Elements by their id, and the style sheets. Without recursion: a document may be deep. */
-static void
-collect (Importer *importer, const xmlNode *root)
-{
-  for (const xmlNode *node = root; node != NULL;) {
-    if (node->type == XML_ELEMENT_NODE) {
-      char *id = qn_svg_dup_attribute (node, "id");
-      if (id != NULL)
-        g_hash_table_insert (importer->elements, id, (gpointer) node);
-      if (is (node, "style"))
-        qn_svg_style_add (&importer->style, node);
-    }
-    const xmlNode *next = node->type == XML_ELEMENT_NODE ? node->children : NULL;
-    for (; next == NULL && node != root; node = node->parent)
-      next = node->next;
-    node = next;
-  }
-}
-
 /* The uncompressed text of a gzip file; NULL: unreadable or too large. */
 static GByteArray *
 inflate (const char *bytes, gsize size)
@@ -566,20 +547,6 @@ inflate (const char *bytes, gsize size)
   return count == 0 ? g_steal_pointer (&all) : NULL;
 }
 
-/* One line of what libxml2 says. */
-static void
-set_xml_error (xmlParserCtxt *context, const char *name, GError **error)
-{
-  const xmlError *problem = xmlCtxtGetLastError (context);
-  g_autofree char *reason = g_utf8_make_valid (problem != NULL && problem->message != NULL
-                                                 ? problem->message
-                                                 : _ ("not an XML file"),
-                                               -1);
-  g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s:%d: %s", name,
-               problem != NULL ? MAX (problem->line, 1) : 1,
-               g_strstrip (g_strdelimit (reason, "\r\n", ' ')));
-}
-
 static gboolean
 import_document (const xmlDoc *document, const char *name, QnDrawing *drawing,
                  GError **error)
@@ -593,7 +560,21 @@ import_document (const xmlDoc *document, const char *name, QnDrawing *drawing,
                         .error = error };
   State state = { .matrix = { 1, 0, 0, 1, 0, 0 }, .layer = "0", .bare = TRUE };
   qn_svg_style_init (&importer.style);
-  collect (&importer, root);
+  /* Elements by their id, and the style sheets. Without recursion: a document may be
+   * deep. */
+  for (const xmlNode *node = root; node != NULL;) {
+    if (node->type == XML_ELEMENT_NODE) {
+      char *id = qn_svg_dup_attribute (node, "id");
+      if (id != NULL)
+        g_hash_table_insert (importer.elements, id, (gpointer) node);
+      if (is (node, "style"))
+        qn_svg_style_add (&importer.style, node);
+    }
+    const xmlNode *next = node->type == XML_ELEMENT_NODE ? node->children : NULL;
+    for (; next == NULL && node != root; node = node->parent)
+      next = node->next;
+    node = next;
+  }
   if (importer.style.odd > 0)
     qn_drawing_note (drawing, _ ("rules of the style sheet that are not followed"), 0)
       ->count = importer.style.odd;
@@ -628,8 +609,17 @@ qn_svg_import (const char *text, gsize length, const char *name, QnDrawing *draw
       ? xmlCtxtReadMemory (context, text, (int) length, NULL, NULL,
                            XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING)
       : NULL;
-  if (document == NULL)
-    set_xml_error (context, name, error);
+  if (document == NULL) {
+    /* One line of what libxml2 says. */
+    const xmlError *problem = xmlCtxtGetLastError (context);
+    g_autofree char *reason = g_utf8_make_valid (
+      problem != NULL && problem->message != NULL ? problem->message
+                                                  : _ ("not an XML file"),
+      -1);
+    g_set_error (error, QN_IO_ERROR, QN_IO_ERROR_INVALID, "%s:%d: %s", name,
+                 problem != NULL ? MAX (problem->line, 1) : 1,
+                 g_strstrip (g_strdelimit (reason, "\r\n", ' ')));
+  }
   gboolean done = document != NULL && import_document (document, name, drawing, error);
   xmlFreeDoc (document);
   xmlFreeParserCtxt (context);

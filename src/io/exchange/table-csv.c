@@ -74,44 +74,24 @@ write_settlements (QnFileWriter *writer, const QnModel *model, const QnResult *r
 }
 
 static void
-write_history (QnFileWriter *writer, const QnModel *model, const QnHistory *history)
-{
-  qn_file_writer_puts (writer, "time [s],ground x [m/s2],ground y [m/s2]");
-  for (int kind = 0; kind < QN_ENERGY_KIND_COUNT; kind++)
-    qn_file_writer_printf (writer, ",%s [J]", qn_energy_names[kind]);
-  for (size_t i = 0; i < model->track_count; i++)
-    write_heading (writer, model->blocks[model->tracks[i].block].name,
-                   motions[model->tracks[i].dof]);
-  for (size_t i = 0; i < history->row_count; i++) {
-    const double *row = history->rows + i * history->width;
-    qn_file_writer_puts_number (writer, "\n", row[0]);
-    write_numbers (writer, row + 1, history->width - 1);
-  }
-  qn_file_writer_puts (writer, "\n");
-}
-
-/* The stage of a step and the number of the cycle that it belongs to, empty where there is none, and the
- * work up to the step. */
-static void
-write_stage (QnFileWriter *writer, const QnModel *model, int32_t stage, double work)
-{
-  const gboolean known = stage > 0 && (size_t) stage <= model->stage_count;
-  g_autofree char *name = known ? qn_stage_dup_name (model, stage) : g_strdup ("");
-  int32_t cycle = known ? qn_stage_cycle (&model->stages[stage - 1]) : 0;
-  qn_file_writer_csv (writer, ",%s,", name);
-  if (cycle > 0)
-    qn_file_writer_printf (writer, "%d", cycle);
-  write_numbers (writer, &work, 1);
-}
-
-static void
 write_curve (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
              const QnResult *result)
 {
   (void) contacts;
   static const char *const events[QN_EVENT_COUNT] = { "", "snap", "collapse" };
   if (result->history.width > 0) {
-    write_history (writer, model, &result->history);
+    qn_file_writer_puts (writer, "time [s],ground x [m/s2],ground y [m/s2]");
+    for (int kind = 0; kind < QN_ENERGY_KIND_COUNT; kind++)
+      qn_file_writer_printf (writer, ",%s [J]", qn_energy_names[kind]);
+    for (size_t i = 0; i < model->track_count; i++)
+      write_heading (writer, model->blocks[model->tracks[i].block].name,
+                     motions[model->tracks[i].dof]);
+    for (size_t i = 0; i < result->history.row_count; i++) {
+      const double *row = result->history.rows + i * result->history.width;
+      qn_file_writer_puts_number (writer, "\n", row[0]);
+      write_numbers (writer, row + 1, result->history.width - 1);
+    }
+    qn_file_writer_puts (writer, "\n");
     return;
   }
   gboolean staged = model->stage_count > 0;
@@ -140,8 +120,19 @@ write_curve (QnFileWriter *writer, const QnModel *model, const QnContacts *conta
         QN_DOF_COUNT);
     qn_file_writer_csv (writer, ",%d,%g,%s", step->iterations, step->residual,
                         (ptrdiff_t) i == buckles ? "buckling" : events[step->event]);
-    if (staged)
-      write_stage (writer, model, step->stage, works[i]);
+    if (staged) {
+      /* The stage of a step and the number of the cycle that it belongs to, empty where
+       * there is none, and the work up to the step. */
+      const gboolean known =
+        step->stage > 0 && (size_t) step->stage <= model->stage_count;
+      g_autofree char *name =
+        known ? qn_stage_dup_name (model, step->stage) : g_strdup ("");
+      int32_t cycle = known ? qn_stage_cycle (&model->stages[step->stage - 1]) : 0;
+      qn_file_writer_csv (writer, ",%s,", name);
+      if (cycle > 0)
+        qn_file_writer_printf (writer, "%d", cycle);
+      write_numbers (writer, &works[i], 1);
+    }
     if (result->reactions != NULL)
       write_settlements (writer, model, result, result, i);
     qn_file_writer_puts (writer, "\n");
@@ -189,22 +180,6 @@ write_contacts (QnFileWriter *writer, const QnModel *model, const QnContacts *co
   }
 }
 
-/* A row for one end of an element. */
-static void
-write_beam_end (QnFileWriter *writer, const QnModel *model, size_t element, int end,
-                const QnBeamForces *forces)
-{
-  const QnBeamElement *e = &model->elements[element];
-  const QnBeam *beam = &model->beams[e->beam];
-  QnVec2 at = model->nodes[e->nodes[end]].at;
-  QnVec2 from = model->nodes[beam->nodes[0]].at;
-  qn_file_writer_csv (writer, "%s,%d,%s,%g,%g,%g,%g,%g,%g\n", beam->name,
-                      (int) element - beam->first_element,
-                      model->nodes[e->nodes[end]].name, at.x, at.y,
-                      qn_vec2_length (qn_vec2_sub (at, from)), forces->normal[end],
-                      forces->shear[end], forces->moment[end]);
-}
-
 static void
 write_beams (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
              const QnResult *result)
@@ -217,8 +192,18 @@ write_beams (QnFileWriter *writer, const QnModel *model, const QnContacts *conta
   const QnBeamForces *forces =
     known ? qn_result_step_beam_forces (result, result->step_count - 1) : NULL;
   for (size_t i = 0; known && i < model->element_count; i++)
-    for (int end = 0; end < 2; end++)
-      write_beam_end (writer, model, i, end, &forces[i]);
+    for (int end = 0; end < 2; end++) {
+      /* A row for one end of an element. */
+      const QnBeamElement *e = &model->elements[i];
+      const QnBeam *beam = &model->beams[e->beam];
+      QnVec2 at = model->nodes[e->nodes[end]].at;
+      QnVec2 from = model->nodes[beam->nodes[0]].at;
+      qn_file_writer_csv (writer, "%s,%d,%s,%g,%g,%g,%g,%g,%g\n", beam->name,
+                          (int) i - beam->first_element, model->nodes[e->nodes[end]].name,
+                          at.x, at.y, qn_vec2_length (qn_vec2_sub (at, from)),
+                          forces[i].normal[end], forces[i].shear[end],
+                          forces[i].moment[end]);
+    }
 }
 
 static void

@@ -200,26 +200,6 @@ qn_json_value_warn (const QnJsonValue *place, const char *message)
   g_ptr_array_add (reader->warnings, dup_line_at (place, at > 0 ? &at : NULL, message));
 }
 
-/* Puts a copy of one member aside. */
-static void
-keep_unknown (const QnJsonValue *object, const cJSON *member)
-{
-  QnReader *reader = object->reader;
-  if (!reader->keeps_unknown)
-    return;
-  if (reader->unknown == NULL) {
-    reader->unknown = cJSON_CreateObject ();
-    reader->owners = g_hash_table_new (NULL, NULL);
-  }
-  cJSON *owner = g_hash_table_lookup (reader->owners, object->json);
-  if (owner == NULL) {
-    g_autofree char *path = qn_json_value_dup_path (object);
-    owner = cJSON_AddObjectToObject (reader->unknown, path);
-    g_hash_table_insert (reader->owners, (gpointer) object->json, owner);
-  }
-  cJSON_AddItemToObject (owner, member->string, cJSON_Duplicate (member, 1));
-}
-
 gboolean
 qn_json_value_idle (const QnJsonValue *place, const char *message)
 {
@@ -269,7 +249,21 @@ qn_json_value_check_keys (const QnJsonValue *object, const char *const *keys, gs
     QnJsonValue member = qn_json_value_child (object, child);
     if (!qn_json_value_unknown (&member, keys, count))
       return FALSE;
-    keep_unknown (object, child);
+    /* A copy of it is put aside. */
+    QnReader *reader = object->reader;
+    if (!reader->keeps_unknown)
+      continue;
+    if (reader->unknown == NULL) {
+      reader->unknown = cJSON_CreateObject ();
+      reader->owners = g_hash_table_new (NULL, NULL);
+    }
+    cJSON *owner = g_hash_table_lookup (reader->owners, object->json);
+    if (owner == NULL) {
+      g_autofree char *path = qn_json_value_dup_path (object);
+      owner = cJSON_AddObjectToObject (reader->unknown, path);
+      g_hash_table_insert (reader->owners, (gpointer) object->json, owner);
+    }
+    cJSON_AddItemToObject (owner, child->string, cJSON_Duplicate (child, 1));
   }
   return TRUE;
 }
@@ -442,20 +436,6 @@ qn_member_string (const QnJsonValue *object, const char *key, QnNeed need,
   return require_type (&member, cJSON_IsString (member.json), N_ ("a string"));
 }
 
-static gboolean
-fail_choice (const QnJsonValue *member, const char *given, const char *const *names,
-             int count)
-{
-  g_autoptr (GString) message = g_string_new (NULL);
-  qn_json_append_string (message, given);
-  /* Translators: followed by a list of words. */
-  g_string_append (message, _ (" is not one of "));
-  for (int i = 0; i < count; i++)
-    g_string_append_printf (message, "%s%s", i > 0 ? ", " : "",
-                            names[i] != NULL ? names[i] : "null");
-  return qn_json_value_fail (member, message->str);
-}
-
 gboolean
 qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
                   const char *const *names, int count, void *choice)
@@ -466,7 +446,14 @@ qn_member_choice (const QnJsonValue *object, const char *key, QnNeed need,
   if (given == NULL || qn_find_word (given, names, count, choice))
     return TRUE;
   QnJsonValue member = qn_json_value_member (object, key);
-  return fail_choice (&member, given, names, count);
+  g_autoptr (GString) message = g_string_new (NULL);
+  qn_json_append_string (message, given);
+  /* Translators: followed by a list of words. */
+  g_string_append (message, _ (" is not one of "));
+  for (int i = 0; i < count; i++)
+    g_string_append_printf (message, "%s%s", i > 0 ? ", " : "",
+                            names[i] != NULL ? names[i] : "null");
+  return qn_json_value_fail (&member, message->str);
 }
 
 /* No key is as long; longer words are near none. */
@@ -525,20 +512,6 @@ parse_path (const char *override, const char **value)
   return NULL;
 }
 
-/* The key of `parent` that is nearest to one that has just been added. */
-static char *
-dup_nearest (const cJSON *parent, const char *added)
-{
-  g_autoptr (GPtrArray) keys = g_ptr_array_new ();
-  const cJSON *member;
-  cJSON_ArrayForEach (member, parent)
-  {
-    if (member->string != added)
-      g_ptr_array_add (keys, member->string);
-  }
-  return g_strdup (qn_nearest_word (added, (const char *const *) keys->pdata, keys->len));
-}
-
 /* What keeps a step from leading into `container`, an element of `parent`; NULL where nothing does.
  * `before` leads there. */
 static char *
@@ -560,7 +533,16 @@ dup_obstacle (const cJSON *parent, const cJSON *container, const QnJsonStep *ste
     return g_strdup_printf (_ ("%s has no members"), before);
   if (count > 0)
     return g_strdup_printf (_ ("%s is not a list"), before);
-  g_autofree char *near = dup_nearest (parent, container->string);
+  /* The key of `parent` that is nearest to one that has just been added. */
+  g_autoptr (GPtrArray) keys = g_ptr_array_new ();
+  const cJSON *member;
+  cJSON_ArrayForEach (member, parent)
+  {
+    if (member->string != container->string)
+      g_ptr_array_add (keys, member->string);
+  }
+  g_autofree char *near = g_strdup (
+    qn_nearest_word (container->string, (const char *const *) keys->pdata, keys->len));
   return near != NULL ? g_strdup_printf (
            _ ("there is no list %s; the nearest known key is \"%s\""), before, near)
                       : g_strdup_printf (_ ("there is no list %s"), before);

@@ -35,19 +35,6 @@ compare_keys (Difference *difference, const cJSON *walked, const cJSON *before,
   }
 }
 
-static void
-compare_items (Difference *difference, const cJSON *before, const cJSON *after)
-{
-  const cJSON *b = before->child, *a = after->child;
-  for (gsize i = 0; b != NULL && a != NULL; i++, b = b->next, a = a->next) {
-    gsize length = difference->path->len;
-    qn_json_path_append (difference->path, NULL, i);
-    compare (difference, b, a);
-    g_string_truncate (difference->path, length);
-  }
-  difference->count += b != NULL || a != NULL;
-}
-
 /* A member that is written only where it is not as usual may be missing on one side. */
 static void
 compare (Difference *difference, const cJSON *before, const cJSON *after)
@@ -61,7 +48,14 @@ compare (Difference *difference, const cJSON *before, const cJSON *after)
     compare_keys (difference, before, before, after, FALSE);
     compare_keys (difference, after, before, after, TRUE);
   } else if (cJSON_IsArray (there) && before != NULL && after != NULL) {
-    compare_items (difference, before, after);
+    const cJSON *b = before->child, *a = after->child;
+    for (gsize i = 0; b != NULL && a != NULL; i++, b = b->next, a = a->next) {
+      gsize length = difference->path->len;
+      qn_json_path_append (difference->path, NULL, i);
+      compare (difference, b, a);
+      g_string_truncate (difference->path, length);
+    }
+    difference->count += b != NULL || a != NULL;
   } else if (!cJSON_Compare (before, after, TRUE)) {
     gboolean number = cJSON_IsNumber (there);
     gboolean has_value =

@@ -67,25 +67,6 @@ static const QnMember dynamic_members[] = {
 
 /* ---- in time: reading ---- */
 
-static gboolean
-read_points (const QnJsonValue *points, QnGroundMotion *motion)
-{
-  QnJsonValue element = { 0 };
-  if (!qn_json_value_array (points))
-    return FALSE;
-  while (qn_json_value_next (points, &element)) {
-    QnVec2 point;
-    if (element.index >= QN_MAX_SIGNAL_POINTS)
-      return qn_json_value_fail (points,
-                                 _ (qn_problem_text (QN_PROBLEM_SIGNAL_TOO_LONG)));
-    if (!qn_json_value_vec2 (&element, &point))
-      return FALSE;
-    if (!qn_ground_motion_add_point (motion, point.x, point.y))
-      return qn_json_value_no_memory (&element);
-  }
-  return TRUE;
-}
-
 /* The signal: a record, points or a pulse, one of them. */
 static gboolean
 read_ground (const QnJsonValue *place, QnModel *model, gpointer entity)
@@ -102,8 +83,22 @@ read_ground (const QnJsonValue *place, QnModel *model, gpointer entity)
           || motion->rests))
     return qn_json_value_fail (place,
                                _ ("unit, time_step, peak and rest belong to a record"));
-  if (points.json != NULL)
-    return read_points (&points, motion);
+  if (points.json != NULL) {
+    QnJsonValue element = { 0 };
+    if (!qn_json_value_array (&points))
+      return FALSE;
+    while (qn_json_value_next (&points, &element)) {
+      QnVec2 point;
+      if (element.index >= QN_MAX_SIGNAL_POINTS)
+        return qn_json_value_fail (&points,
+                                   _ (qn_problem_text (QN_PROBLEM_SIGNAL_TOO_LONG)));
+      if (!qn_json_value_vec2 (&element, &point))
+        return FALSE;
+      if (!qn_ground_motion_add_point (motion, point.x, point.y))
+        return qn_json_value_no_memory (&element);
+    }
+    return TRUE;
+  }
   motion->kind = pulse.json != NULL ? QN_SIGNAL_PULSE : QN_SIGNAL_RECORD;
   return TRUE;
 }
@@ -319,23 +314,6 @@ read_stage (const QnJsonValue *place, QnModel *model, gpointer entity)
          && (!cyclic || read_cycles (place, &amplitudes, model));
 }
 
-/* Warns of load sets that no stage drives. */
-static void
-warn_of_idle_sets (const QnJsonValue *root, const QnModel *model)
-{
-  QnJsonValue loads = qn_json_value_member (root, "loads");
-  QnJsonValue sets = qn_json_value_member (&loads, "sets");
-  uint32_t driven = model->stage_count > 0 ? 0 : 1;
-  for (size_t i = 0; i < model->stage_count; i++)
-    driven |= model->stages[i].sets;
-  for (size_t i = 0; i <= model->load_set_count; i++) {
-    const char *name = qn_model_load_set_name (model, (int32_t) i);
-    QnJsonValue set = qn_json_value_member (i == 0 ? &loads : &sets, name);
-    if ((driven >> i & 1) == 0 && set.json != NULL && set.json->child != NULL)
-      qn_json_value_warn (&set, _ (qn_problem_text (QN_PROBLEM_LOAD_SET_UNUSED)));
-  }
-}
-
 gboolean
 qn_read_analysis (const QnJsonValue *root, QnModel *model)
 {
@@ -347,7 +325,18 @@ qn_read_analysis (const QnJsonValue *root, QnModel *model)
            && qn_read_list (&place, &qn_stage_list, QN_OPTIONAL, model)
            && read_dynamic (&place, model)))
     return FALSE;
-  warn_of_idle_sets (root, model);
+  /* Load sets that no stage drives. */
+  QnJsonValue loads = qn_json_value_member (root, "loads");
+  QnJsonValue sets = qn_json_value_member (&loads, "sets");
+  uint32_t driven = model->stage_count > 0 ? 0 : 1;
+  for (size_t i = 0; i < model->stage_count; i++)
+    driven |= model->stages[i].sets;
+  for (size_t i = 0; i <= model->load_set_count; i++) {
+    const char *name = qn_model_load_set_name (model, (int32_t) i);
+    QnJsonValue set = qn_json_value_member (i == 0 ? &loads : &sets, name);
+    if ((driven >> i & 1) == 0 && set.json != NULL && set.json->child != NULL)
+      qn_json_value_warn (&set, _ (qn_problem_text (QN_PROBLEM_LOAD_SET_UNUSED)));
+  }
   /* Settings that a stage has for itself say nothing beside stages. */
   QnJsonValue procedure = qn_json_value_member (&place, "procedure");
   if (model->stage_count > 0 && procedure.json != NULL

@@ -387,25 +387,6 @@ qn_read_loads (const QnJsonValue *root, QnModel *model)
 /* ---- writing ---- */
 
 static void
-put_edge_load (GString *json, const QnLoad *load)
-{
-  if (load->has_side) {
-    qn_json_put_string (json, "side", qn_block_side_names[load->side]);
-  } else {
-    qn_json_put_number (json, "edge", load->edge);
-    qn_json_put_unusual (json, "count", load->edge_count, 1);
-  }
-  if (load->part[0] != 0 || load->part[1] != 1)
-    qn_json_put_numbers (json, "part", load->part, 2);
-  if (load->intensity[0] == load->intensity[1])
-    qn_json_put_number (json, "intensity", load->intensity[0]);
-  else
-    qn_json_put_numbers (json, "intensity", load->intensity, 2);
-  if (!load->normal)
-    qn_json_put_vec2 (json, "direction", load->vector);
-}
-
-static void
 append_load (GString *json, const QnModel *model, const QnLoad *load)
 {
   const QnLoad usual = { .span = { -INFINITY, INFINITY },
@@ -418,8 +399,22 @@ append_load (GString *json, const QnModel *model, const QnLoad *load)
   if (load->kind == QN_LOAD_VEHICLE)
     qn_json_put_string (json, "vehicle", model->vehicles[load->vehicle].name);
   qn_members_write (json, load_members[load->kind], model, load, &usual);
-  if (load->kind == QN_LOAD_EDGE)
-    put_edge_load (json, load);
+  if (load->kind == QN_LOAD_EDGE) {
+    if (load->has_side) {
+      qn_json_put_string (json, "side", qn_block_side_names[load->side]);
+    } else {
+      qn_json_put_number (json, "edge", load->edge);
+      qn_json_put_unusual (json, "count", load->edge_count, 1);
+    }
+    if (load->part[0] != 0 || load->part[1] != 1)
+      qn_json_put_numbers (json, "part", load->part, 2);
+    if (load->intensity[0] == load->intensity[1])
+      qn_json_put_number (json, "intensity", load->intensity[0]);
+    else
+      qn_json_put_numbers (json, "intensity", load->intensity, 2);
+    if (!load->normal)
+      qn_json_put_vec2 (json, "direction", load->vector);
+  }
   if (load->kind == QN_LOAD_SURCHARGE && (load->unit_weight != 0 || load->level != 0)) {
     qn_json_put_number (json, "unit_weight", load->unit_weight);
     qn_json_put_number (json, "level", load->level);

@@ -514,29 +514,6 @@ put_leaf (GString *json, const QnLeaf *leaf)
   qn_members_write (json, leaf_members, NULL, leaf, &usual);
 }
 
-/* What has no effect is left out. */
-static void
-append_opening (GString *json, QnOpening o)
-{
-  const gboolean ring = o.span == QN_SPAN_VOUSSOIRS;
-  const QnOpening usual = { .sides = ring ? QN_SIDES_COUNT : o.sides };
-  if (o.head != QN_HEAD_SEGMENTAL)
-    o.rise = 0;
-  if (o.span == QN_SPAN_NONE)
-    o.depth = 0;
-  if (o.span != QN_SPAN_LINTEL)
-    o.bearing = 0;
-  if (o.span != QN_SPAN_FLAT_ARCH)
-    o.skew = 0;
-  if (o.span != QN_SPAN_FLAT_ARCH && !ring)
-    o.voussoirs = 0;
-  if (!(o.sill_height > 0))
-    o.sill_height = o.sill_bearing = 0;
-  g_string_append_c (json, '{');
-  qn_members_write (json, opening_members, NULL, &o, &usual);
-  g_string_append (json, " }");
-}
-
 static void
 put_openings (GString *json, const QnMasonryWall *wall)
 {
@@ -545,20 +522,26 @@ put_openings (GString *json, const QnMasonryWall *wall)
   qn_json_begin_member (json, "openings");
   for (gsize i = 0; i < wall->opening_count; i++) {
     g_string_append (json, i > 0 ? ", " : "[");
-    append_opening (json, wall->openings[i]);
+    QnOpening o = wall->openings[i]; /* what has no effect is left out */
+    const gboolean ring = o.span == QN_SPAN_VOUSSOIRS;
+    const QnOpening usual = { .sides = ring ? QN_SIDES_COUNT : o.sides };
+    if (o.head != QN_HEAD_SEGMENTAL)
+      o.rise = 0;
+    if (o.span == QN_SPAN_NONE)
+      o.depth = 0;
+    if (o.span != QN_SPAN_LINTEL)
+      o.bearing = 0;
+    if (o.span != QN_SPAN_FLAT_ARCH)
+      o.skew = 0;
+    if (o.span != QN_SPAN_FLAT_ARCH && !ring)
+      o.voussoirs = 0;
+    if (!(o.sill_height > 0))
+      o.sill_height = o.sill_bearing = 0;
+    g_string_append_c (json, '{');
+    qn_members_write (json, opening_members, NULL, &o, &usual);
+    g_string_append (json, " }");
   }
   g_string_append_c (json, ']');
-}
-
-static void
-put_grid (GString *json, const QnMasonryWall *wall)
-{
-  const QnLeaf *leaf = &wall->leaves[0];
-  const double cells[] = { fmax (round (leaf->length / leaf->unit.x), 1),
-                           fmax (round (wall->height / leaf->unit.y), 1) };
-  qn_json_put_vec2 (json, "size", qn_vec2 (leaf->length, wall->height));
-  qn_json_put_numbers (json, "cells", cells, 2);
-  put_openings (json, wall);
 }
 
 static void
@@ -625,8 +608,14 @@ put_kind (GString *json, const QnMasonry *masonry)
     put_wall (json, &masonry->wall);
     return;
   }
-  if (name == QN_MASONRY_GRID)
-    put_grid (json, &masonry->wall);
+  if (name == QN_MASONRY_GRID) {
+    const QnLeaf *leaf = &masonry->wall.leaves[0];
+    const double cells[] = { fmax (round (leaf->length / leaf->unit.x), 1),
+                             fmax (round (masonry->wall.height / leaf->unit.y), 1) };
+    qn_json_put_vec2 (json, "size", qn_vec2 (leaf->length, masonry->wall.height));
+    qn_json_put_numbers (json, "cells", cells, 2);
+    put_openings (json, &masonry->wall);
+  }
   if (name == QN_MASONRY_VORONOI)
     qn_json_put_vec2 (json, "size",
                       qn_vec2 (masonry->rubble.width, masonry->rubble.height));

@@ -40,19 +40,6 @@ static const char *const figure_keys[] = {
   "size",  "dpi",        "backend", "transparent", "monochrome", "model_digest"
 };
 
-/* Numbers of a capacity curve that only a mechanism has. */
-static void
-check_mechanism (const QnJsonValue *capacity)
-{
-  static const char *const keys[] = { "tie_strain", "part_period" };
-  for (gsize i = 0; i < G_N_ELEMENTS (keys); i++) {
-    QnJsonValue value = qn_json_value_member (capacity, keys[i]);
-    if (value.json != NULL
-        && !cJSON_IsTrue (cJSON_GetObjectItem (capacity->json, "mechanism")))
-      qn_json_value_warn (&value, _ ("changes nothing without \"mechanism\": true"));
-  }
-}
-
 /* Tells unknown keys of what the model does not hold: a demand misspelt is a report without verdict. */
 static gboolean
 check_extra (const QnJsonValue *place)
@@ -74,8 +61,16 @@ check_extra (const QnJsonValue *place)
     return TRUE;
   place->reader->keeps_unknown = FALSE; /* they are kept with the rest of the member */
   bool fine = qn_json_value_check_keys (place, tables[t].keys, tables[t].count);
-  if (fine && tables[t].keys == capacity_keys)
-    check_mechanism (place);
+  if (fine && tables[t].keys == capacity_keys) {
+    /* Numbers of a capacity curve that only a mechanism has. */
+    static const char *const keys[] = { "tie_strain", "part_period" };
+    for (gsize i = 0; i < G_N_ELEMENTS (keys); i++) {
+      QnJsonValue value = qn_json_value_member (place, keys[i]);
+      if (value.json != NULL
+          && !cJSON_IsTrue (cJSON_GetObjectItem (place->json, "mechanism")))
+        qn_json_value_warn (&value, _ ("changes nothing without \"mechanism\": true"));
+    }
+  }
   while (fine && cJSON_IsArray (place->json) && qn_json_value_next (place, &element))
     fine = qn_json_value_check_keys (&element, tables[t].keys, tables[t].count);
   place->reader->keeps_unknown = TRUE;
@@ -169,22 +164,6 @@ read_document (const QnJsonValue *root, cJSON *document, QnProject *project)
          && take_status (root, project, qn_model_prepare (model, &diag), &diag);
 }
 
-/* The tree of the project's text with the overrides applied, or NULL. */
-static cJSON *
-parse_text (QnReader *reader)
-{
-  cJSON *document =
-    qn_json_parse (reader->text, reader->length, reader->name, &reader->error);
-  for (gsize i = 0; document != NULL && reader->overrides != NULL && reader->overrides[i];
-       i++) {
-    if (!qn_json_override (document, reader->overrides[i], &reader->error)) {
-      g_prefix_error (&reader->error, "%s: ", reader->name);
-      g_clear_pointer (&document, cJSON_Delete);
-    }
-  }
-  return document;
-}
-
 /* Fills an initialised project whose name and text are set. */
 static gboolean
 read_project (QnProject *project, GError **error)
@@ -195,7 +174,16 @@ read_project (QnProject *project, GError **error)
                       .length = project->text_length,
                       .overrides = (const char *const *) project->overrides,
                       .warnings = project->warnings };
-  cJSON *document = parse_text (&reader);
+  /* The tree of the project's text with the overrides applied, or NULL. */
+  cJSON *document =
+    qn_json_parse (reader.text, reader.length, reader.name, &reader.error);
+  for (gsize i = 0; document != NULL && reader.overrides != NULL && reader.overrides[i];
+       i++) {
+    if (!qn_json_override (document, reader.overrides[i], &reader.error)) {
+      g_prefix_error (&reader.error, "%s: ", reader.name);
+      g_clear_pointer (&document, cJSON_Delete);
+    }
+  }
   if (document != NULL) {
     QnJsonValue root = qn_json_value_root (&reader, document);
     read_document (&root, document, project);

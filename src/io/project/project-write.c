@@ -150,22 +150,6 @@ qn_json_append_list (GString *json, const QnModel *model, GHashTable *inner,
     g_string_append (json, indent > 2 ? " ]" : " ],\n");
 }
 
-static void
-append_head (GString *json, const QnModel *model)
-{
-  g_string_append (json, "{\n  \"format\": \"quoin\", \"version\": 1,\n");
-  if (model->title != NULL) {
-    g_string_append (json, "  \"title\": ");
-    qn_json_append_string (json, model->title);
-    g_string_append (json, ",\n");
-  }
-  if (qn_model_has_density (model)) {
-    g_string_append (json, "  \"gravity\": ");
-    qn_json_append_number (json, model->gravity);
-    g_string_append (json, ",\n");
-  }
-}
-
 static gboolean
 same_law (const QnModel *a, QnId law_a, const QnModel *b, QnId law_b)
 {
@@ -228,22 +212,6 @@ append_blocks (GString *json, const QnModel *model, GHashTable *inner,
   g_string_append (json, " ],\n");
 }
 
-/* The objects that were not detached, with their key; nothing where there are none. */
-static void
-append_masonry (GString *json, const QnProject *project, const cJSON *list)
-{
-  gboolean first = TRUE;
-  QnId index = 0;
-  for (const cJSON *item = list->child; item != NULL; item = item->next, index++) {
-    if (!qn_project_has_masonry (project, index))
-      continue;
-    g_string_append (json, first ? ",\n  \"" QN_MASONRY_MEMBER "\": [\n    " : ",\n    ");
-    qn_json_append_value (json, item, 4);
-    first = FALSE;
-  }
-  g_string_append (json, first ? "" : " ]");
-}
-
 QnProjectText *
 qn_project_write (const QnProject *project, const QnProject *like,
                   const QnProjectText *like_text)
@@ -253,7 +221,17 @@ qn_project_write (const QnProject *project, const QnProject *like,
     g_string_sized_new (like_text != NULL ? like_text->length + 4096 : 4096);
   QnProjectText *text = g_new0 (QnProjectText, 1);
   text->blocks = g_malloc0_n (model->block_count + 1, sizeof *text->blocks);
-  append_head (json, model);
+  g_string_append (json, "{\n  \"format\": \"quoin\", \"version\": 1,\n");
+  if (model->title != NULL) {
+    g_string_append (json, "  \"title\": ");
+    qn_json_append_string (json, model->title);
+    g_string_append (json, ",\n");
+  }
+  if (qn_model_has_density (model)) {
+    g_string_append (json, "  \"gravity\": ");
+    qn_json_append_number (json, model->gravity);
+    g_string_append (json, ",\n");
+  }
   GHashTable *inner = index_inner (project);
   if (model->law_count == 0)
     g_string_append (json, "  \"laws\": [ ],\n");
@@ -279,7 +257,18 @@ qn_project_write (const QnProject *project, const QnProject *like,
   const cJSON *extra = project->extras != NULL ? project->extras->child : NULL;
   for (; extra != NULL; extra = extra->next) {
     if (g_strcmp0 (extra->string, QN_MASONRY_MEMBER) == 0) {
-      append_masonry (json, project, extra);
+      /* The objects that were not detached, with their key; nothing where there are none. */
+      gboolean first = TRUE;
+      QnId index = 0;
+      for (const cJSON *item = extra->child; item != NULL; item = item->next, index++) {
+        if (!qn_project_has_masonry (project, index))
+          continue;
+        g_string_append (json,
+                         first ? ",\n  \"" QN_MASONRY_MEMBER "\": [\n    " : ",\n    ");
+        qn_json_append_value (json, item, 4);
+        first = FALSE;
+      }
+      g_string_append (json, first ? "" : " ]");
     } else if (g_strcmp0 (extra->string, QN_INNER_MEMBER) != 0) {
       g_string_append (json, ",\n  ");
       qn_json_append_string (json, extra->string);

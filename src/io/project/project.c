@@ -299,18 +299,6 @@ qn_range_dup_text (const QnFinding *finding)
   return g_strdup (text->str);
 }
 
-/* The key of a number that is in doubt; blocks of walls and of masonry stand for their object. */
-static char *
-dup_range_path (const QnProject *project, const QnFinding *finding)
-{
-  const QnUsualRange *range = finding->range;
-  g_autofree char *path =
-    qn_project_dup_key_path (project, range->entity, finding->subject);
-  if (g_str_has_prefix (path, "walls["))
-    path[strcspn (path, ".")] = '\0';
-  return g_strdup_printf ("%s%s%s", path, *path != '\0' ? "." : "", range->key);
-}
-
 /* Text of a finding without its place. */
 static char *
 dup_finding_message (const QnProject *project, const QnFinding *finding)
@@ -332,8 +320,16 @@ static char *
 dup_finding_path (const QnProject *project, const QnFinding *finding)
 {
   const QnId dead = (QnId) project->model.dead_load_count;
-  if (finding->range != NULL)
-    return dup_range_path (project, finding);
+  if (finding->range != NULL) {
+    /* The key of a number that is in doubt; blocks of walls and of masonry stand for
+     * their object. */
+    const QnUsualRange *range = finding->range;
+    g_autofree char *path =
+      qn_project_dup_key_path (project, range->entity, finding->subject);
+    if (g_str_has_prefix (path, "walls["))
+      path[strcspn (path, ".")] = '\0';
+    return g_strdup_printf ("%s%s%s", path, *path != '\0' ? "." : "", range->key);
+  }
   switch ((int) finding->problem) {
   case QN_PROBLEM_DOUBT_NO_DEAD_LOAD:
     return g_strdup ("loads.dead");

@@ -219,21 +219,6 @@ differ (const QnJsonValue *stated, const cJSON *found)
     instead);
 }
 
-/* "contacts[].hinge" */
-static void
-add_unknown (const QnJsonValue *member, GPtrArray *unproved)
-{
-  g_autofree char *path = qn_json_value_dup_path (member);
-  char *end = path;
-  for (const char *c = path; *c != '\0'; c++) {
-    *end++ = *c;
-    if (*c == '[')
-      c += strspn (c + 1, "0123456789");
-  }
-  *end = '\0';
-  add_unproved (unproved, path);
-}
-
 static gboolean compare_values (const QnJsonValue *stated, const cJSON *found,
                                 GPtrArray *unproved);
 
@@ -250,7 +235,16 @@ compare_objects (const QnJsonValue *stated, const cJSON *found, GPtrArray *unpro
                            ? next
                            : cJSON_GetObjectItemCaseSensitive (found, child->string);
     if (value == NULL) {
-      add_unknown (&member, unproved);
+      /* "contacts[].hinge" */
+      g_autofree char *path = qn_json_value_dup_path (&member);
+      char *end = path;
+      for (const char *c = path; *c != '\0'; c++) {
+        *end++ = *c;
+        if (*c == '[')
+          c += strspn (c + 1, "0123456789");
+      }
+      *end = '\0';
+      add_unproved (unproved, path);
       continue;
     }
     next = value->next;
@@ -263,21 +257,6 @@ compare_objects (const QnJsonValue *stated, const cJSON *found, GPtrArray *unpro
 }
 
 static gboolean
-compare_arrays (const QnJsonValue *stated, const cJSON *found, GPtrArray *unproved)
-{
-  const cJSON *other = found->child;
-  QnJsonValue item = { 0 };
-  while (qn_json_value_next (stated, &item)) {
-    if (other == NULL)
-      return differ (&item, NULL);
-    if (!compare_values (&item, other, unproved))
-      return FALSE;
-    other = other->next;
-  }
-  return other == NULL || differ (stated, other);
-}
-
-static gboolean
 compare_values (const QnJsonValue *stated, const cJSON *found, GPtrArray *unproved)
 {
   const cJSON *json = stated->json;
@@ -285,8 +264,18 @@ compare_values (const QnJsonValue *stated, const cJSON *found, GPtrArray *unprov
     return differ (stated, found);
   if (cJSON_IsObject (json))
     return compare_objects (stated, found, unproved);
-  if (cJSON_IsArray (json))
-    return compare_arrays (stated, found, unproved);
+  if (cJSON_IsArray (json)) {
+    const cJSON *other = found->child;
+    QnJsonValue item = { 0 };
+    while (qn_json_value_next (stated, &item)) {
+      if (other == NULL)
+        return differ (&item, NULL);
+      if (!compare_values (&item, other, unproved))
+        return FALSE;
+      other = other->next;
+    }
+    return other == NULL || differ (stated, other);
+  }
   gboolean same = !cJSON_IsNumber (json)
                   || fabs (json->valuedouble - found->valuedouble)
                        <= SAME * (1 + fabs (found->valuedouble));

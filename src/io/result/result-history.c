@@ -52,27 +52,20 @@ write_column (QnFileWriter *writer, const QnHistory *history, size_t column)
   write_list (writer, history->rows + column, history->width, history->row_count);
 }
 
-/* The forces of found contacts, which the result has by step, by contact: those of contact i from
- * first[i] up to first[i + 1], each a place in the result's list. first: found_count + 2 zeros. */
-static gsize *
-sort_by_contact (const QnResult *result, gsize *first)
+void
+qn_result_found_write (QnFileWriter *writer, const QnResult *result)
 {
-  gsize *places = g_new (gsize, result->found_force_count);
+  gboolean in_time = result->history.width > 0;
+  g_autofree gsize *first = g_new0 (gsize, result->found_count + 2);
+  /* The forces of found contacts, which the result has by step, by contact: those of
+   * contact i from first[i] up to first[i + 1], each a place in the result's list. */
+  g_autofree gsize *places = g_new (gsize, result->found_force_count);
   for (size_t k = 0; k < result->found_force_count; k++)
     first[result->found_forces[k].found + 2]++;
   for (size_t i = 0; i < result->found_count; i++)
     first[i + 2] += first[i + 1];
   for (size_t k = 0; k < result->found_force_count; k++)
     places[first[result->found_forces[k].found + 1]++] = k;
-  return places;
-}
-
-void
-qn_result_found_write (QnFileWriter *writer, const QnResult *result)
-{
-  gboolean in_time = result->history.width > 0;
-  g_autofree gsize *first = g_new0 (gsize, result->found_count + 2);
-  g_autofree gsize *places = sort_by_contact (result, first);
   qn_file_writer_puts (writer, "\"found\": [");
   for (size_t i = 0; i < result->found_count; i++) {
     const char *separator = "";

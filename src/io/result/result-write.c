@@ -251,17 +251,6 @@ write_step_beams (QnFileWriter *writer, const QnResult *result, size_t step)
   qn_file_writer_puts (writer, result->element_count > 0 ? "]]" : "]");
 }
 
-/* Every tie in the order of the model; nothing where their forces are not known. */
-static void
-write_step_ties (QnFileWriter *writer, const QnResult *result, size_t step)
-{
-  const QnTieResult *ties = qn_result_step_ties (result, step);
-  for (size_t i = 0; ties != NULL && i < result->tie_count; i++)
-    qn_result_members_write (writer, i == 0 ? ", \"ties\": [{ " : ", { ", qn_tie_members,
-                             &ties[i], NULL, " }");
-  qn_file_writer_puts (writer, ties != NULL && result->tie_count > 0 ? "]" : "");
-}
-
 static void
 write_steps (QnFileWriter *writer, const QnResult *result)
 {
@@ -281,7 +270,12 @@ write_steps (QnFileWriter *writer, const QnResult *result)
       }
     }
     write_step_beams (writer, result, i);
-    write_step_ties (writer, result, i);
+    /* Every tie in the order of the model; nothing where their forces are not known. */
+    const QnTieResult *ties = qn_result_step_ties (result, i);
+    for (size_t k = 0; ties != NULL && k < result->tie_count; k++)
+      qn_result_members_write (writer, k == 0 ? ", \"ties\": [{ " : ", { ",
+                               qn_tie_members, &ties[k], NULL, " }");
+    qn_file_writer_puts (writer, ties != NULL && result->tie_count > 0 ? "]" : "");
     if (result->support_count > 0 && result->reactions != NULL) {
       qn_file_writer_puts (writer, ", \"reactions\": ");
       write_rows (writer, qn_result_step_reactions (result, i), result->support_count);
@@ -325,39 +319,6 @@ write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *con
     qn_file_writer_puts (writer, "]");
   }
   qn_file_writer_puts (writer, " }");
-}
-
-static void
-write_contacts (QnFileWriter *writer, const QnModel *model, const QnContacts *contacts,
-                const QnResult *result, QnResultDetail detail)
-{
-  qn_file_writer_puts (writer, "  \"contacts\": [");
-  size_t count =
-    result->step_count > 0 && result->pairs != NULL ? contacts->pair_count : 0;
-  for (size_t i = 0; i < count && !qn_file_writer_failed (writer); i++) {
-    qn_file_writer_puts (writer, i > 0 ? ",\n    " : "\n    ");
-    write_contact (writer, model, contacts, result, i, detail);
-  }
-  qn_file_writer_puts (writer, "],\n");
-}
-
-/* Counts are the same in every run. Times and memory are not: they stand in a member of their own
- * too, and are left out where they have not been measured. */
-static void
-write_statistics (QnFileWriter *writer, const QnStatistics *statistics)
-{
-  const gboolean timed = statistics->seconds > 0;
-  for (int all = timed ? 0 : 1; all < 2; all++) {
-    QnMember members[16] = { { 0 } };
-    gsize count = 0;
-    for (const QnMember *m = qn_statistics_members; m->key != NULL; m++) {
-      const gboolean varies = m->kind != QN_MEMBER_WHOLE;
-      if (varies ? timed : all)
-        members[count++] = *m;
-    }
-    qn_result_members_write (writer, all ? "  \"statistics\": { " : "  \"timings\": { ",
-                             members, statistics, NULL, all ? " }\n}\n" : " },\n");
-  }
 }
 
 /* The velocity field and the facts that follow from it. These are left out where memory runs out:
@@ -418,7 +379,14 @@ write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *con
     qn_file_writer_puts (writer, i + 1 == count ? "],\n" : "");
   }
   write_steps (writer, result);
-  write_contacts (writer, &project->model, contacts, result, detail);
+  qn_file_writer_puts (writer, "  \"contacts\": [");
+  size_t pairs =
+    result->step_count > 0 && result->pairs != NULL ? contacts->pair_count : 0;
+  for (size_t i = 0; i < pairs && !qn_file_writer_failed (writer); i++) {
+    qn_file_writer_puts (writer, i > 0 ? ",\n    " : "\n    ");
+    write_contact (writer, &project->model, contacts, result, i, detail);
+  }
+  qn_file_writer_puts (writer, "],\n");
   /* What the mechanism is where it is no collapse. */
   if (result->vibration.mode > 0)
     qn_result_members_write (writer, "  \"vibration\": { ", qn_vibration_members,
@@ -434,7 +402,21 @@ write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *con
     qn_result_found_write (writer, result);
     qn_file_writer_puts (writer, ",\n");
   }
-  write_statistics (writer, &result->statistics);
+  /* Counts are the same in every run. Times and memory are not: they stand in a member of
+   * their own too, and are left out where they have not been measured. */
+  const gboolean timed = result->statistics.seconds > 0;
+  for (int all = timed ? 0 : 1; all < 2; all++) {
+    QnMember members[16] = { { 0 } };
+    gsize kept = 0;
+    for (const QnMember *m = qn_statistics_members; m->key != NULL; m++) {
+      const gboolean varies = m->kind != QN_MEMBER_WHOLE;
+      if (varies ? timed : all)
+        members[kept++] = *m;
+    }
+    qn_result_members_write (writer, all ? "  \"statistics\": { " : "  \"timings\": { ",
+                             members, &result->statistics, NULL,
+                             all ? " }\n}\n" : " },\n");
+  }
 }
 
 gboolean

@@ -75,20 +75,6 @@ begins (const char *bytes, gsize size, const char *mark, gsize length)
   return size >= length && memcmp (bytes, mark, length) == 0;
 }
 
-/* "\r\n" and "\r" become "\n". */
-static gsize
-unify_line_ends (char *text, gsize length)
-{
-  gsize kept = 0;
-  for (gsize i = 0; i < length; i++)
-    if (text[i] != '\r')
-      text[kept++] = text[i];
-    else if (text[i + 1] != '\n')
-      text[kept++] = '\n';
-  text[kept] = '\0';
-  return kept;
-}
-
 char *
 qn_text_decode (const char *bytes, gsize size, const char *charset, gsize *length)
 {
@@ -109,7 +95,15 @@ qn_text_decode (const char *bytes, gsize size, const char *charset, gsize *lengt
     text = g_utf8_make_valid (bytes, (gssize) size);
     *length = strlen (text);
   }
-  *length = unify_line_ends (text, *length);
+  /* "\r\n" and "\r" become "\n". */
+  gsize kept = 0;
+  for (gsize i = 0; i < *length; i++)
+    if (text[i] != '\r')
+      text[kept++] = text[i];
+    else if (text[i + 1] != '\n')
+      text[kept++] = '\n';
+  text[kept] = '\0';
+  *length = kept;
   return text;
 }
 

@@ -38,19 +38,6 @@ qn_json_append_number (GString *json, double number)
 }
 
 static void
-append_scalar (GString *json, const cJSON *value)
-{
-  if (cJSON_IsString (value))
-    qn_json_append_string (json, value->valuestring);
-  else if (cJSON_IsNumber (value))
-    qn_json_append_number (json, value->valuedouble);
-  else if (cJSON_IsBool (value))
-    g_string_append (json, cJSON_IsTrue (value) ? "true" : "false");
-  else
-    g_string_append (json, "null");
-}
-
-static void
 append_key (GString *json, const cJSON *member)
 {
   if (member->string == NULL)
@@ -64,7 +51,14 @@ static gboolean
 append_one_line (GString *json, const cJSON *value, gsize limit)
 {
   if (!cJSON_IsArray (value) && !cJSON_IsObject (value)) {
-    append_scalar (json, value);
+    if (cJSON_IsString (value))
+      qn_json_append_string (json, value->valuestring);
+    else if (cJSON_IsNumber (value))
+      qn_json_append_number (json, value->valuedouble);
+    else if (cJSON_IsBool (value))
+      g_string_append (json, cJSON_IsTrue (value) ? "true" : "false");
+    else
+      g_string_append (json, "null");
     return json->len <= limit;
   }
   gboolean object = cJSON_IsObject (value);

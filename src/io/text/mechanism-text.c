@@ -310,37 +310,6 @@ compare_worst (gconstpointer a, gconstpointer b)
   return (x->at.force < y->at.force) - (x->at.force > y->at.force);
 }
 
-static void
-append_worst (GString *text, const Worst *worst)
-{
-  g_string_append (text, text->len > 0 ? _ (", ") : "");
-  g_string_append_printf (text, _ ("“%s” %.5g kN"), worst->tie->name,
-                          1e-3 * worst->at.force);
-  double used = qn_tie_utilisation (worst->tie, worst->at.force);
-  if (used > 0)
-    g_string_append_printf (text, _ (", %.0f %% of its strength"), 100 * used);
-  if (worst->at.state >= QN_TIE_YIELDS)
-    g_string_append_printf (text, " (%s)", qn_tie_state_text (worst->at.state));
-}
-
-/* How much of the soil has its mobilised strength at the last step; NULL where that is not known. */
-static char *
-dup_soil_text (const QnModel *model, const QnResult *result)
-{
-  const QnTieResult *ties =
-    result->step_count > 0 && result->tie_count == qn_model_tie_count (model)
-      ? qn_result_step_ties (result, result->step_count - 1)
-      : NULL;
-  guint full = 0;
-  for (gsize i = 0; ties != NULL && i < model->soil_tie_count; i++)
-    full += ties[model->tie_count + i].state == QN_TIE_YIELDS;
-  return ties != NULL && model->soil_tie_count > 0
-           ? g_strdup_printf (_ ("The soil presses %u of %u faces with all of its "
-                                 "mobilised pressure."),
-                              full, (guint) model->soil_tie_count)
-           : NULL;
-}
-
 char *
 qn_ties_dup_text (const QnModel *model, const QnResult *result)
 {
@@ -353,13 +322,36 @@ qn_ties_dup_text (const QnModel *model, const QnResult *result)
     Worst worst = { &model->ties[i], qn_result_step_ties (result, (gsize) step)[i] };
     g_array_append_val (all, worst);
   }
-  g_autofree char *soil = dup_soil_text (model, result);
+  /* How much of the soil has its mobilised strength at the last step; NULL where that is
+   * not known. */
+  const QnTieResult *ties =
+    result->step_count > 0 && result->tie_count == qn_model_tie_count (model)
+      ? qn_result_step_ties (result, result->step_count - 1)
+      : NULL;
+  guint full = 0;
+  for (gsize i = 0; ties != NULL && i < model->soil_tie_count; i++)
+    full += ties[model->tie_count + i].state == QN_TIE_YIELDS;
+  g_autofree char *soil =
+    ties != NULL && model->soil_tie_count > 0
+      ? g_strdup_printf (_ ("The soil presses %u of %u faces with all of its "
+                            "mobilised pressure."),
+                         full, (guint) model->soil_tie_count)
+      : NULL;
   if (all->len == 0)
     return g_steal_pointer (&soil);
   g_array_sort (all, compare_worst);
   g_autoptr (GString) text = g_string_new (NULL);
-  for (guint i = 0; i < MIN (all->len, TIES_IN_WORDS); i++)
-    append_worst (text, &g_array_index (all, Worst, i));
+  for (guint i = 0; i < MIN (all->len, TIES_IN_WORDS); i++) {
+    const Worst *worst = &g_array_index (all, Worst, i);
+    g_string_append (text, text->len > 0 ? _ (", ") : "");
+    g_string_append_printf (text, _ ("“%s” %.5g kN"), worst->tie->name,
+                            1e-3 * worst->at.force);
+    double used = qn_tie_utilisation (worst->tie, worst->at.force);
+    if (used > 0)
+      g_string_append_printf (text, _ (", %.0f %% of its strength"), 100 * used);
+    if (worst->at.state >= QN_TIE_YIELDS)
+      g_string_append_printf (text, " (%s)", qn_tie_state_text (worst->at.state));
+  }
   if (all->len > TIES_IN_WORDS)
     g_string_append (text, "…");
   g_autofree char *largest = g_strdup_printf (

@@ -120,27 +120,6 @@ qn_model_lacks_live_load (const QnModel *model)
   return !any;
 }
 
-static char *
-explain_unstable (const QnModel *model, const QnResult *result)
-{
-  g_autoptr (GString) names = g_string_new (NULL);
-  for (gsize i = 0; i < result->unstable_count && i < NAMES_IN_A_SENTENCE; i++) {
-    QnId block = result->unstable_blocks[i];
-    qn_text_append (names, "%s“%s”", i > 0 ? ", " : "",
-                    (gsize) block < model->block_count ? model->blocks[block].name : "?");
-  }
-  if (result->unstable_count > NAMES_IN_A_SENTENCE) {
-    gsize more = result->unstable_count - NAMES_IN_A_SENTENCE;
-    qn_text_append (names, ngettext (" and %zu other", " and %zu others", (gulong) more),
-                    more);
-  }
-  return qn_text_printf (
-    _ ("No stable equilibrium was found under the dead load "
-       "alone. What moves: %s. Support these blocks, close the gaps next to "
-       "them, or give their joints more friction."),
-    names->str);
-}
-
 static const QnStep *
 last_step (const QnResult *result)
 {
@@ -297,22 +276,6 @@ explain_buckling (const QnResult *result)
                          event->multiplier);
 }
 
-/* How many pairs have lost their bond; NULL where none has. */
-static char *
-explain_bonds (const QnResult *result)
-{
-  guint broken = 0, damaged = 0;
-  for (gsize p = 0; p < result->pair_count && result->step_count > 0; p++) {
-    broken += result->pairs[p].damage >= 1;
-    damaged += result->pairs[p].damage > 0 && result->pairs[p].damage < 1;
-  }
-  return broken + damaged > 0 ? qn_text_printf (
-           _ ("At the last step the bond of %u contact pairs is broken, "
-              "and that of %u damaged."),
-           broken, damaged)
-                              : NULL;
-}
-
 /* Where linear geometry ends, and what to do; NULL where it holds. */
 static char *
 explain_linearity (const QnResult *result)
@@ -363,25 +326,6 @@ explain_controlled (const QnModel *model, const QnStage *task, double reached)
 }
 
 /* --- Ends ----------------------------------------------------------------------------- */
-
-/* Each claim that the check has refused, and what stands all the same. */
-static char *
-explain_refused (const QnModel *model, const QnResult *result)
-{
-  g_autoptr (GString) text = g_string_new (
-    _ ("The check of this result refused a part of it, so no conclusion is drawn."));
-  for (gint32 i = 0; i < result->refused_count; i++) {
-    g_autofree char *fault = qn_fault_dup_text (model, NULL, &result->refused[i]);
-    qn_text_append (text, "%s%s", i == 0 ? " " : "; ", fault);
-  }
-  if (result->refused_count > 0)
-    g_string_append (text,
-                     _ (". The steps before the first of these are proved and kept."));
-  if (result->has_unproved_multiplier)
-    qn_text_append (text, _ (" Collapse at a load multiplier of %.4g: not proved."),
-                    result->unproved_multiplier);
-  return g_string_free (g_steal_pointer (&text), FALSE);
-}
 
 /* What may be known of an end. */
 typedef enum {
@@ -504,10 +448,41 @@ static char *
 explain_by_names (const QnModel *model, const QnStage *task, const QnResult *result,
                   gboolean is_path)
 {
-  if (result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
-    return explain_unstable (model, result);
-  if (result->outcome == QN_OUTCOME_NOT_CONVERGED && result->stop == QN_STOP_CHECK)
-    return explain_refused (model, result);
+  if (result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE) {
+    g_autoptr (GString) names = g_string_new (NULL);
+    for (gsize i = 0; i < result->unstable_count && i < NAMES_IN_A_SENTENCE; i++) {
+      QnId block = result->unstable_blocks[i];
+      qn_text_append (names, "%s“%s”", i > 0 ? ", " : "",
+                      (gsize) block < model->block_count ? model->blocks[block].name
+                                                         : "?");
+    }
+    if (result->unstable_count > NAMES_IN_A_SENTENCE) {
+      gsize more = result->unstable_count - NAMES_IN_A_SENTENCE;
+      qn_text_append (
+        names, ngettext (" and %zu other", " and %zu others", (gulong) more), more);
+    }
+    return qn_text_printf (
+      _ ("No stable equilibrium was found under the dead load "
+         "alone. What moves: %s. Support these blocks, close the gaps next to "
+         "them, or give their joints more friction."),
+      names->str);
+  }
+  if (result->outcome == QN_OUTCOME_NOT_CONVERGED && result->stop == QN_STOP_CHECK) {
+    /* Each claim that the check has refused, and what stands all the same. */
+    g_autoptr (GString) text = g_string_new (
+      _ ("The check of this result refused a part of it, so no conclusion is drawn."));
+    for (gint32 i = 0; i < result->refused_count; i++) {
+      g_autofree char *fault = qn_fault_dup_text (model, NULL, &result->refused[i]);
+      qn_text_append (text, "%s%s", i == 0 ? " " : "; ", fault);
+    }
+    if (result->refused_count > 0)
+      g_string_append (text,
+                       _ (". The steps before the first of these are proved and kept."));
+    if (result->has_unproved_multiplier)
+      qn_text_append (text, _ (" Collapse at a load multiplier of %.4g: not proved."),
+                      result->unproved_multiplier);
+    return g_string_free (g_steal_pointer (&text), FALSE);
+  }
   if (result->outcome == QN_OUTCOME_NOT_CONVERGED && task->procedure == QN_PROCEDURE_LIMIT
       && result->has_associative_bound)
     return qn_text_printf (
@@ -588,7 +563,18 @@ explain_in_stage (const QnModel *model, const QnResult *result, const char *what
   told.stop = stop_of (model, result);
   g_autofree char *outcome = explain (model, &task, &told);
   g_autofree char *linearity = explain_linearity (result);
-  g_autofree char *bonds = explain_bonds (result);
+  /* How many pairs have lost their bond; NULL where none has. */
+  guint broken = 0, damaged = 0;
+  for (gsize p = 0; p < result->pair_count && result->step_count > 0; p++) {
+    broken += result->pairs[p].damage >= 1;
+    damaged += result->pairs[p].damage > 0 && result->pairs[p].damage < 1;
+  }
+  g_autofree char *bonds =
+    broken + damaged > 0
+      ? qn_text_printf (_ ("At the last step the bond of %u contact pairs is broken, "
+                           "and that of %u damaged."),
+                        broken, damaged)
+      : NULL;
   g_autofree char *buckling = explain_buckling (result);
   g_autofree char *text = g_strconcat (
     buckling != NULL ? buckling : "", buckling != NULL ? " " : "",
