@@ -116,31 +116,6 @@ parse_number (const char *value, double least, double *number)
   return true;
 }
 
-static bool
-add_reference (QuoinFigure *figure, const char *value)
-{
-  QnReferenceLine line;
-  if (!qn_reference_line_parse (value, &line))
-    return false;
-  line.label = g_strdup (line.label != NULL ? line.label : "reference");
-  g_array_append_val (figure->references, line);
-  return true;
-}
-
-/* An option of the picture; a step must be one of the result. What is refused changes nothing. */
-static bool
-set_view (QuoinFigure *figure, const char *name, const char *value)
-{
-  QnViewOptions *options = &figure->figure.options, before = *options;
-  const QnResult *result = figure->figure.result;
-  if (qn_view_options_set (options, name, value)
-      && (options->step == QN_STEP_LAST
-          || (result != NULL && (size_t) options->step < result->step_count)))
-    return true;
-  *options = before;
-  return false;
-}
-
 /* Whether there is an option of this name and the value is one of its. */
 static bool
 set_option (QuoinFigure *figure, const char *name, const char *value, GError **cause)
@@ -175,8 +150,14 @@ set_option (QuoinFigure *figure, const char *name, const char *value, GError **c
     figure->animation.frames = given ? (int) frames : 0;
     return given;
   }
-  if (strcmp (name, "reference") == 0)
-    return add_reference (figure, value);
+  if (strcmp (name, "reference") == 0) {
+    QnReferenceLine line;
+    if (!qn_reference_line_parse (value, &line))
+      return false;
+    line.label = g_strdup (line.label != NULL ? line.label : "reference");
+    g_array_append_val (figure->references, line);
+    return true;
+  }
   if (strcmp (name, "label") == 0) {
     g_ptr_array_add (figure->labels, g_strdup (value));
     return true;
@@ -189,8 +170,18 @@ set_option (QuoinFigure *figure, const char *name, const char *value, GError **c
     keep_text (&figure->title, &figure->figure.title, value);
   else if (strcmp (name, "caption") == 0)
     keep_text (&figure->caption, &figure->figure.caption, value);
-  else
-    return set_view (figure, name, value);
+  else {
+    /* An option of the picture; a step must be one of the result. What is refused changes
+     * nothing. */
+    QnViewOptions *options = &figure->figure.options, before = *options;
+    const QnResult *result = figure->figure.result;
+    if (qn_view_options_set (options, name, value)
+        && (options->step == QN_STEP_LAST
+            || (result != NULL && (size_t) options->step < result->step_count)))
+      return true;
+    *options = before;
+    return false;
+  }
   return true;
 }
 
@@ -213,20 +204,6 @@ quoin_figure_set (QuoinFigure *figure, const char *name, const char *value,
 
 /* ---- pictures ---- */
 
-static GBytes *
-encode_picture (const QuoinFigure *self, QnFormat format, GError **cause)
-{
-  QnMetadata metadata;
-  QnFigure figure = self->figure;
-  const QnProject *project = &self->model->project;
-  qn_project_get_metadata (project, &metadata);
-  if (!qn_underlay_read (project, FALSE, &figure.options.underlay, cause))
-    return NULL;
-  GBytes *bytes = qn_figure_encode (&figure, format, &self->output, &metadata, cause);
-  g_clear_pointer (&figure.options.underlay.image, cairo_surface_destroy);
-  return bytes;
-}
-
 static bool
 report_frame (int done, int total, void *data)
 {
@@ -234,20 +211,6 @@ report_frame (int done, int total, void *data)
   caller->steps = done;
   caller->reached = done;
   return quoin_library_tell (caller, (double) done / MAX (total, 1), 0);
-}
-
-static bool
-animate (const QuoinFigure *self, const char *path, QuoinCaller *caller, GError **cause)
-{
-  QnMetadata metadata;
-  QnAnimation animation = self->animation;
-  qn_project_get_metadata (&self->model->project, &metadata);
-  animation.progress = report_frame;
-  animation.user_data = caller;
-  animation.figure.options.monochrome = self->figure.options.monochrome;
-  animation.figure.options.scale = self->figure.options.scale;
-  return (self->speed == 0 || qn_animation_set_speed (&animation, self->speed, cause))
-         && qn_animation_export (&animation, path, &self->output, &metadata, cause);
 }
 
 /* ---- sheets and reports ---- */
@@ -292,25 +255,6 @@ encode_report (const QuoinFigure *figure, GError **cause)
   return bytes;
 }
 
-static bool
-write_sheet (const QuoinFigure *figure, const char *path, GError **cause)
-{
-  gsize count = figure->results->len;
-  bool monochrome = figure->figure.options.monochrome;
-  g_autofree QnSheetRun *runs = get_runs (figure);
-  QnCurveSheet sheet = figure->sheet;
-  sheet.title = figure->title;
-  sheet.monochrome = monochrome;
-  sheet.references = (const QnReferenceLine *) (void *) figure->references->data;
-  sheet.reference_count = figure->references->len;
-  if (figure->kind == ENERGY)
-    return qn_energy_sheet_export (&sheet, runs, path, &figure->output, cause);
-  if (figure->kind == CURVE)
-    return qn_curve_sheet_export (&sheet, runs, count, path, &figure->output, cause);
-  return qn_comparison_export (runs, count, (int) figure->columns, figure->title,
-                               monochrome, path, &figure->output, cause);
-}
-
 /* ---- files ---- */
 
 static bool
@@ -328,8 +272,18 @@ encode (const QuoinFigure *figure, const char *path, GError **cause)
   QnFormat format;
   if (!qn_format_of_path (path, &format, cause))
     return NULL;
-  if (figure->kind == PICTURE)
-    return encode_picture (figure, format, cause);
+  if (figure->kind == PICTURE) {
+    QnMetadata metadata;
+    QnFigure picture = figure->figure;
+    const QnProject *project = &figure->model->project;
+    qn_project_get_metadata (project, &metadata);
+    if (!qn_underlay_read (project, FALSE, &picture.options.underlay, cause))
+      return NULL;
+    GBytes *bytes =
+      qn_figure_encode (&picture, format, &figure->output, &metadata, cause);
+    g_clear_pointer (&picture.options.underlay.image, cairo_surface_destroy);
+    return bytes;
+  }
   if (format == QN_FORMAT_PDF)
     return encode_report (figure, cause);
   g_set_error (cause, QN_RENDER_ERROR, QN_RENDER_ERROR_USAGE, "%s: a report is a PDF",
@@ -342,10 +296,34 @@ write_figure (const QuoinFigure *figure, const char *path, QuoinCaller *caller,
               GError **cause)
 {
   gsize length;
-  if (is_animation (figure, path))
-    return animate (figure, path, caller, cause);
-  if (figure->kind != PICTURE && figure->kind != REPORT)
-    return write_sheet (figure, path, cause);
+  if (is_animation (figure, path)) {
+    QnMetadata metadata;
+    QnAnimation animation = figure->animation;
+    qn_project_get_metadata (&figure->model->project, &metadata);
+    animation.progress = report_frame;
+    animation.user_data = caller;
+    animation.figure.options.monochrome = figure->figure.options.monochrome;
+    animation.figure.options.scale = figure->figure.options.scale;
+    return (figure->speed == 0
+            || qn_animation_set_speed (&animation, figure->speed, cause))
+           && qn_animation_export (&animation, path, &figure->output, &metadata, cause);
+  }
+  if (figure->kind != PICTURE && figure->kind != REPORT) {
+    gsize count = figure->results->len;
+    bool monochrome = figure->figure.options.monochrome;
+    g_autofree QnSheetRun *runs = get_runs (figure);
+    QnCurveSheet sheet = figure->sheet;
+    sheet.title = figure->title;
+    sheet.monochrome = monochrome;
+    sheet.references = (const QnReferenceLine *) (void *) figure->references->data;
+    sheet.reference_count = figure->references->len;
+    if (figure->kind == ENERGY)
+      return qn_energy_sheet_export (&sheet, runs, path, &figure->output, cause);
+    if (figure->kind == CURVE)
+      return qn_curve_sheet_export (&sheet, runs, count, path, &figure->output, cause);
+    return qn_comparison_export (runs, count, (int) figure->columns, figure->title,
+                                 monochrome, path, &figure->output, cause);
+  }
   g_autoptr (GBytes) bytes = encode (figure, path, cause);
   const void *content = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
   return content != NULL && qn_file_replace (path, content, length, cause);

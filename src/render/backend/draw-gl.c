@@ -199,24 +199,6 @@ qn_gl_renderer_free (QnGlRenderer *r)
   g_free (r);
 }
 
-static void
-upload (QnGlRenderer *r, const QnScene *scene)
-{
-  const QnGl *gl = r->gl;
-  qn_gl_batch_clear (&r->batch);
-  qn_gl_batch_init (&r->batch, scene);
-  gl->BufferData (GL_ARRAY_BUFFER,
-                  (GLsizeiptr) (r->batch.vertices->len * sizeof (QnGlVertex)),
-                  r->batch.vertices->data, GL_STATIC_DRAW);
-  gl->BufferData (GL_ELEMENT_ARRAY_BUFFER,
-                  (GLsizeiptr) (r->batch.indices->len * sizeof (uint32_t)),
-                  r->batch.indices->data, GL_STATIC_DRAW);
-  /* The triangles live with the driver now; the ranges stay here. */
-  g_array_set_size (r->batch.vertices, 0);
-  g_array_set_size (r->batch.indices, 0);
-  r->revision = scene->revision;
-}
-
 /* Gathers the index ranges of visible commands; neighbours become one run. */
 static void
 collect_runs (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera)
@@ -242,20 +224,6 @@ collect_runs (QnGlRenderer *r, const QnScene *scene, const QnCamera *camera)
   }
 }
 
-static void
-set_camera (const QnGlRenderer *r, const QnScene *scene, const QnCamera *camera)
-{
-  const QnGl *gl = r->gl;
-  double sx = 2 * camera->scale / camera->width, sy = 2 * camera->scale / camera->height;
-  QnVec2 off = qn_vec2_sub (r->batch.origin, camera->center);
-  gl->Uniform2f (r->scale, (float) sx, (float) sy);
-  gl->Uniform2f (r->shift, (float) (off.x * sx), (float) (off.y * sy));
-  gl->Uniform2f (r->pixel, (float) (2 / camera->width), (float) (2 / camera->height));
-  gl->Uniform3f (r->metric, (float) camera->scale, (float) camera->unit,
-                 (float) (camera->unit * qn_scene_line_factor (scene, camera)));
-  gl->Uniform2f (r->dash, (float) (6.5 * camera->unit), (float) (4 * camera->unit));
-}
-
 static GLint
 whole (double px)
 {
@@ -270,8 +238,20 @@ qn_gl_renderer_draw (QnGlRenderer *r, const QnScene *scene, const QnCamera *came
   gl->UseProgram (r->program);
   gl->BindVertexArray (r->array);
   gl->BindBuffer (GL_ARRAY_BUFFER, r->vertices);
-  if (r->revision != scene->revision)
-    upload (r, scene);
+  if (r->revision != scene->revision) {
+    qn_gl_batch_clear (&r->batch);
+    qn_gl_batch_init (&r->batch, scene);
+    gl->BufferData (GL_ARRAY_BUFFER,
+                    (GLsizeiptr) (r->batch.vertices->len * sizeof (QnGlVertex)),
+                    r->batch.vertices->data, GL_STATIC_DRAW);
+    gl->BufferData (GL_ELEMENT_ARRAY_BUFFER,
+                    (GLsizeiptr) (r->batch.indices->len * sizeof (uint32_t)),
+                    r->batch.indices->data, GL_STATIC_DRAW);
+    /* The triangles live with the driver now; the ranges stay here. */
+    g_array_set_size (r->batch.vertices, 0);
+    g_array_set_size (r->batch.indices, 0);
+    r->revision = scene->revision;
+  }
 
   GLint left = whole (camera->x);
   GLint bottom = framebuffer_height - whole (camera->y + camera->height);
@@ -281,7 +261,14 @@ qn_gl_renderer_draw (QnGlRenderer *r, const QnScene *scene, const QnCamera *came
   gl->Disable (GL_DEPTH_TEST);
   gl->Enable (GL_BLEND);
   gl->BlendFunc (GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  set_camera (r, scene, camera);
+  double sx = 2 * camera->scale / camera->width, sy = 2 * camera->scale / camera->height;
+  QnVec2 off = qn_vec2_sub (r->batch.origin, camera->center);
+  gl->Uniform2f (r->scale, (float) sx, (float) sy);
+  gl->Uniform2f (r->shift, (float) (off.x * sx), (float) (off.y * sy));
+  gl->Uniform2f (r->pixel, (float) (2 / camera->width), (float) (2 / camera->height));
+  gl->Uniform3f (r->metric, (float) camera->scale, (float) camera->unit,
+                 (float) (camera->unit * qn_scene_line_factor (scene, camera)));
+  gl->Uniform2f (r->dash, (float) (6.5 * camera->unit), (float) (4 * camera->unit));
 
   collect_runs (r, scene, camera);
   if (r->counts->len > 0)

@@ -166,32 +166,6 @@ append_chunk (GByteArray *out, const char *type, const GByteArray *content)
   append_number (out, (guint32) crc32 (0, out->data + start, out->len - start));
 }
 
-static void
-append_resolution (GByteArray *out, double dpi)
-{
-  static const guint8 in_metres = 1;
-  g_autoptr (GByteArray) content = g_byte_array_new ();
-  const gint64 per_metre = qn_to_integer (round (dpi / 0.0254), 1, G_MAXINT32);
-  append_number (content, (guint32) per_metre);
-  append_number (content, (guint32) per_metre);
-  g_byte_array_append (content, &in_metres, 1);
-  append_chunk (out, "pHYs", content);
-}
-
-/* More programs read the older kind of chunk, which holds no UTF-8; the other says, between key and text,
- * that it is not compressed and of no language that is named. */
-static void
-append_text (GByteArray *out, const QnPngText *text)
-{
-  static const guint8 nothing[5];
-  const bool plain = g_str_is_ascii (text->text);
-  g_autoptr (GByteArray) content = g_byte_array_new ();
-  g_byte_array_append (content, (const guint8 *) text->key, (guint) strlen (text->key));
-  g_byte_array_append (content, nothing, plain ? 1 : sizeof nothing);
-  g_byte_array_append (content, (const guint8 *) text->text, (guint) strlen (text->text));
-  append_chunk (out, plain ? "tEXt" : "iTXt", content);
-}
-
 GBytes *
 qn_png_encode (cairo_surface_t *surface, double dpi, const QnPngText *texts,
                size_t text_count, GError **error)
@@ -202,10 +176,28 @@ qn_png_encode (cairo_surface_t *surface, double dpi, const QnPngText *texts,
     return NULL;
   GByteArray *out = g_byte_array_sized_new (image->len);
   g_byte_array_append (out, image->data, HEAD);
-  if (dpi > 0)
-    append_resolution (out, dpi);
-  for (size_t i = 0; i < text_count; i++)
-    append_text (out, &texts[i]);
+  if (dpi > 0) {
+    static const guint8 in_metres = 1;
+    g_autoptr (GByteArray) content = g_byte_array_new ();
+    const gint64 per_metre = qn_to_integer (round (dpi / 0.0254), 1, G_MAXINT32);
+    append_number (content, (guint32) per_metre);
+    append_number (content, (guint32) per_metre);
+    g_byte_array_append (content, &in_metres, 1);
+    append_chunk (out, "pHYs", content);
+  }
+  for (size_t i = 0; i < text_count; i++) {
+    /* More programs read the older kind of chunk, which holds no UTF-8; the other says,
+     * between key and text, that it is not compressed and of no language that is named. */
+    static const guint8 nothing[5];
+    const bool plain = g_str_is_ascii (texts[i].text);
+    g_autoptr (GByteArray) content = g_byte_array_new ();
+    g_byte_array_append (content, (const guint8 *) texts[i].key,
+                         (guint) strlen (texts[i].key));
+    g_byte_array_append (content, nothing, plain ? 1 : sizeof nothing);
+    g_byte_array_append (content, (const guint8 *) texts[i].text,
+                         (guint) strlen (texts[i].text));
+    append_chunk (out, plain ? "tEXt" : "iTXt", content);
+  }
   g_byte_array_append (out, image->data + HEAD, image->len - HEAD);
   return g_byte_array_free_to_bytes (out);
 }

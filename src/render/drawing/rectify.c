@@ -69,20 +69,6 @@ projection_of (const QnVec2 p[4])
   } };
 }
 
-/* The inverse, times the determinant, which is positive: the corners run counter-clockwise. */
-static Projection
-inverse_of (const Projection *q)
-{
-  const double (*m)[3] = q->m;
-  Projection inverse;
-  for (int i = 0; i < 3; i++)
-    for (int k = 0; k < 3; k++) {
-      int a = (k + 1) % 3, b = (k + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
-      inverse.m[i][k] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
-    }
-  return inverse;
-}
-
 static bool
 project (const Projection *q, QnVec2 p, QnVec2 *image)
 {
@@ -104,7 +90,14 @@ qn_rectify_to_photo (const QnVec2 points[4], QnVec2 plane, QnVec2 *photo)
 bool
 qn_rectify_to_plane (const QnVec2 points[4], QnVec2 photo, QnVec2 *plane)
 {
-  Projection projection = projection_of (points), inverse = inverse_of (&projection);
+  /* The inverse, times the determinant, which is positive: the corners run counter-clockwise. */
+  Projection projection = projection_of (points), inverse;
+  double (*m)[3] = projection.m;
+  for (int i = 0; i < 3; i++)
+    for (int k = 0; k < 3; k++) {
+      int a = (k + 1) % 3, b = (k + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
+      inverse.m[i][k] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
+    }
   return project (&inverse, photo, plane);
 }
 

@@ -145,10 +145,13 @@ qn_scene_legend (QnScene *scene, QnCommandKind kind, double size, QnColor color,
   return &g_array_index (scene->legend, QnLegendEntry, scene->legend->len - 1);
 }
 
-/* Stable counting sort by layer: within a layer the order of addition stays. */
-static void
-sort_by_layer (QnScene *scene)
+void
+qn_scene_finish (QnScene *scene)
 {
+  /* Process-wide, so that a batch can never take one scene for another. */
+  static gint next_revision;
+
+  /* Stable counting sort by layer: within a layer the order of addition stays. */
   guint start[QN_LAYER_COUNT + 1] = { 0 };
   const guint count = scene->commands->len;
   for (guint i = 0; i < count; i++)
@@ -163,15 +166,6 @@ sort_by_layer (QnScene *scene)
   }
   g_array_unref (scene->commands);
   scene->commands = sorted;
-}
-
-void
-qn_scene_finish (QnScene *scene)
-{
-  /* Process-wide, so that a batch can never take one scene for another. */
-  static gint next_revision;
-
-  sort_by_layer (scene);
   scene->box = QN_BOX_EMPTY;
   for (guint i = 0; i < scene->commands->len; i++)
     qn_box_add_box (&scene->box, qn_scene_command (scene, i)->box);

@@ -206,23 +206,6 @@ lay_words (const SheetLayout *s, size_t index, double width, double x, double y,
 }
 
 static void
-draw_cells (const SheetLayout *s)
-{
-  for (guint i = 0; i < s->scenes->len; i++) {
-    const QnScene *scene = g_ptr_array_index (s->scenes, i);
-    QnCamera view = cell_viewport (s, i, s->columns, s->rows);
-    qn_scene_fit (&view, scene, s->cr, s->scale);
-    /* The structures of a row stand on one ground. */
-    QnVec2 foot = qn_camera_to_screen (&view, scene->box.min);
-    view.center.y += (view.y + view.height - foot.y) / view.scale;
-    view.height += FOOT_GAP * view.unit;
-    view.center.y -= 0.5 * FOOT_GAP * view.unit / view.scale;
-    qn_draw_cairo (scene, &view, QN_LAYERS_ALL, s->cr);
-    lay_words (s, i, view.width, view.x + 0.5 * view.width, view.y + view.height, true);
-  }
-}
-
-static void
 draw_sheet (SheetLayout *s)
 {
   double u = s->page->unit, margin = SHEET_MARGIN * u;
@@ -269,7 +252,18 @@ draw_sheet (SheetLayout *s)
       s->rows = rows;
     }
   }
-  draw_cells (s);
+  for (guint i = 0; i < s->scenes->len; i++) {
+    const QnScene *scene = g_ptr_array_index (s->scenes, i);
+    QnCamera view = cell_viewport (s, i, s->columns, s->rows);
+    qn_scene_fit (&view, scene, s->cr, s->scale);
+    /* The structures of a row stand on one ground. */
+    QnVec2 foot = qn_camera_to_screen (&view, scene->box.min);
+    view.center.y += (view.y + view.height - foot.y) / view.scale;
+    view.height += FOOT_GAP * view.unit;
+    view.center.y -= 0.5 * FOOT_GAP * view.unit / view.scale;
+    qn_draw_cairo (scene, &view, QN_LAYERS_ALL, s->cr);
+    lay_words (s, i, view.width, view.x + 0.5 * view.width, view.y + view.height, true);
+  }
   if (legend)
     qn_furniture_draw (&furniture, s->cr, s->scale, false);
   qn_furniture_clear (&furniture);

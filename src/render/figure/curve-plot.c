@@ -111,26 +111,6 @@ add_mark (QnPlot *plot, const QnCurve *curve, int series, ptrdiff_t at, QnMarker
     qn_plot_points (plot, NULL, series, curve->x + at, curve->y + at, 1, marker, size);
 }
 
-/* Curves differ by dashes as well as by colour. */
-static void
-add_curve (QnPlot *plot, const Data *data, size_t index)
-{
-  const QnCurve *curve = &data->curves[index];
-  const int series = (int) index;
-  qn_plot_mark (plot, QN_MARKS_LINE, curve->label, series, curve->x, curve->y,
-                curve->count)
-    ->dash = data->count > 1 && index % 2 == 1 ? QN_USUAL_DASH : 0;
-  if (curve->runs_on && curve->count > 1) {
-    const ptrdiff_t end = (ptrdiff_t) curve->count - 1;
-    add_mark (plot, curve, series, end, QN_MARKER_ARROW_HEAD, 7);
-    if (curve->x[end] < curve->x[end - 1])
-      g_array_index (plot->marks, QnMarks, plot->marks->len - 1).angle = G_PI;
-  }
-  add_mark (plot, curve, series, curve->limit_point, QN_MARKER_DIAMOND, 7);
-  add_mark (plot, curve, series, curve->collapse_point, QN_MARKER_CROSS, 6.5);
-  add_mark (plot, curve, series, curve->dot, QN_MARKER_DOT, 7.5);
-}
-
 static void
 add_sample (QnPlot *plot, bool shown, QnMarker marker, double size, const char *label)
 {
@@ -162,8 +142,23 @@ qn_curve_plot (const QnCurve *curves, size_t count, const QnReferenceLine *refer
                   i == 0 ? QN_SERIES_REFERENCE : (int) (count + i - 1), NULL,
                   &references[i].y, 1)
       ->dash = i / 2 % 2 == 0 ? 5 : 1.5;
-  for (size_t i = 0; i < count; i++)
-    add_curve (plot, &data, i);
+  for (size_t i = 0; i < count; i++) {
+    /* Curves differ by dashes as well as by colour. */
+    const QnCurve *curve = &data.curves[i];
+    const int series = (int) i;
+    qn_plot_mark (plot, QN_MARKS_LINE, curve->label, series, curve->x, curve->y,
+                  curve->count)
+      ->dash = data.count > 1 && i % 2 == 1 ? QN_USUAL_DASH : 0;
+    if (curve->runs_on && curve->count > 1) {
+      const ptrdiff_t end = (ptrdiff_t) curve->count - 1;
+      add_mark (plot, curve, series, end, QN_MARKER_ARROW_HEAD, 7);
+      if (curve->x[end] < curve->x[end - 1])
+        g_array_index (plot->marks, QnMarks, plot->marks->len - 1).angle = G_PI;
+    }
+    add_mark (plot, curve, series, curve->limit_point, QN_MARKER_DIAMOND, 7);
+    add_mark (plot, curve, series, curve->collapse_point, QN_MARKER_CROSS, 6.5);
+    add_mark (plot, curve, series, curve->dot, QN_MARKER_DOT, 7.5);
+  }
   /* the lines at known values stand behind the curves, but after them in the legend */
   for (size_t i = 0; i < reference_count; i++) {
     QnMarks sample = g_array_index (plot->marks, QnMarks, i);

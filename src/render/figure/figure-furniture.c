@@ -151,35 +151,22 @@ rectangle_outline (cairo_t *cr, double x, double y, double width, double height,
   cairo_stroke (cr);
 }
 
-static char *
-length_text (double metres)
-{
-  g_autofree char *number = qn_label_number ("%g", metres >= 1 ? metres : 1000 * metres);
-  return g_strconcat (number, metres >= 1 ? " m" : " mm", NULL);
-}
-
-/* The largest of 1, 2, 5 x 10^n not above `value` (> 0). */
-static double
-nice_below (double value)
-{
-  double power = pow (10, floor (log10 (value)));
-  double digit = value / power;
-  return (digit >= 5 ? 5 : digit >= 2 ? 2 : 1) * power;
-}
-
 /* A bar of a 1-2-5 length with its half filled. */
 static void
 draw_scale_bar (const QnFurniture *f, cairo_t *cr, double x, double y, double scale)
 {
   double u = f->unit;
   QnColor line = qn_ink (QN_INK_LINE, f->scene->monochrome);
-  double length = nice_below (0.6 * SCALE_WIDTH * u / scale);
+  const double most = 0.6 * SCALE_WIDTH * u / scale;
+  double power = pow (10, floor (log10 (most))), digit = most / power;
+  double length = (digit >= 5 ? 5 : digit >= 2 ? 2 : 1) * power;
   double width = length * scale, top = y + 4.2 * u, height = 3.2 * u;
   qn_set_color (cr, line, 1);
   cairo_rectangle (cr, x, top, 0.5 * width, height);
   cairo_fill (cr);
   rectangle_outline (cr, x, top, width, height, 0.6 * u, line);
-  g_autofree char *text = length_text (length);
+  g_autofree char *number = qn_label_number ("%g", length >= 1 ? length : 1000 * length);
+  g_autofree char *text = g_strconcat (number, length >= 1 ? " m" : " mm", NULL);
   qn_text_draw (cr, &(QnTextStyle){ .size = QN_TYPE_LEGEND * u }, text, x + width + 4 * u,
                 y + 0.5 * ROW_HEIGHT * u, 0, 0.5, 0, line);
 }

@@ -311,20 +311,6 @@ measure_columns (const QnPages *pages, const char *const *cells, size_t rows,
     widths[c] *= 1 - excess / least_sum;
 }
 
-/* Columns of numbers, which are set to the right. */
-static void
-find_numbers (const char *const *cells, size_t rows, size_t columns, bool *numbers)
-{
-  for (size_t c = 0; c < columns; c++) {
-    numbers[c] = rows > 1;
-    for (size_t r = 1; r < rows; r++) {
-      const char *cell = cells[r * columns + c];
-      numbers[c] &=
-        strcmp (cell, "–") == 0 || strspn (cell, "0123456789.,-+e") == strlen (cell);
-    }
-  }
-}
-
 /* The height of a row, pt; drawn at the pages' y where asked for. */
 static double
 lay_row (QnPages *pages, const char *const *cells, size_t columns, const double *widths,
@@ -367,7 +353,15 @@ qn_pages_table (QnPages *pages, const char *const *cells, size_t rows, size_t co
   g_autofree double *widths = g_new (double, columns);
   g_autofree bool *numbers = g_new (bool, columns);
   measure_columns (pages, cells, rows, columns, widths);
-  find_numbers (cells, rows, columns, numbers);
+  /* Columns of numbers, which are set to the right. */
+  for (size_t c = 0; c < columns; c++) {
+    numbers[c] = rows > 1;
+    for (size_t r = 1; r < rows; r++) {
+      const char *cell = cells[r * columns + c];
+      numbers[c] &=
+        strcmp (cell, "–") == 0 || strspn (cell, "0123456789.,-+e") == strlen (cell);
+    }
+  }
   begin (pages, 40);
   draw_head (pages, cells, columns, widths, numbers);
   for (size_t r = 1; r < rows; r++) {

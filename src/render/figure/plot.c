@@ -112,15 +112,6 @@ axis_place (const QnAxis *axis, double value)
          + (value - axis->low) / (axis->high - axis->low) * (axis->end - axis->start);
 }
 
-/* A 1-2-5 step that gives about `count` ticks. */
-static double
-nice_step (double range, double count)
-{
-  double raw = range / fmax (count, 1), power = pow (10, floor (log10 (raw)));
-  double digit = raw / power;
-  return (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10) * power;
-}
-
 /* Ticks at multiples of a nice step over a length in px. A value beyond a tick by less than can be seen
  * needs no further tick. */
 static void
@@ -128,7 +119,11 @@ axis_set (QnAxis *axis, double low, double high, double length, double spacing)
 {
   if (!(high > low))
     high = low + (low != 0 ? fabs (low) : 1);
-  axis->step = nice_step (high - low, fabs (length) / spacing);
+  /* A 1-2-5 step. */
+  double raw = (high - low) / fmax (fabs (length) / spacing, 1),
+         power = pow (10, floor (log10 (raw)));
+  double digit = raw / power;
+  axis->step = (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10) * power;
   double below = floor (low / axis->step + 1e-3) * axis->step;
   double above = ceil (high / axis->step - 1e-3) * axis->step;
   axis->low = low - below < 0.35 * axis->step ? below : low - 0.04 * (high - low);
@@ -258,19 +253,6 @@ draw_name (cairo_t *cr, const char *name, double unit, double x, double y, doubl
   if (room < SMALLER * width)
     style.width = room;
   qn_text_draw (cr, &style, name, x, y, 0.5, align_y, angle, ink);
-}
-
-/* Names of the axes: the vertical one at px `left`, the horizontal one above px `bottom`. */
-static void
-axes_draw_names (const QnAxis *x, const QnAxis *y, cairo_t *cr, double unit, double left,
-                 double bottom, bool monochrome)
-{
-  QnColor ink = qn_ink (QN_INK_LINE, monochrome);
-  double across = fabs (x->end - x->start), upright = fabs (bottom - y->end);
-  draw_name (cr, x->as->label, unit, 0.5 * (x->start + x->end), bottom, 1, 0, across,
-             ink);
-  draw_name (cr, y->as->label, unit, left, 0.5 * (y->end + bottom), 0, G_PI / 2, upright,
-             ink);
 }
 
 /* ---- layout ---- */
@@ -621,7 +603,14 @@ qn_plot_draw (const QnPlot *plot, cairo_t *cr, double u, const QnFrame *frame,
     axes_draw (&d.x, &d.y, cr, u, plot->monochrome);
     for (guint i = 0; i < plot->marks->len; i++)
       draw_marks (&d, &g_array_index (plot->marks, QnMarks, i));
-    axes_draw_names (&d.x, &d.y, cr, u, frame->x, bottom, plot->monochrome);
+    /* Names of the axes: the vertical one at px `left`, the horizontal one above px
+     * `bottom`. */
+    QnColor ink = qn_ink (QN_INK_LINE, plot->monochrome);
+    double across = fabs (d.x.end - d.x.start), upright = fabs (bottom - d.y.end);
+    draw_name (cr, d.x.as->label, u, 0.5 * (d.x.start + d.x.end), bottom, 1, 0, across,
+               ink);
+    draw_name (cr, d.y.as->label, u, frame->x, 0.5 * (d.y.end + bottom), 0, G_PI / 2,
+               upright, ink);
   }
   qn_furniture_draw (&furniture, cr, 1, false);
   qn_furniture_clear (&furniture);

@@ -208,15 +208,6 @@ player_init (Player *player, const QnAnimation *animation, const QnPage *page,
   return true;
 }
 
-static void
-player_clear (Player *player)
-{
-  qn_furniture_clear (&player->layout.furniture);
-  qn_scene_free (player->reference);
-  qn_curve_clear (&player->curve);
-  g_free (player->steps);
-}
-
 /* ---- frames ---------------------------------------------------------------------------- */
 
 static bool
@@ -329,7 +320,10 @@ qn_animation_export (const QnAnimation *animation, const char *path,
   Player player;
   bool done = player_init (&player, animation, &page, cr, error)
               && play (&player, cr, format, path, &full, error);
-  player_clear (&player);
+  qn_furniture_clear (&player.layout.furniture);
+  qn_scene_free (player.reference);
+  qn_curve_clear (&player.curve);
+  g_free (player.steps);
   cairo_destroy (cr);
   cairo_surface_destroy (surface);
   return done;

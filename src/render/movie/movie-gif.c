@@ -213,20 +213,6 @@ set_failed (GError **error)
                        _ ("the animation could not be encoded as GIF"));
 }
 
-/* The palette padded to a power of two, as the format requires. */
-static ColorMapObject *
-make_color_map (const Palette *palette)
-{
-  GifColorType colors[MOST_COLORS] = { { 0, 0, 0 } };
-  int size = 2;
-  while (size < palette->count)
-    size *= 2;
-  for (int i = 0; i < palette->count; i++)
-    colors[i] = (GifColorType){ palette->colors[i][0], palette->colors[i][1],
-                                palette->colors[i][2] };
-  return GifMakeMapObject (size, colors);
-}
-
 static GString *
 describe (const QnMetadata *metadata)
 {
@@ -253,7 +239,15 @@ put_header (GifMovie *movie)
   GifFileType *gif = movie->gif;
   g_autoptr (GString) comment = describe (movie->metadata);
   palette_choose (&movie->palette);
-  ColorMapObject *map = make_color_map (&movie->palette);
+  /* The palette padded to a power of two, as the format requires. */
+  GifColorType colors[MOST_COLORS] = { { 0, 0, 0 } };
+  int size = 2;
+  while (size < movie->palette.count)
+    size *= 2;
+  for (int i = 0; i < movie->palette.count; i++)
+    colors[i] = (GifColorType){ movie->palette.colors[i][0], movie->palette.colors[i][1],
+                                movie->palette.colors[i][2] };
+  ColorMapObject *map = GifMakeMapObject (size, colors);
   EGifSetGifVersion (gif, true);
   bool done = map != NULL
               && EGifPutScreenDesc (gif, movie->width, movie->height, 8, 0, map) == GIF_OK
@@ -297,17 +291,6 @@ gif_look (void *state, cairo_surface_t *frame)
   palette_look (&((GifMovie *) state)->palette, frame);
 }
 
-static void
-index_frame (GifMovie *movie, cairo_surface_t *frame)
-{
-  uint8_t *out = movie->current;
-  for (int y = 0; y < movie->height; y++) {
-    const uint32_t *row = qn_image_row (frame, y);
-    for (int x = 0; x < movie->width; x++)
-      *out++ = palette_find (&movie->palette, row[x]);
-  }
-}
-
 /* The smallest rectangle outside which nothing changed; one pixel where nothing did. */
 static void
 find_change (const GifMovie *movie, int *left, int *top, int *right, int *bottom)
@@ -341,7 +324,12 @@ gif_add (void *state, cairo_surface_t *frame, GError **error)
   int left = 0, top = 0, right = movie->width, bottom = movie->height;
   bool first = movie->first, done = !first || put_header (movie);
   movie->first = false;
-  index_frame (movie, frame);
+  uint8_t *out = movie->current;
+  for (int y = 0; y < movie->height; y++) {
+    const uint32_t *row = qn_image_row (frame, y);
+    for (int x = 0; x < movie->width; x++)
+      *out++ = palette_find (&movie->palette, row[x]);
+  }
   if (!first)
     find_change (movie, &left, &top, &right, &bottom);
 

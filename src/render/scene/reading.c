@@ -227,20 +227,6 @@ add_force (QnBlockReading *reading, const QnBlock *block, QnVec2 at, QnVec2 f)
   add_stress (reading, r, f);
 }
 
-/* The forces of loads, each on the reading of its block. */
-static void
-add_loads (QnBlockReading *readings, const QnModel *model, const double *factors)
-{
-  for (size_t i = 0; i < qn_model_acting_count (model); i++) {
-    const QnLoad load = qn_model_acting_load (model, i);
-    if (load.kind != QN_LOAD_FORCE)
-      continue;
-    double factor = load.set == QN_NONE ? 1 : factors[load.set];
-    add_stress (&readings[load.block], qn_model_load_arm (model, &load),
-                qn_vec2_scale (factor, load.vector));
-  }
-}
-
 /* The forces of a face on the block on one of its sides. */
 static void
 add_face_reading (QnBlockReading *reading, const QnModel *model,
@@ -255,27 +241,23 @@ add_face_reading (QnBlockReading *reading, const QnModel *model,
   }
 }
 
-static void
-complete (QnBlockReading *reading, const QnBlock *block)
-{
-  double volume = block->area * block->thickness;
-  for (int i = 0; i < 3; i++)
-    reading->stress[i] /= volume;
-  double middle = 0.5 * (reading->stress[0] + reading->stress[1]);
-  double radius =
-    hypot (0.5 * (reading->stress[0] - reading->stress[1]), reading->stress[2]);
-  reading->principal[0] = middle - radius;
-  reading->principal[1] = middle + radius;
-}
-
 QnBlockReading *
 qn_block_readings (const QnModel *model, const QnContacts *contacts,
                    const QnPairResult *pairs, const QnTouch *touches, size_t touch_count,
                    const double *factors)
 {
   QnBlockReading *readings = g_new0 (QnBlockReading, MAX (model->block_count, 1));
-  if (factors != NULL)
-    add_loads (readings, model, factors);
+  if (factors != NULL) {
+    /* The forces of loads, each on the reading of its block. */
+    for (size_t i = 0; i < qn_model_acting_count (model); i++) {
+      const QnLoad load = qn_model_acting_load (model, i);
+      if (load.kind != QN_LOAD_FORCE)
+        continue;
+      double factor = load.set == QN_NONE ? 1 : factors[load.set];
+      add_stress (&readings[load.block], qn_model_load_arm (model, &load),
+                  qn_vec2_scale (factor, load.vector));
+    }
+  }
   for (size_t f = 0; f < contacts->face_count; f++) {
     const QnContactFace *face = &contacts->faces[f];
     add_face_reading (&readings[face->a], model, contacts, face, pairs, face->a);
@@ -287,8 +269,16 @@ qn_block_readings (const QnModel *model, const QnContacts *contacts,
       add_force (&readings[block], &model->blocks[block], touches[i].at[side],
                  touches[i].on[side]);
     }
-  for (size_t i = 0; i < model->block_count; i++)
-    complete (&readings[i], &model->blocks[i]);
+  for (size_t i = 0; i < model->block_count; i++) {
+    double volume = model->blocks[i].area * model->blocks[i].thickness;
+    for (int k = 0; k < 3; k++)
+      readings[i].stress[k] /= volume;
+    double middle = 0.5 * (readings[i].stress[0] + readings[i].stress[1]);
+    double radius = hypot (0.5 * (readings[i].stress[0] - readings[i].stress[1]),
+                           readings[i].stress[2]);
+    readings[i].principal[0] = middle - radius;
+    readings[i].principal[1] = middle + radius;
+  }
   return readings;
 }
 

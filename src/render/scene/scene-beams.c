@@ -16,13 +16,6 @@
 
 /* --- Where elements are ------------------------------------------------------------------ */
 
-static bool
-shows_forces (const QnSceneBuilder *b)
-{
-  return b->result != NULL && b->result->beam_forces != NULL && b->result->step_count > 0
-         && qn_view_needs_result (b->options->view);
-}
-
 void
 qn_beam_drawing_init (QnBeamDrawing *drawing, const QnSceneBuilder *b)
 {
@@ -32,7 +25,8 @@ qn_beam_drawing_init (QnBeamDrawing *drawing, const QnSceneBuilder *b)
   *drawing = (QnBeamDrawing){ .builder = b,
                               .bent = b->motion.displacements != NULL
                                       && b->options->view != QN_VIEW_MECHANISM };
-  if (!shows_forces (b))
+  if (!(b->result != NULL && b->result->beam_forces != NULL && b->result->step_count > 0
+        && qn_view_needs_result (b->options->view)))
     return;
   drawing->forces = qn_result_step_beam_forces (b->result, b->step);
   drawing->loads = g_new0 (QnVec2, MAX (model->element_count, 1));
@@ -218,22 +212,6 @@ add_node_support (QnSceneBuilder *b, QnId node)
   qn_scene_stroke (b->scene, QN_LAYER_OUTLINES, line, 2, false, QN_WIDTH_OUTLINE, color);
 }
 
-static void
-add_nodes (QnSceneBuilder *b)
-{
-  for (size_t i = 0; i < b->model->node_count; i++) {
-    const QnNode *node = &b->model->nodes[i];
-    if (qn_support_is_any (node->support))
-      add_node_support (b, (QnId) i);
-    if (node->block != QN_NONE)
-      add_link (b, (QnId) i);
-    if (node->beam == QN_NONE && b->options->symbols)
-      qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_DOT,
-                       qn_builder_place_node (b, (QnId) i), 3, 0,
-                       qn_builder_ink (b, QN_INK_LINE));
-  }
-}
-
 void
 qn_build_beams (QnSceneBuilder *b)
 {
@@ -249,7 +227,17 @@ qn_build_beams (QnSceneBuilder *b)
     if (b->options->symbols)
       yields |= add_hinges (&drawing, b, (QnId) e);
   }
-  add_nodes (b);
+  for (size_t i = 0; i < b->model->node_count; i++) {
+    const QnNode *node = &b->model->nodes[i];
+    if (qn_support_is_any (node->support))
+      add_node_support (b, (QnId) i);
+    if (node->block != QN_NONE)
+      add_link (b, (QnId) i);
+    if (node->beam == QN_NONE && b->options->symbols)
+      qn_scene_marker (b->scene, QN_LAYER_SYMBOLS, QN_MARKER_DOT,
+                       qn_builder_place_node (b, (QnId) i), 3, 0,
+                       qn_builder_ink (b, QN_INK_LINE));
+  }
   if (yields)
     qn_scene_legend (b->scene, QN_COMMAND_MARKER, 7, qn_builder_ink (b, QN_INK_HINGE),
                      "%s", _ ("plastic hinge"));

@@ -141,19 +141,6 @@ qn_scene_motion (const QnScene *scene, const QnModel *model, const QnResult *res
   return motion;
 }
 
-/* Contact forces of the step shown. */
-static void
-find_pairs (QnSceneBuilder *b)
-{
-  bool steps = b->result != NULL && b->result->step_count > 0;
-  if (b->result != NULL && b->contacts != NULL)
-    b->pairs = qn_step_pairs (b->contacts, b->result, b->step);
-  if (steps && b->contacts != NULL)
-    b->left = qn_step_left (b->contacts, b->result, b->step);
-  if (steps && (b->contacts != NULL || b->options->view == QN_VIEW_DEFORMED))
-    b->touches = qn_step_touches (b->model, b->result, b->step, &b->touch_count);
-}
-
 /* Where the analysis does not state the states of joints, they follow from the motion. */
 static bool
 find_joints (QnSceneBuilder *b, GError **error)
@@ -252,7 +239,14 @@ qn_scene_build (const QnModel *model, const QnContacts *contacts, const QnResult
     b.block_size = 0.1 * qn_box_diagonal (b.box);
   b.scene->fineness = 0.7 * b.block_size; /* of a block twice as long as tall */
   choose_motion (&b);
-  find_pairs (&b);
+  /* Contact forces of the step shown. */
+  bool steps = b.result != NULL && b.result->step_count > 0;
+  if (b.result != NULL && b.contacts != NULL)
+    b.pairs = qn_step_pairs (b.contacts, b.result, b.step);
+  if (steps && b.contacts != NULL)
+    b.left = qn_step_left (b.contacts, b.result, b.step);
+  if (steps && (b.contacts != NULL || b.options->view == QN_VIEW_DEFORMED))
+    b.touches = qn_step_touches (b.model, b.result, b.step, &b.touch_count);
   if (find_joints (&b, error)) {
     build_view (&b);
     qn_scene_finish (b.scene);

@@ -32,16 +32,6 @@ add_spring (QnSceneBuilder *b, QnVec2 from, QnVec2 to, QnId pair, double extent)
   qn_command_set_extent (command, extent, DETAIL_LEAST);
 }
 
-/* Where the details of a pair are drawn: a little inwards of the end of its face, because in
- * masonry the ends of several faces meet in one point. */
-static QnVec2
-detail_place (const QnContactFace *face, const QnContactPair *pair, double spread)
-{
-  double inwards = fmin (1.8 * spread, 0.25 * face->length);
-  double s = fmin (fmax (pair->abscissa, inwards), face->length - inwards);
-  return qn_vec2_add_scaled (face->start, s, face->tangent);
-}
-
 /* Height of a block above its joint, m. */
 static double
 block_height (const QnModel *model, QnId block, const QnContactFace *face)
@@ -68,7 +58,12 @@ static void
 add_pair_details (QnSceneBuilder *b, const QnContactFace *face, QnId pair, double spread)
 {
   static const char *const letters[3] = { "A", "B", "C" };
-  QnVec2 c = detail_place (face, &b->contacts->pairs[pair], spread);
+  /* Where the details of a pair are drawn: a little inwards of the end of its face,
+   * because in masonry the ends of several faces meet in one point. */
+  double inwards = fmin (1.8 * spread, 0.25 * face->length);
+  double s =
+    fmin (fmax (b->contacts->pairs[pair].abscissa, inwards), face->length - inwards);
+  QnVec2 c = qn_vec2_add_scaled (face->start, s, face->tangent);
   QnVec2 places[3] = { qn_vec2_add_scaled (c, -spread, face->normal),
                        qn_vec2_add_scaled (c, spread, face->normal), c };
   double extent = 2 * spread;

@@ -26,17 +26,6 @@ value_at (const QnBeamDrawing *drawing, QnId element, double s)
                                        : at.moment;
 }
 
-static double
-largest_value (const QnBeamDrawing *drawing, size_t count)
-{
-  double largest = 0;
-  for (size_t e = 0; e < count; e++)
-    for (int i = 0; i <= DIAGRAM_PIECES; i++)
-      largest =
-        fmax (largest, fabs (value_at (drawing, (QnId) e, (double) i / DIAGRAM_PIECES)));
-  return largest;
-}
-
 /* Moments are drawn on the side in tension, which is -y where they are positive. */
 static QnVec2
 ordinate (const QnBeamDrawing *drawing, QnId element, double s, double per_unit,
@@ -142,7 +131,11 @@ qn_build_diagrams (QnSceneBuilder *b)
   };
   QnBeamDrawing drawing;
   qn_beam_drawing_init (&drawing, b);
-  double largest = largest_value (&drawing, b->model->element_count);
+  double largest = 0;
+  for (size_t e = 0; e < b->model->element_count; e++)
+    for (int i = 0; i <= DIAGRAM_PIECES; i++)
+      largest =
+        fmax (largest, fabs (value_at (&drawing, (QnId) e, (double) i / DIAGRAM_PIECES)));
   /* Rounding is no shear force. */
   if (largest > 1e-9) {
     double per_unit = LARGEST * qn_box_diagonal (b->box) / largest;

@@ -110,24 +110,6 @@ block_values (const QnSceneBuilder *b, double *values)
                                                    : hypot (u[QN_DOF_UX], u[QN_DOF_UY]);
 }
 
-static void
-joint_values (const QnSceneBuilder *b, double *values)
-{
-  const QnMotion step = qn_step_motion (b->model, b->result, b->step);
-  QnMotion motion = b->motion;
-  motion.displacements = field_displacements (b);
-  for (size_t f = 0; f < b->contacts->face_count; f++) {
-    QnJointMotion joint = qn_motion_joint (&motion, &b->contacts->faces[f]);
-    values[f] = b->options->field == QN_FIELD_CRACK
-                  ? qn_joint_crack (b->contacts, (QnId) f, b->pairs, &step).width
-                : b->options->field == QN_FIELD_OPENING
-                  ? fmax (fmax (joint.opening_start, joint.opening_end), 0)
-                  : fabs (joint.slip);
-    if (b->left != NULL && b->left[f])
-      values[f] = 0;
-  }
-}
-
 /* The range of the values, with zero in it. */
 static void
 set_bar (QnSceneBuilder *b, const FieldSpec *spec, const double *values, size_t count)
@@ -288,7 +270,19 @@ qn_build_field (QnSceneBuilder *b)
   size_t count = spec->joints ? b->contacts->face_count : b->model->block_count;
   g_autofree double *values = g_new0 (double, MAX (count, 1));
   if (spec->joints) {
-    joint_values (b, values);
+    const QnMotion step = qn_step_motion (b->model, b->result, b->step);
+    QnMotion motion = b->motion;
+    motion.displacements = field_displacements (b);
+    for (size_t f = 0; f < b->contacts->face_count; f++) {
+      QnJointMotion joint = qn_motion_joint (&motion, &b->contacts->faces[f]);
+      values[f] = b->options->field == QN_FIELD_CRACK
+                    ? qn_joint_crack (b->contacts, (QnId) f, b->pairs, &step).width
+                  : b->options->field == QN_FIELD_OPENING
+                    ? fmax (fmax (joint.opening_start, joint.opening_end), 0)
+                    : fabs (joint.slip);
+      if (b->left != NULL && b->left[f])
+        values[f] = 0;
+    }
     set_bar (b, spec, values, count);
     add_joint_lines (b, values);
     return NULL;

@@ -111,20 +111,6 @@ qn_build_found (QnSceneBuilder *b)
                      _ ("contact found during the motion"));
 }
 
-static void
-add_found_forces (QnSceneBuilder *b, double per_newton, double largest)
-{
-  const double *u = b->motion.displacements;
-  for (size_t i = 0; i < b->touch_count; i++) {
-    const QnTouch *touch = &b->touches[i];
-    double turn = u != NULL ? u[(size_t) touch->block[0] * QN_DOF_COUNT + QN_DOF_RZ] : 0;
-    if (hypot (touch->force, touch->shear) >= LEAST_FOUND_SHARE * largest)
-      add_resultant (b, qn_vec2_rotate (touch->on[0], cos (turn), sin (turn)),
-                     found_place (b, touch), per_newton, largest, QN_PICK_FOUND,
-                     touch->found);
-  }
-}
-
 /* ---- the line of thrust ---- */
 
 /* The touch that the force of a cut passes through, or NULL: a joint as drawn. */
@@ -386,27 +372,19 @@ add_thrust_legend (QnSceneBuilder *b, const bool places[QN_PLACE_COUNT])
 
 /* ---- all of it ---- */
 
-static FaceForce *
-find_resultants (const QnSceneBuilder *b, double *largest)
-{
-  FaceForce *resultants = g_new0 (FaceForce, MAX (b->contacts->face_count, 1));
-  *largest = 0;
-  for (size_t f = 0; f < b->contacts->face_count; f++) {
-    const QnContactFace *face = &b->contacts->faces[f];
-    QnJointReading reading = qn_joint_reading (b->contacts, (QnId) f, b->pairs);
-    resultants[f] = (FaceForce){ joint_force (b, face, reading.normal, reading.shear),
-                                 qn_builder_place_joint (b, face, reading.at) };
-    *largest = fmax (*largest, qn_vec2_length (resultants[f].force));
-  }
-  return resultants;
-}
-
 void
 qn_build_forces (QnSceneBuilder *b)
 {
   const QnContacts *contacts = b->contacts;
   double largest = 0, longest = 0;
-  g_autofree FaceForce *resultants = find_resultants (b, &largest);
+  g_autofree FaceForce *resultants = g_new0 (FaceForce, MAX (b->contacts->face_count, 1));
+  for (size_t f = 0; f < b->contacts->face_count; f++) {
+    const QnContactFace *face = &b->contacts->faces[f];
+    QnJointReading reading = qn_joint_reading (b->contacts, (QnId) f, b->pairs);
+    resultants[f] = (FaceForce){ joint_force (b, face, reading.normal, reading.shear),
+                                 qn_builder_place_joint (b, face, reading.at) };
+    largest = fmax (largest, qn_vec2_length (resultants[f].force));
+  }
   /* In bending the pairs carry more than their resultant. */
   for (size_t p = 0; p < contacts->pair_count && b->options->symbols; p++)
     longest = fmax (longest, hypot (b->pairs[p].normal_force, b->pairs[p].shear_force));
@@ -422,7 +400,15 @@ qn_build_forces (QnSceneBuilder *b)
       add_resultant (b, resultants[f].force, resultants[f].at, per_newton, largest,
                      QN_PICK_FACE, (QnId) f);
   }
-  add_found_forces (b, per_newton, largest);
+  const double *u = b->motion.displacements;
+  for (size_t i = 0; i < b->touch_count; i++) {
+    const QnTouch *touch = &b->touches[i];
+    double turn = u != NULL ? u[(size_t) touch->block[0] * QN_DOF_COUNT + QN_DOF_RZ] : 0;
+    if (hypot (touch->force, touch->shear) >= LEAST_FOUND_SHARE * largest)
+      add_resultant (b, qn_vec2_rotate (touch->on[0], cos (turn), sin (turn)),
+                     found_place (b, touch), per_newton, largest, QN_PICK_FOUND,
+                     touch->found);
+  }
   g_autofree char *number = qn_label_number ("%.4g", largest / 1000);
   qn_scene_legend (b->scene, QN_COMMAND_STROKE, 2, qn_builder_ink (b, QN_INK_FORCE),
                    _ ("resultant of a joint, largest %s kN"), number);

@@ -87,16 +87,6 @@ set_behind (QnCommand *label, QnVec2 arrow, double length)
   label->align_y = arrow.y < -0.3 * length ? -0.2f : arrow.y > 0.3 * length ? 1.2f : 0.5f;
 }
 
-static double
-largest_force (const QnLoad *loads, size_t count)
-{
-  double largest = 0;
-  for (size_t i = 0; i < count; i++)
-    if (loads[i].kind == QN_LOAD_FORCE || loads[i].kind == QN_LOAD_NODE)
-      largest = fmax (largest, qn_vec2_length (loads[i].vector));
-  return largest;
-}
-
 static void
 add_force_load (QnSceneBuilder *b, const QnLoad *load, double largest, QnPickKind pick,
                 QnId index, QnColor color)
@@ -168,33 +158,6 @@ add_line_load (QnSceneBuilder *b, const QnLoad *load, QnPickKind pick, QnId inde
     ->align_y = load->vector.y > 0 ? 1.2f : -0.2f;
 }
 
-/* Of the loads on edges, dead and live together, N/m. */
-static double
-largest_intensity (const QnModel *model)
-{
-  double largest = 0;
-  for (size_t i = 0; i < model->edge_force_count; i++)
-    for (int end = 0; end < 2; end++)
-      largest = fmax (largest, qn_vec2_length (model->edge_forces[i].intensity[end]));
-  return largest;
-}
-
-/* Arrows as long as the load is large at the edge. */
-static void
-add_edge_force (QnSceneBuilder *b, const QnEdgeForce *force, double scale,
-                QnPickKind pick, QnId index, QnColor color)
-{
-  QnVec2 ends[2], tails[2];
-  for (int end = 0; end < 2; end++) {
-    ends[end] = qn_builder_place (b, force->block, force->ends[end]);
-    tails[end] = qn_vec2_add_scaled (ends[end], -scale, force->intensity[end]);
-  }
-  double length = qn_vec2_length (qn_vec2_sub (ends[1], ends[0]));
-  int count =
-    (int) qn_to_integer (length / (EDGE_SPACING * b->block_size), 1, MAX_EDGE_ARROWS);
-  add_arrows (b, tails, ends, count, pick, index, color);
-}
-
 /* By which the pressure of a surcharge or backfill was multiplied: the thickness, and of a load
  * downwards what the edge is long in plan. */
 static double
@@ -239,7 +202,16 @@ add_edge_load (QnSceneBuilder *b, size_t source, double largest, QnPickKind pick
   const QnEdgeForce *forces = qn_model_edge_forces_of (model, source, &count);
   for (size_t i = 0; i < count; i++) {
     const QnEdgeForce *force = &forces[i];
-    add_edge_force (b, force, scale, pick, index, color);
+    /* Arrows as long as the load is large at the edge. */
+    QnVec2 ends[2], tails[2];
+    for (int end = 0; end < 2; end++) {
+      ends[end] = qn_builder_place (b, force->block, force->ends[end]);
+      tails[end] = qn_vec2_add_scaled (ends[end], -scale, force->intensity[end]);
+    }
+    double length = qn_vec2_length (qn_vec2_sub (ends[1], ends[0]));
+    int arrows =
+      (int) qn_to_integer (length / (EDGE_SPACING * b->block_size), 1, MAX_EDGE_ARROWS);
+    add_arrows (b, tails, ends, arrows, pick, index, color);
     for (int end = 0; end < 2; end++) {
       double size = qn_vec2_length (force->intensity[end]);
       double others = size >= most * (1 - 1e-9) ? total_intensity (model, force, end) : 0;
@@ -324,8 +296,16 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
            QnInk ink, const char *name)
 {
   QnColor color = qn_builder_ink (b, ink);
-  double largest = largest_force (loads, count);
-  double intensity = largest_intensity (b->model);
+  double largest = 0;
+  for (size_t i = 0; i < count; i++)
+    if (loads[i].kind == QN_LOAD_FORCE || loads[i].kind == QN_LOAD_NODE)
+      largest = fmax (largest, qn_vec2_length (loads[i].vector));
+  /* Of the loads on edges, dead and live together, N/m. */
+  double intensity = 0;
+  for (size_t i = 0; i < b->model->edge_force_count; i++)
+    for (int end = 0; end < 2; end++)
+      intensity =
+        fmax (intensity, qn_vec2_length (b->model->edge_forces[i].intensity[end]));
   bool on_edges = false;
   for (size_t i = 0; i < count; i++) {
     const QnLoad *load = &loads[i];
@@ -381,23 +361,6 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
       ->marker = QN_MARKER_ARROW_HEAD;
 }
 
-/* What shakes the ground has no place in the drawing: the legend names it. */
-static void
-name_ground_motion (QnSceneBuilder *b, const QnGroundMotion *motion)
-{
-  QnColor line = qn_builder_ink (b, QN_INK_LINE);
-  g_autofree char *peak =
-    qn_label_number ("%.4g", motion->scale * motion->pulse.amplitude);
-  if (motion->kind == QN_SIGNAL_PULSE)
-    qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line,
-                     _ ("ground motion: pulse of %s m/s²"), peak);
-  else if (motion->record != NULL)
-    qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line, _ ("ground motion: %s"),
-                     motion->record);
-  else
-    qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line, "%s", _ ("ground motion"));
-}
-
 void
 qn_build_loads (QnSceneBuilder *b)
 {
@@ -407,8 +370,21 @@ qn_build_loads (QnSceneBuilder *b)
   add_loads (b, model->live_loads, model->live_load_count, QN_PICK_LIVE_LOAD,
              QN_INK_LIVE_LOAD, _ ("live load"));
   for (size_t i = 0;
-       model->analysis.procedure == QN_PROCEDURE_DYNAMIC && i < model->ground_count; i++)
-    name_ground_motion (b, &model->ground[i]);
+       model->analysis.procedure == QN_PROCEDURE_DYNAMIC && i < model->ground_count;
+       i++) {
+    /* What shakes the ground has no place in the drawing: the legend names it. */
+    QnColor line = qn_builder_ink (b, QN_INK_LINE);
+    g_autofree char *peak =
+      qn_label_number ("%.4g", model->ground[i].scale * model->ground[i].pulse.amplitude);
+    if (model->ground[i].kind == QN_SIGNAL_PULSE)
+      qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line,
+                       _ ("ground motion: pulse of %s m/s²"), peak);
+    else if (model->ground[i].record != NULL)
+      qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line, _ ("ground motion: %s"),
+                       model->ground[i].record);
+    else
+      qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line, "%s", _ ("ground motion"));
+  }
 }
 
 /* A dimension line from a to b, with ticks, extension lines from the object and its length on the
@@ -471,10 +447,13 @@ measure_loads (const QnSceneBuilder *b, QnVec2 *low, QnVec2 *high)
   *high = qn_vec2_sub (box.max, b->box.max);
 }
 
-/* What is measured: the structure without the blocks that hold it, unless there are no others. */
-static QnBox
-measured_box (const QnSceneBuilder *b)
+void
+qn_build_dimensions (QnSceneBuilder *b)
 {
+  if (qn_box_is_empty (b->box) || !(qn_box_diagonal (b->box) > 0))
+    return;
+  /* What is measured: the structure without the blocks that hold it, unless there are no
+   * others. */
   const QnModel *model = b->model;
   QnBox box = QN_BOX_EMPTY;
   for (size_t i = 0; i < model->block_count; i++)
@@ -482,15 +461,7 @@ measured_box (const QnSceneBuilder *b)
       qn_box_add_box (&box, qn_model_block_box (model, (QnId) i));
   for (size_t i = 0; i < model->node_count; i++)
     qn_box_add_point (&box, model->nodes[i].at);
-  return qn_box_is_empty (box) ? b->box : box;
-}
-
-void
-qn_build_dimensions (QnSceneBuilder *b)
-{
-  if (qn_box_is_empty (b->box) || !(qn_box_diagonal (b->box) > 0))
-    return;
-  const QnBox measured = measured_box (b);
+  const QnBox measured = qn_box_is_empty (box) ? b->box : box;
   QnVec2 low = measured.min, high = measured.max;
   double gap = 0.045 * qn_box_diagonal (b->box);
   QnVec2 below, above;

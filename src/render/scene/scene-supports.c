@@ -43,16 +43,6 @@ hatch_polygon (QnSceneBuilder *b, const QnVec2 *v, QnId count, QnVec2 direction,
   }
 }
 
-/* The spacing suits the smaller side of the block and the size of its neighbours, but not where those are so
- * small that nothing of the hatch would be seen. */
-static double
-hatch_spacing (const QnSceneBuilder *b, const QnVec2 *v, QnId count)
-{
-  double side = qn_box_smaller_side (qn_box_of_points (v, (size_t) count));
-  return fmin (0.30 * side,
-               fmax (0.22 * b->block_size, 0.007 * qn_box_diagonal (b->box)));
-}
-
 void
 qn_build_supports (QnSceneBuilder *b)
 {
@@ -67,7 +57,12 @@ qn_build_supports (QnSceneBuilder *b)
     const QnVec2 *v = qn_builder_place_vertices (b, &b->motion, (QnId) i, points);
     bool all = held == QN_DOF_COUNT;
     QnVec2 direction = qn_vec2 (G_SQRT2 / 2, all ? G_SQRT2 / 2 : -G_SQRT2 / 2);
-    double spacing = hatch_spacing (b, v, block->vertex_count);
+    /* The spacing suits the smaller side of the block and the size of its neighbours, but
+     * not where those are so small that nothing of the hatch would be seen. */
+    double side =
+      qn_box_smaller_side (qn_box_of_points (v, (size_t) block->vertex_count));
+    double spacing =
+      fmin (0.30 * side, fmax (0.22 * b->block_size, 0.007 * qn_box_diagonal (b->box)));
     hatch_polygon (b, v, block->vertex_count, direction, all ? spacing : 2 * spacing,
                    color);
     fixed |= all;

@@ -22,15 +22,6 @@ static const char *const state_words[QN_TIE_STATE_COUNT] = {
   [QN_TIE_ANCHOR] = N_ ("tie whose anchor gives"),
 };
 
-/* The ties at the step shown; NULL where the view is not one of a result, or they are not known. */
-static const QnTieResult *
-find_ties (const QnSceneBuilder *b)
-{
-  bool shown = b->result != NULL && b->result->step_count > 0
-               && qn_view_needs_result (b->options->view);
-  return shown ? qn_result_step_ties (b->result, b->step) : NULL;
-}
-
 static QnColor
 color_of (const QnSceneBuilder *b, QnTieState state)
 {
@@ -166,7 +157,11 @@ add_soil_forces (QnSceneBuilder *b, const QnTieResult *ties)
 void
 qn_build_ties (QnSceneBuilder *b)
 {
-  const QnTieResult *results = find_ties (b);
+  /* The ties at the step shown; NULL where the view is not one of a result, or they are
+   * not known. */
+  bool shown = b->result != NULL && b->result->step_count > 0
+               && qn_view_needs_result (b->options->view);
+  const QnTieResult *results = shown ? qn_result_step_ties (b->result, b->step) : NULL;
   bool met[QN_TIE_STATE_COUNT] = { false };
   for (size_t i = 0; i < b->model->tie_count; i++) {
     const QnTieResult *result = results != NULL ? &results[i] : NULL;

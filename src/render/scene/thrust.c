@@ -254,40 +254,6 @@ number_cuts (Search *s, QnId *parent)
   }
 }
 
-/* Contacts found on the way as faces of one pair, behind those as drawn. */
-static void
-append_touches (QnContacts *all, QnPairResult *forces, const QnTouch *touches,
-                size_t touch_count)
-{
-  for (size_t i = 0; i < touch_count; i++) {
-    const QnTouch *touch = &touches[i];
-    all->faces[all->face_count++] =
-      (QnContactFace){ .a = touch->block[0],
-                       .b = touch->block[1],
-                       .start = touch->at[0],
-                       .end = touch->at[0],
-                       .normal = touch->normal,
-                       .tangent = qn_vec2_perp (touch->normal),
-                       .first_pair = (QnId) all->pair_count,
-                       .pair_count = 1 };
-    forces[all->pair_count] =
-      (QnPairResult){ .normal_force = touch->force, .shear_force = touch->shear };
-    all->pairs[all->pair_count++] = (QnContactPair){ .point = touch->at[0] };
-  }
-}
-
-/* Two corners of one block on a side of another. */
-static void
-join_touches (QnId *parent, size_t faces, const QnTouch *touches, size_t touch_count)
-{
-  for (size_t i = 0; i < touch_count; i++)
-    for (size_t k = i + 1; k < touch_count; k++)
-      if (touches[i].block[0] == touches[k].block[0]
-          && touches[i].block[1] == touches[k].block[1]
-          && qn_vec2_dot (touches[i].normal, touches[k].normal) > 1 - STRAIGHT)
-        qn_sets_join (parent, (QnId) (faces + i), (QnId) (faces + k));
-}
-
 void
 qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *contacts,
                 const QnPairResult *pairs, const QnTouch *touches, size_t touch_count)
@@ -304,7 +270,22 @@ qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *contac
     places[p] = contacts->pairs[p];
     forces[p] = pairs[p];
   }
-  append_touches (&all, forces, touches, touch_count);
+  /* Contacts found on the way as faces of one pair, behind those as drawn. */
+  for (size_t i = 0; i < touch_count; i++) {
+    const QnTouch *touch = &touches[i];
+    all.faces[all.face_count++] =
+      (QnContactFace){ .a = touch->block[0],
+                       .b = touch->block[1],
+                       .start = touch->at[0],
+                       .end = touch->at[0],
+                       .normal = touch->normal,
+                       .tangent = qn_vec2_perp (touch->normal),
+                       .first_pair = (QnId) all.pair_count,
+                       .pair_count = 1 };
+    forces[all.pair_count] =
+      (QnPairResult){ .normal_force = touch->force, .shear_force = touch->shear };
+    all.pairs[all.pair_count++] = (QnContactPair){ .point = touch->at[0] };
+  }
 
   *thrust =
     (QnThrust){ .cuts = g_new0 (QnCut, faces + 1), .cut_of = g_new (QnId, faces + 1) };
@@ -318,7 +299,14 @@ qn_thrust_find (QnThrust *thrust, const QnModel *model, const QnContacts *contac
   qn_sets_init (parent, faces);
   if (s.size > 0)
     join_faces (&s, parent);
-  join_touches (parent, contacts->face_count, touches, touch_count);
+  /* Two corners of one block on a side of another. */
+  for (size_t i = 0; i < touch_count; i++)
+    for (size_t k = i + 1; k < touch_count; k++)
+      if (touches[i].block[0] == touches[k].block[0]
+          && touches[i].block[1] == touches[k].block[1]
+          && qn_vec2_dot (touches[i].normal, touches[k].normal) > 1 - STRAIGHT)
+        qn_sets_join (parent, (QnId) (contacts->face_count + i),
+                      (QnId) (contacts->face_count + k));
   number_cuts (&s, parent);
 
   g_autofree double *sums = g_new0 (double, 3 * thrust->count + 1);
