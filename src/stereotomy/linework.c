@@ -38,17 +38,6 @@ qn_segments_tree (const QnSegments *segments, double margin, QnBoxTree *tree,
   qn_tree_of (tree, boxes, segments->count, pool);
 }
 
-/* Welds the ends by handing them over as two-point rings. */
-static void
-weld_ends (QnSegments *segments, double tolerance, QnHealing *healing)
-{
-  g_autofree QnRing *pairs = g_new (QnRing, segments->count);
-  for (size_t i = 0; i < segments->count; i++)
-    pairs[i] = (QnRing){ &segments->items[i].a, 2 };
-  qn_weld_vertices (&(QnRings){ .items = pairs, .count = segments->count }, 0, tolerance,
-                    NULL, healing);
-}
-
 /* By their ends, the lower or left one first. */
 static int
 compare_segments (const void *left, const void *right)
@@ -166,25 +155,6 @@ compare_splits (const void *left, const void *right)
   return a->distance < b->distance ? -1 : a->distance > b->distance;
 }
 
-/* Brings ends onto segments, and parts those there; the last part takes the place of the whole. */
-static void
-close_gaps (QnSegments *segments, double tolerance, QnHealing *healing)
-{
-  g_auto (QnPool) room = { 0 };
-  g_autoptr (GArray) splits = g_array_new (FALSE, FALSE, sizeof (Split));
-  QnBoxTree tree;
-  qn_segments_tree (segments, tolerance, &tree, &room);
-  for (size_t i = 0; i < segments->count; i++)
-    for (int end = 0; end < 2; end++)
-      reach (segments, i, end == 0, &tree, tolerance, splits, healing);
-  g_array_sort (splits, compare_splits);
-  for (guint i = 0; i < splits->len; i++) {
-    const Split *split = &g_array_index (splits, Split, i);
-    qn_segments_add (segments, segments->items[split->segment].a, split->at);
-    segments->items[split->segment].a = split->at;
-  }
-}
-
 static bool
 crosses (QnSegment s, QnSegment t)
 {
@@ -216,20 +186,6 @@ cross_too_often (const QnSegments *segments)
   return false;
 }
 
-/* Polygons without holes; those with holes are counted. */
-static void
-read_faces (const GEOSGeometry *polygons, QnRings *faces, size_t *holes)
-{
-  int count = GEOSGetNumGeometries_r (qn_geos (), polygons);
-  for (int i = 0; i < count; i++) {
-    const GEOSGeometry *polygon = GEOSGetGeometryN_r (qn_geos (), polygons, i);
-    if (GEOSGetNumInteriorRings_r (qn_geos (), polygon) == 0)
-      qn_geos_read_polygons (polygon, faces, NULL);
-    else if (holes != NULL)
-      (*holes)++;
-  }
-}
-
 static int
 compare_faces (const void *left, const void *right)
 {
@@ -256,7 +212,15 @@ enclosed_faces (const QnSegments *segments, double tolerance, QnRings *faces,
     noded != NULL ? GEOSPolygonize_r (geos, &input, 1) : NULL;
   if (polygons == NULL)
     return qn_geos_failed (diag);
-  read_faces (polygons, faces, holes);
+  /* Polygons without holes; those with holes are counted. */
+  int count = GEOSGetNumGeometries_r (qn_geos (), polygons);
+  for (int i = 0; i < count; i++) {
+    const GEOSGeometry *polygon = GEOSGetGeometryN_r (qn_geos (), polygons, i);
+    if (GEOSGetNumInteriorRings_r (qn_geos (), polygon) == 0)
+      qn_geos_read_polygons (polygon, faces, NULL);
+    else if (holes != NULL)
+      (*holes)++;
+  }
   for (size_t i = 0; i < faces->count; i++) {
     qn_ring_simplify (&faces->items[i], NEGLIGIBLE * tolerance);
     qn_ring_normalize (&faces->items[i]);
@@ -269,13 +233,32 @@ qn_linework_polygonize (QnSegments *segments, double tolerance, QnRings *faces,
                         size_t *holes, QnHealing *healing, QnDiag *diag)
 {
   g_auto (QnRings) found = { 0 };
-  weld_ends (segments, tolerance, healing);
+  /* Welds the ends by handing them over as two-point rings. */
+  g_autofree QnRing *pairs = g_new (QnRing, segments->count);
+  for (size_t i = 0; i < segments->count; i++)
+    pairs[i] = (QnRing){ &segments->items[i].a, 2 };
+  qn_weld_vertices (&(QnRings){ .items = pairs, .count = segments->count }, 0, tolerance,
+                    NULL, healing);
   drop_needless (segments);
   if (segments->count == 0)
     return QN_OK;
   if (cross_too_often (segments))
     return qn_refuse (diag, QN_PROBLEM_TOO_MANY_CROSSINGS, QN_ENTITY_MODEL, QN_NONE);
-  close_gaps (segments, tolerance, healing);
+  /* Brings ends onto segments, and parts those there; the last part takes the place of
+   * the whole. */
+  g_auto (QnPool) room = { 0 };
+  g_autoptr (GArray) splits = g_array_new (FALSE, FALSE, sizeof (Split));
+  QnBoxTree tree;
+  qn_segments_tree (segments, tolerance, &tree, &room);
+  for (size_t i = 0; i < segments->count; i++)
+    for (int end = 0; end < 2; end++)
+      reach (segments, i, end == 0, &tree, tolerance, splits, healing);
+  g_array_sort (splits, compare_splits);
+  for (guint i = 0; i < splits->len; i++) {
+    const Split *split = &g_array_index (splits, Split, i);
+    qn_segments_add (segments, segments->items[split->segment].a, split->at);
+    segments->items[split->segment].a = split->at;
+  }
   drop_needless (segments);
   QnStatus status = enclosed_faces (segments, tolerance, &found, holes, diag);
   qn_drop_collapsed (&found);

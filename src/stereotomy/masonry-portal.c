@@ -101,23 +101,6 @@ pier_left (const QnPortal *portal, int32_t pier)
 }
 
 static void
-lay_pier (const QnMasonry *masonry, int32_t pier, QnPieces *pieces)
-{
-  const QnPortal *portal = &masonry->portal;
-  double x0 = pier_left (portal, pier), x1 = x0 + pier_width (portal, pier);
-  if (masonry->foundation > 0)
-    qn_pieces_add (pieces, qn_rectangle (x0, -masonry->foundation, x1, 0), "%s.base%d",
-                   masonry->name, pier + 1)
-      ->fixed = true;
-  for (int32_t i = 0; i < portal->courses; i++) {
-    double y0 = portal->pier_height * i / portal->courses;
-    double y1 = portal->pier_height * (i + 1) / portal->courses;
-    qn_pieces_add (pieces, qn_rectangle (x0, y0, x1, y1), "%s.pier%d.%d", masonry->name,
-                   pier + 1, i + 1);
-  }
-}
-
-static void
 lay_lintel (const QnMasonry *masonry, int32_t bay, QnPieces *pieces)
 {
   const QnPortal *portal = &masonry->portal;
@@ -176,16 +159,6 @@ lay_backing (const QnMasonry *masonry, const QnArchRing rings[2], int32_t pier,
   qn_pieces_add (pieces, block, "%s.backing%d", masonry->name, pier + 1);
 }
 
-static void
-lay_arch (const QnMasonry *masonry, int32_t bay, QnPieces *pieces)
-{
-  const QnPortal *portal = &masonry->portal;
-  g_autofree char *prefix = g_strdup_printf ("%s.arch%d", masonry->name, bay + 1);
-  const QnArch arch = arch_of (portal, bay);
-  QnVec2 at = { pier_left (portal, bay) + pier_width (portal, bay), portal->pier_height };
-  qn_arch_lay_ring (&arch, at, prefix, pieces);
-}
-
 QnStatus
 qn_masonry_lay_portal (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
 {
@@ -197,8 +170,19 @@ qn_masonry_lay_portal (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
   QnStatus status = check_portal (portal, diag);
   if (status != QN_OK)
     return status;
-  for (int32_t i = 0; i <= portal->bays; i++)
-    lay_pier (&laid, i, pieces);
+  for (int32_t i = 0; i <= portal->bays; i++) {
+    double x0 = pier_left (portal, i), x1 = x0 + pier_width (portal, i);
+    if (laid.foundation > 0)
+      qn_pieces_add (pieces, qn_rectangle (x0, -laid.foundation, x1, 0), "%s.base%d",
+                     laid.name, i + 1)
+        ->fixed = true;
+    for (int32_t k = 0; k < portal->courses; k++) {
+      double y0 = portal->pier_height * k / portal->courses;
+      double y1 = portal->pier_height * (k + 1) / portal->courses;
+      qn_pieces_add (pieces, qn_rectangle (x0, y0, x1, y1), "%s.pier%d.%d", laid.name,
+                     i + 1, k + 1);
+    }
+  }
   bool arches = portal->lintel_height == 0;
   for (int32_t i = 0; arches && i <= portal->bays; i++) {
     QnArchRing rings[2];
@@ -208,9 +192,12 @@ qn_masonry_lay_portal (const QnMasonry *masonry, QnPieces *pieces, QnDiag *diag)
       lay_backing (&laid, rings, i, pieces);
   }
   for (int32_t i = 0; i < portal->bays; i++)
-    if (arches)
-      lay_arch (&laid, i, pieces);
-    else
+    if (arches) {
+      g_autofree char *prefix = g_strdup_printf ("%s.arch%d", laid.name, i + 1);
+      const QnArch arch = arch_of (portal, i);
+      QnVec2 at = { pier_left (portal, i) + pier_width (portal, i), portal->pier_height };
+      qn_arch_lay_ring (&arch, at, prefix, pieces);
+    } else
       lay_lintel (&laid, i, pieces);
   return QN_OK;
 }
