@@ -1,7 +1,6 @@
 #include "io/text/mechanism-text.h"
 
 #include "io/project/project.h"
-#include "io/text/fault-text.h"
 #include "support/models.h"
 #include "support/room.h"
 
@@ -106,45 +105,9 @@ test_ties (void)
   qn_model_clear (&model);
 }
 
-/* Where a refused claim is, in what is known of the model; every claim is found by its name. */
-static void
-test_faults (void)
-{
-  static const struct {
-    QnFault fault;
-    const char *words;
-  } cases[] = {
-    { { .step = 2, .entity = QN_ENTITY_CONTACT, .index = 3 }, "step 2: pair 3: " },
-    { { .step = QN_NONE, .entity = QN_ENTITY_BLOCK, .index = 1 }, "block “b1”: " },
-    { { .step = QN_NONE, .entity = QN_ENTITY_BLOCK, .index = 9 }, "number 9: " },
-    { { .step = QN_NONE, .entity = QN_ENTITY_NODE, .index = 0 }, "number 0: " },
-    { { .step = QN_NONE, .entity = QN_ENTITY_BEAM, .index = 0 }, "number 0: " },
-    { { .step = QN_NONE, .entity = QN_ENTITY_TIE, .index = 0 }, "tie “rod”: " },
-    { { .step = 1, .entity = QN_ENTITY_TIE, .index = QN_NONE }, "step 1: " },
-  };
-  QnModel model;
-  test_model_init_stack (&model, 2, 1, 0.5);
-  qn_model_add_tie (&model, "rod");
-  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++)
-    for (int claim = 0; claim < QN_CLAIM_COUNT; claim++) {
-      QnFault fault = cases[i].fault;
-      fault.claim = (QnClaim) claim;
-      fault.stated = claim % 2 == 0 ? 1.5 : NAN;
-      fault.found = claim % 4 == 0 ? 2.5 : 0;
-      g_autofree char *words = qn_fault_dup_text (&model, NULL, &fault);
-      g_assert_true (g_str_has_prefix (words, cases[i].words));
-      g_assert_true (strstr (words, "1.5") == NULL || claim % 2 == 0);
-      g_assert_true (strstr (words, "2.5") == NULL || claim % 4 == 0);
-      g_assert_cmpint (qn_claim_from_name (qn_claim_name (fault.claim)), ==, claim);
-    }
-  g_assert_cmpint (qn_claim_from_name ("none"), ==, QN_CLAIM_COUNT);
-  qn_model_clear (&model);
-}
-
 QN_TESTS
 {
   g_test_add_func ("/tie-text/ties", test_ties);
-  g_test_add_func ("/fault-text/places", test_faults);
   g_test_add_func ("/io/hinge-text/places", test_places);
   g_test_add_func ("/io/hinge-text/unknown", test_unknown);
 }
