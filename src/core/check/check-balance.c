@@ -163,26 +163,6 @@ add_pairs (const QnCheck *check, const Sum *sum)
   }
 }
 
-/* Load on an element, N/m: all sets with their factors, and the dead loads. */
-static QnVec2
-element_load (const QnModel *model, QnId element, const double *factors)
-{
-  const QnId beam = model->elements[element].beam;
-  const QnSection *section = &model->sections[model->beams[beam].section];
-  QnVec2 load_sum = { 0, 0 };
-
-  for (size_t i = 0; i < qn_model_load_count (model); i++) {
-    const QnLoad load = qn_model_acting_load (model, i);
-    double factor = load.set == QN_NONE ? 1 : factors[load.set];
-    if (load.kind == QN_LOAD_WEIGHT)
-      load_sum = qn_vec2_add_scaled (
-        load_sum, factor * section->unit_weight * section->area, load.vector);
-    else if (load.kind == QN_LOAD_LINE && load.beam == beam)
-      load_sum = qn_vec2_add_scaled (load_sum, factor, load.vector);
-  }
-  return load_sum;
-}
-
 /* Adds what the two ends of an element exert on their nodes: N pulls the nodes together, V pushes the
  * first one down, along -y, and the second one up. Returns by how much they are not in balance with the
  * element's load, N. */
@@ -207,11 +187,24 @@ add_element (const Sum *sum, size_t e, const QnBeamForces *f, const double *fact
   for (int end = 0; end < 2; end++)
     add (sum, qn_model_node_body (model, element->nodes[end]), on_node[end],
          end == 0 ? f->moment[0] : -f->moment[1], ends[end]);
-  /* The resultant of the load, in its middle, against both ends. */
-  QnVec2 load = qn_vec2_scale (qn_vec2_length (qn_vec2_sub (nodes[1], nodes[0])),
-                               element_load (model, (QnId) e, factors));
-  QnVec2 rest = qn_vec2_sub (load, qn_vec2_add (on_node[0], on_node[1]));
-  double turning = qn_vec2_cross (qn_vec2_scale (0.5, chord), load) - f->moment[0]
+  /* Load on an element, N/m: all sets with their factors, and the dead loads. */
+  const QnId beam = model->elements[e].beam;
+  const QnSection *section = &model->sections[model->beams[beam].section];
+  QnVec2 load_sum = { 0, 0 };
+  for (size_t i = 0; i < qn_model_load_count (model); i++) {
+    const QnLoad load = qn_model_acting_load (model, i);
+    double factor = load.set == QN_NONE ? 1 : factors[load.set];
+    if (load.kind == QN_LOAD_WEIGHT)
+      load_sum = qn_vec2_add_scaled (
+        load_sum, factor * section->unit_weight * section->area, load.vector);
+    else if (load.kind == QN_LOAD_LINE && load.beam == beam)
+      load_sum = qn_vec2_add_scaled (load_sum, factor, load.vector);
+  }
+  /* Its resultant, in the middle, against both ends. */
+  QnVec2 resultant =
+    qn_vec2_scale (qn_vec2_length (qn_vec2_sub (nodes[1], nodes[0])), load_sum);
+  QnVec2 rest = qn_vec2_sub (resultant, qn_vec2_add (on_node[0], on_node[1]));
+  double turning = qn_vec2_cross (qn_vec2_scale (0.5, chord), resultant) - f->moment[0]
                    + f->moment[1] - qn_vec2_cross (chord, on_node[1]);
   return fmax (qn_vec2_length (rest), fabs (turning) / length);
 }

@@ -59,24 +59,6 @@ dissipation (const QnPairSprings *springs, const double rate[2], double little,
   return least;
 }
 
-/* Largest dissipation of ties. */
-static double
-tie_dissipation (const QnCheck *check)
-{
-  const QnBeamAssembly *members = &check->assembly.beams;
-  const size_t elements = check->model->element_count;
-  double sum = 0;
-
-  for (size_t i = 0; i < qn_model_tie_count (check->model); i++) {
-    double rate = qn_beam_assembly_tie_rate (&check->assembly, i, check->velocity);
-    double strength = qn_tie_strength (qn_model_tie (check->model, i));
-    double force = members->responses[elements + i].force[0];
-    /* What nothing limits does not give: what rounding leaves counts as in joints. */
-    sum += fmax (rate, 0) * (isfinite (strength) ? strength : force);
-  }
-  return sum;
-}
-
 /* The kinematic multiplier of the mechanism; NAN where it is none of associative flow. */
 static double
 kinematic_multiplier (QnCheck *check)
@@ -98,7 +80,18 @@ kinematic_multiplier (QnCheck *check)
       return NAN;
     dissipated += away * hypot (pair->normal_force, pair->shear_force);
   }
-  dissipated += tie_dissipation (check);
+  /* Largest dissipation of ties. */
+  const QnBeamAssembly *members = &check->assembly.beams;
+  const size_t elements = check->model->element_count;
+  double ties = 0;
+  for (size_t i = 0; i < qn_model_tie_count (check->model); i++) {
+    double rate = qn_beam_assembly_tie_rate (&check->assembly, i, check->velocity);
+    double strength = qn_tie_strength (qn_model_tie (check->model, i));
+    double force = members->responses[elements + i].force[0];
+    /* What nothing limits does not give: what rounding leaves counts as in joints. */
+    ties += fmax (rate, 0) * (isfinite (strength) ? strength : force);
+  }
+  dissipated += ties;
   size_t n = (size_t) as->unknown_count;
   double unit = qn_dot (as->live, check->velocity, n);
   return unit > 0 ? (dissipated - qn_dot (as->dead, check->velocity, n)) / unit : NAN;

@@ -29,27 +29,6 @@ all_finite (const double *numbers, size_t count)
   return numbers == NULL || i == count;
 }
 
-static void
-check_numbers (QnCheck *check)
-{
-  const QnResult *r = check->result;
-  size_t bodies = qn_result_body_count (r) * QN_DOF_COUNT;
-  bool finite =
-    !(r->has_collapse_multiplier && !isfinite (r->collapse_multiplier))
-    && !(r->has_first_limit_multiplier && !isfinite (r->first_limit_multiplier))
-    && all_finite (r->displacements, r->step_count * bodies)
-    && all_finite (r->mechanism, bodies)
-    && all_finite (r->history.rows, r->history.row_count * r->history.width);
-
-  for (size_t i = 0; i < r->step_count; i++)
-    finite = finite && isfinite (r->steps[i].multiplier) && isfinite (r->steps[i].time);
-  for (size_t p = 0; r->step_count > 0 && p < r->pair_count; p++)
-    finite =
-      finite && isfinite (r->pairs[p].normal_force) && isfinite (r->pairs[p].shear_force);
-  if (!finite)
-    tell (check, QN_CLAIM_NUMBERS);
-}
-
 /* The dead load first, stages one after the other, times growing; in time no multiplier. Where the load is
  * prescribed it goes one way all the time; only the last step may lie below, where the structure moves on.
  * Limit analysis has two steps: before and at collapse. */
@@ -169,44 +148,6 @@ is_highest (const QnCheck *check, double multiplier, double *peak)
              && gain <= check->model->analysis.residual_tolerance * fabs (*peak));
 }
 
-/* Collapse is at the highest multiplier. */
-static void
-check_collapse (QnCheck *check)
-{
-  const QnResult *r = check->result;
-  double peak;
-
-  if (r->outcome == QN_OUTCOME_COLLAPSE && !r->has_collapse_multiplier
-      && r->history.width == 0)
-    tell (check, QN_CLAIM_COLLAPSE);
-  if (r->has_collapse_multiplier && r->step_count > 0
-      && !is_highest (check, r->collapse_multiplier, &peak))
-    qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, r->collapse_multiplier, peak);
-}
-
-/* The first snap of the last stage is the first limit point; where the analysis stops there, its highest
- * multiplier. */
-static void
-check_first_limit (QnCheck *check)
-{
-  const QnResult *r = check->result;
-  bool stops = r->outcome == QN_OUTCOME_SNAP;
-  double first = NAN;
-
-  if (r->stability != QN_STABILITY_UNKNOWN || r->outcome == QN_OUTCOME_NOT_CONVERGED
-      || (stops ? r->step_count == 0 : r->events_unknown))
-    return;
-  for (size_t i = r->event_count; i-- > 0;)
-    if (r->events[i].stage == r->stage && r->events[i].kind == QN_EVENT_KIND_SNAP)
-      first = r->events[i].multiplier;
-  if (stops ? !is_highest (check, r->first_limit_multiplier, &first)
-            : r->has_first_limit_multiplier != !isnan (first)
-                || (!isnan (first) && !same (r->first_limit_multiplier, first)))
-    qn_check_tell_model (check, QN_CLAIM_FIRST_LIMIT, QN_NONE,
-                         r->has_first_limit_multiplier ? r->first_limit_multiplier : NAN,
-                         first);
-}
-
 /* --- Outcome ------------------------------------------------------------------------------ */
 
 /* Where a prescribed displacement, or the largest multiplier, was to be reached. */
@@ -301,12 +242,52 @@ check_outcome (QnCheck *check, QnDiag *diag)
   return status;
 }
 
-/* Results of earlier versions do not tell it. */
-static void
-check_linearity (QnCheck *check)
+QnStatus
+qn_check_course (QnCheck *check, QnDiag *diag)
 {
+  const QnResult *r = check->result;
+  size_t bodies = qn_result_body_count (r) * QN_DOF_COUNT;
+  bool finite =
+    !(r->has_collapse_multiplier && !isfinite (r->collapse_multiplier))
+    && !(r->has_first_limit_multiplier && !isfinite (r->first_limit_multiplier))
+    && all_finite (r->displacements, r->step_count * bodies)
+    && all_finite (r->mechanism, bodies)
+    && all_finite (r->history.rows, r->history.row_count * r->history.width);
+  for (size_t i = 0; i < r->step_count; i++)
+    finite = finite && isfinite (r->steps[i].multiplier) && isfinite (r->steps[i].time);
+  for (size_t p = 0; r->step_count > 0 && p < r->pair_count; p++)
+    finite =
+      finite && isfinite (r->pairs[p].normal_force) && isfinite (r->pairs[p].shear_force);
+  if (!finite)
+    tell (check, QN_CLAIM_NUMBERS);
+  check_order (check);
+  QnStatus status = check_outcome (check, diag);
+  /* Collapse is at the highest multiplier. */
+  double peak;
+  if (r->outcome == QN_OUTCOME_COLLAPSE && !r->has_collapse_multiplier
+      && r->history.width == 0)
+    tell (check, QN_CLAIM_COLLAPSE);
+  if (r->has_collapse_multiplier && r->step_count > 0
+      && !is_highest (check, r->collapse_multiplier, &peak))
+    qn_check_tell_model (check, QN_CLAIM_COLLAPSE, QN_NONE, r->collapse_multiplier, peak);
+  /* The first snap of the last stage is the first limit point; where the analysis stops
+   * there, its highest multiplier. */
+  bool stops = r->outcome == QN_OUTCOME_SNAP;
+  double first = NAN;
+  if (r->stability == QN_STABILITY_UNKNOWN && r->outcome != QN_OUTCOME_NOT_CONVERGED
+      && (stops ? r->step_count != 0 : !r->events_unknown)) {
+    for (size_t i = r->event_count; i-- > 0;)
+      if (r->events[i].stage == r->stage && r->events[i].kind == QN_EVENT_KIND_SNAP)
+        first = r->events[i].multiplier;
+    if (stops ? !is_highest (check, r->first_limit_multiplier, &first)
+              : r->has_first_limit_multiplier != !isnan (first)
+                  || (!isnan (first) && !same (r->first_limit_multiplier, first)))
+      qn_check_tell_model (
+        check, QN_CLAIM_FIRST_LIMIT, QN_NONE,
+        r->has_first_limit_multiplier ? r->first_limit_multiplier : NAN, first);
+  }
+  /* Results of earlier versions do not tell it. */
   QnResult found = *check->result; /* whose arrays stay the result's */
-
   qn_result_judge_linearity (check->model, &found);
   if (check->result->linearity != QN_LINEARITY_UNKNOWN
       && (check->result->linearity != found.linearity
@@ -315,16 +296,5 @@ check_linearity (QnCheck *check)
     qn_check_tell_model (check, QN_CLAIM_LINEARITY, QN_NONE,
                          check->result->beyond_linear_multiplier,
                          found.beyond_linear_multiplier);
-}
-
-QnStatus
-qn_check_course (QnCheck *check, QnDiag *diag)
-{
-  check_numbers (check);
-  check_order (check);
-  QnStatus status = check_outcome (check, diag);
-  check_collapse (check);
-  check_first_limit (check);
-  check_linearity (check);
   return status;
 }

@@ -5,43 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-/* --- Displacements ------------------------------------------------------------------------ */
-
-/* Displacements without unknowns: supports, nodes on blocks; rigid blocks at collapse have not moved. */
-static void
-check_displacements (QnCheck *check, size_t step)
-{
-  const QnAssembly *as = &check->assembly;
-  const double *rows = qn_result_step_displacements (check->result, step);
-  size_t bodies = qn_model_body_count (check->model);
-
-  qn_assembly_expand (as, check->u, check->rows);
-  if (check->result->limit.given)
-    memset (check->rows, 0, bodies * QN_DOF_COUNT * sizeof *check->rows);
-  qn_check_rows (check, QN_CLAIM_DISPLACEMENTS, (QnId) step, rows, bodies,
-                 QN_CHECK_EXACT * qn_largest (check->rows, bodies * QN_DOF_COUNT));
-}
-
-static void
-check_settlements (QnCheck *check, size_t step)
-{
-  const QnAssembly *as = &check->assembly;
-  double largest = 0; /* of the settlements in whole: one may have been taken back */
-
-  for (size_t i = 0; i < check->model->live_load_count; i++) {
-    const QnLoad *load = &check->model->live_loads[i];
-    double unit = load->dof == QN_DOF_RZ ? as->length : 1;
-    if (load->kind == QN_LOAD_SETTLEMENT)
-      largest = fmax (largest, fabs (load->value) * unit);
-  }
-  for (size_t s = 0; s < as->settling_count; s++) {
-    double told = as->dead[as->settling[s].unknown] / as->stiffness;
-    if (!qn_check_agrees (as->settling[s].u, told, check->tolerance * largest))
-      qn_check_tell (check, QN_CLAIM_DISPLACEMENTS, (QnId) step, QN_ENTITY_BLOCK,
-                     as->settling[s].block, as->settling[s].u, told);
-  }
-}
-
 /* --- Forces ------------------------------------------------------------------------------- */
 
 /* Whether nothing of both blocks of a pair is free to move: what lies between supports carries no
@@ -58,21 +21,6 @@ is_held (const QnAssembly *as, size_t p)
     held = held && (a[i] == QN_NONE || as->settles[a[i]])
            && (b[i] == QN_NONE || as->settles[b[i]]);
   return held;
-}
-
-/* What the result states of drawn pairs at a step, at the last one in all digits. */
-static void
-take_stated (QnCheck *check, size_t step)
-{
-  size_t drawn = check->contacts->pair_count;
-
-  check->known = drawn == 0 || qn_result_has_forces (check->result, step);
-  for (size_t p = 0; p < drawn; p++) {
-    const double *answer = check->assembly.responses[p].force;
-    check->stated[p] = check->known ? qn_result_pair_at (check->result, step, p)
-                                    : (QnPairResult){ .normal_force = answer[0],
-                                                      .shear_force = answer[1] };
-  }
 }
 
 static bool
@@ -173,23 +121,6 @@ is_near_strength (const QnPairSprings *springs, const QnPairMemory *memory,
         <= little)
       return true;
   return false;
-}
-
-/* Elongations of a step along the central path are exact to a part of the largest change of one, and
- * what is replayed from then on no better. */
-static void
-add_slack (QnCheck *check)
-{
-  const QnAssembly *as = &check->assembly;
-  double change = 0;
-
-  for (size_t i = 0; i < 2 * as->pair_count; i++)
-    change = fmax (change, fabs (as->elongations[i] - check->elongations[i]));
-  memcpy (check->elongations, as->elongations, 2 * as->pair_count * sizeof (double));
-  check->change = fmax (check->change, change);
-  check->slack = QN_CHECK_EXACT * (1 + check->largest);
-  if (check->relaxed)
-    check->slack += QN_CHECK_STRAIN * check->change;
 }
 
 static double
@@ -334,19 +265,6 @@ explain (QnCheck *check, size_t p, const double force[2], QnPairResponse *respon
   return check->unknown[p];
 }
 
-/* What a joint came to on a way that no result tells is taken up as exactly as its force is stated, where that
- * agrees as it is: later it may be crushed, or its bond damaged, by as little as that. */
-static void
-refine (const QnCheck *check, size_t p, const double force[2], QnPairResponse *response)
-{
-  QnPairResponse flown = *response;
-
-  if (!check->assembly.inactive[p] && flow_to (check, p, force, &flown)
-      && hypot (flown.force[0] - force[0], flown.force[1] - force[1])
-           < hypot (response->force[0] - force[0], response->force[1] - force[1]))
-    *response = flown;
-}
-
 /* Compares the forces of a step with those of the laws; leaves the laws' responses in the assembly. */
 static void
 check_forces (QnCheck *check, size_t step)
@@ -355,7 +273,16 @@ check_forces (QnCheck *check, size_t step)
   const QnStep *told = &check->result->steps[step];
 
   check->relaxed = check->relaxed || told->relaxed;
-  add_slack (check);
+  /* Elongations of a step along the central path are exact to a part of the largest
+   * change of one, and what is replayed from then on no better. */
+  double change = 0;
+  for (size_t i = 0; i < 2 * as->pair_count; i++)
+    change = fmax (change, fabs (as->elongations[i] - check->elongations[i]));
+  memcpy (check->elongations, as->elongations, 2 * as->pair_count * sizeof (double));
+  check->change = fmax (check->change, change);
+  check->slack = QN_CHECK_EXACT * (1 + check->largest);
+  if (check->relaxed)
+    check->slack += QN_CHECK_STRAIN * check->change;
 
   for (size_t p = 0; p < as->pair_count; p++) {
     const double *q = as->elongations + 2 * p;
@@ -377,7 +304,14 @@ check_forces (QnCheck *check, size_t step)
         qn_check_tell_pair (check, QN_CLAIM_FORCES, step, p, force[worse],
                             replayed.force[worse]);
     } else if (told->relaxed) {
-      refine (check, p, force, response);
+      /* What a joint came to on a way that no result tells is taken up as exactly as its
+       * force is stated, where that agrees as it is: later it may be crushed, or its bond
+       * damaged, by as little as that. */
+      QnPairResponse flown = *response;
+      if (!check->assembly.inactive[p] && flow_to (check, p, force, &flown)
+          && hypot (flown.force[0] - force[0], flown.force[1] - force[1])
+               < hypot (response->force[0] - force[0], response->force[1] - force[1]))
+        *response = flown;
     }
     /* What follows is checked with the forces as they are stated. */
     memcpy (response->force, force, sizeof force);
@@ -617,33 +551,6 @@ check_beam_forces (QnCheck *check, size_t step)
     }
 }
 
-/* The last step's forces, states and bonds stand in a result twice. */
-static void
-check_last_forces (QnCheck *check)
-{
-  const QnResult *r = check->result;
-  size_t first = (r->step_count - 1) * r->pair_count;
-
-  for (size_t p = 0; p < r->pair_count && r->step_forces != NULL; p++) {
-    const double *stated = r->step_forces + 2 * (first + p);
-    const double force[2] = { r->pairs[p].normal_force, r->pairs[p].shear_force };
-    if (!same_force (stated, force, check->tolerance * check->scale)
-        || r->step_states[first + p] != r->pairs[p].state
-        || !qn_check_agrees (r->step_damage != NULL ? r->step_damage[first + p] : 0,
-                             r->pairs[p].damage, QN_CHECK_STATE))
-      qn_check_tell (check, QN_CLAIM_FORCES, (QnId) r->step_count - 1, QN_ENTITY_CONTACT,
-                     (QnId) p, stated[0], force[0]);
-  }
-}
-
-/* Tolerance of a tie's force: rounding of displacements, plus the tolerance of forces of joints. */
-static double
-tolerance_of (const QnCheck *check, const QnAssembledBeam *tie)
-{
-  return QN_CHECK_FORCES * check->scale
-         + QN_CHECK_EXACT * check->largest * tie->properties.axial;
-}
-
 /* A tie has yielded between two steps: what is plastic then follows from its force. */
 static bool
 take_stretch (const QnAssembledBeam *tie, double force, double tolerance,
@@ -682,7 +589,11 @@ check_ties (QnCheck *check, size_t step)
     const size_t member = model->element_count + i;
     const QnAssembledBeam *at = &members->beams[member];
     QnBeamResponse *response = &members->responses[member];
-    double tolerance = tolerance_of (check, at), force = stated[i].force;
+    /* Tolerance of a tie's force: rounding of displacements, plus the tolerance of forces
+     * of joints. */
+    double tolerance = QN_CHECK_FORCES * check->scale
+                       + QN_CHECK_EXACT * check->largest * at->properties.axial,
+           force = stated[i].force;
     double elongation = at->kinematics.deformation[0];
     bool suits = true;
 
@@ -712,11 +623,40 @@ qn_check_forces (QnCheck *check, size_t step)
   const QnResult *result = check->result;
   bool in_time = result->history.width > 0, last = step + 1 == result->step_count;
 
-  take_stated (check, step);
+  /* What the result states of drawn pairs at a step, at the last one in all digits. */
+  size_t drawn = check->contacts->pair_count;
+  check->known = drawn == 0 || qn_result_has_forces (check->result, step);
+  for (size_t p = 0; p < drawn; p++) {
+    const double *answer = check->assembly.responses[p].force;
+    check->stated[p] = check->known ? qn_result_pair_at (check->result, step, p)
+                                    : (QnPairResult){ .normal_force = answer[0],
+                                                      .shear_force = answer[1] };
+  }
   check->scale = find_scale (check, step);
-  check_displacements (check, step);
+  /* Displacements without unknowns: supports, nodes on blocks; rigid blocks at collapse
+   * have not moved. */
+  const QnAssembly *as = &check->assembly;
+  const double *rows = qn_result_step_displacements (check->result, step);
+  size_t bodies = qn_model_body_count (check->model);
+  qn_assembly_expand (as, check->u, check->rows);
+  if (check->result->limit.given)
+    memset (check->rows, 0, bodies * QN_DOF_COUNT * sizeof *check->rows);
+  qn_check_rows (check, QN_CLAIM_DISPLACEMENTS, (QnId) step, rows, bodies,
+                 QN_CHECK_EXACT * qn_largest (check->rows, bodies * QN_DOF_COUNT));
   if (!result->limit.given) {
-    check_settlements (check, step);
+    double largest = 0; /* of the settlements in whole: one may have been taken back */
+    for (size_t i = 0; i < check->model->live_load_count; i++) {
+      const QnLoad *load = &check->model->live_loads[i];
+      double unit = load->dof == QN_DOF_RZ ? as->length : 1;
+      if (load->kind == QN_LOAD_SETTLEMENT)
+        largest = fmax (largest, fabs (load->value) * unit);
+    }
+    for (size_t s = 0; s < as->settling_count; s++) {
+      double told = as->dead[as->settling[s].unknown] / as->stiffness;
+      if (!qn_check_agrees (as->settling[s].u, told, check->tolerance * largest))
+        qn_check_tell (check, QN_CLAIM_DISPLACEMENTS, (QnId) step, QN_ENTITY_BLOCK,
+                       as->settling[s].block, as->settling[s].u, told);
+    }
     check_forces (check, step);
     check_beam_forces (check, step);
   }
@@ -731,6 +671,20 @@ qn_check_forces (QnCheck *check, size_t step)
       qn_check_balance (check, step);
     check_reactions (check, step);
   }
-  if (last)
-    check_last_forces (check);
+  if (last) {
+    /* The last step's forces, states and bonds stand in a result twice. */
+    size_t first = (result->step_count - 1) * result->pair_count;
+    for (size_t p = 0; p < result->pair_count && result->step_forces != NULL; p++) {
+      const double *stated = result->step_forces + 2 * (first + p);
+      const double force[2] = { result->pairs[p].normal_force,
+                                result->pairs[p].shear_force };
+      if (!same_force (stated, force, check->tolerance * check->scale)
+          || result->step_states[first + p] != result->pairs[p].state
+          || !qn_check_agrees (
+            result->step_damage != NULL ? result->step_damage[first + p] : 0,
+            result->pairs[p].damage, QN_CHECK_STATE))
+        qn_check_tell (check, QN_CLAIM_FORCES, (QnId) result->step_count - 1,
+                       QN_ENTITY_CONTACT, (QnId) p, stated[0], force[0]);
+    }
+  }
 }

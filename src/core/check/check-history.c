@@ -8,55 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Rows are as far apart as the first two, but for the last, which comes before the end or with it; that is the
- * last step's. */
-static void
-check_times (QnCheck *check)
-{
-  const QnHistory *h = &check->result->history;
-  double end = check->result->steps[check->result->step_count - 1].time;
-  double apart = h->row_count > 1 ? h->rows[h->width] - h->rows[0] : 0;
-  bool in_order = qn_check_agrees (h->end, end, QN_CHECK_TOLERANCE * end);
-
-  for (size_t i = 1; i < h->row_count; i++) {
-    const double *row = h->rows + i * h->width;
-    double time = row[QN_HISTORY_TIME];
-    in_order = in_order
-               && (i + 1 < h->row_count ? qn_check_agrees (time, apart * (double) i,
-                                                           QN_CHECK_TOLERANCE * apart)
-                                        : time > (row - h->width)[QN_HISTORY_TIME]
-                                            && time <= end + QN_CHECK_TOLERANCE * apart);
-  }
-  if (!in_order)
-    qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_ANALYSIS, QN_NONE, h->end,
-                   end);
-}
-
-/* INPUT = the sum of the others within the stated error. */
-static void
-check_energy (QnCheck *check)
-{
-  const QnHistory *h = &check->result->history;
-  double most = 0, worst = 0;
-  size_t at = 0;
-
-  for (size_t i = 0; i < h->row_count; i++) {
-    const double *energy = h->rows + i * h->width + QN_HISTORY_ENERGY;
-    double left = energy[QN_ENERGY_INPUT];
-    for (int kind = QN_ENERGY_INPUT + 1; kind < QN_ENERGY_KIND_COUNT; kind++)
-      left -= energy[kind];
-    most = fmax (most, fabs (energy[QN_ENERGY_INPUT]));
-    if (fabs (left) > worst) {
-      worst = fabs (left);
-      at = i;
-    }
-  }
-  /* The largest input may lie between two rows. */
-  if (!(worst <= 2 * h->energy_error * most + QN_CHECK_TOLERANCE * most))
-    qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) at, QN_ENTITY_ANALYSIS, QN_NONE, worst,
-                   h->energy_error * most);
-}
-
 /* Row of the history at the time of a step; NULL where none is. Of two steps at the start the second has
  * the initial motion. */
 static const double *
@@ -74,22 +25,6 @@ find_row (const QnCheck *check, size_t step)
   return fabs (row[QN_HISTORY_TIME] - time) <= QN_CHECK_TOLERANCE * apart ? row : NULL;
 }
 
-/* Unknowns from the velocities of bodies; supports have none, and nodes on blocks ride with them. */
-static void
-gather_velocity (QnCheck *check, size_t step)
-{
-  const QnAssembly *as = &check->assembly;
-  const QnResult *r = check->result;
-  size_t bodies = qn_result_body_count (r), count = bodies * QN_DOF_COUNT;
-  const double *stated = r->velocities + step * count;
-
-  memset (check->velocity, 0, (size_t) as->unknown_count * sizeof *check->velocity);
-  qn_assembly_collect (as, stated, check->velocity);
-  qn_assembly_expand_rates (as, check->u, check->velocity, check->rows);
-  qn_check_rows (check, QN_CLAIM_HISTORY, (QnId) step, stated, bodies,
-                 QN_CHECK_EXACT * qn_largest (check->rows, count));
-}
-
 static double
 kinetic_energy (QnCheck *check)
 {
@@ -97,38 +32,6 @@ kinetic_energy (QnCheck *check)
 
   qn_assembly_multiply (as, check->mass, check->velocity, check->residual);
   return 0.5 * qn_dot (check->velocity, check->residual, (size_t) as->unknown_count);
-}
-
-static double
-elastic_energy (const QnCheck *check)
-{
-  const QnAssembly *as = &check->assembly;
-  double sum = 0;
-
-  for (size_t p = 0; p < as->pair_count; p++) {
-    QnPairElasticity pair = qn_pair_elasticity (&as->springs[p]);
-    sum += qn_pair_elastic_energy (&pair, as->responses[p].force);
-  }
-  for (size_t b = check->model->element_count; b < as->beams.count; b++) { /* ties */
-    double force = as->beams.responses[b].force[0];
-    sum += 0.5 * force * force / as->beams.beams[b].properties.axial;
-  }
-  return sum;
-}
-
-/* Slower than what is called rest, where the outcome says so. */
-static void
-check_rest (QnCheck *check, size_t step)
-{
-  const QnModel *model = check->model;
-  const QnResult *r = check->result;
-  double most = QN_REST_SPEED * sqrt (model->gravity * model->characteristic_length);
-  double fastest = qn_largest (check->velocity, (size_t) check->assembly.unknown_count);
-
-  if (r->outcome == QN_OUTCOME_REST && step + 1 == r->step_count
-      && !(fastest <= most * (1 + QN_CHECK_EXACT)))
-    qn_check_tell (check, QN_CLAIM_OUTCOME, (QnId) step, QN_ENTITY_ANALYSIS, QN_NONE,
-                   fastest, most);
 }
 
 /* No step has moved further than the peaks say, and tracks are its displacements. */
@@ -167,8 +70,24 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
   double largest = 0;
 
   if (r->velocities != NULL) {
-    gather_velocity (check, step);
-    check_rest (check, step);
+    /* Unknowns from the velocities of bodies; supports have none, and nodes on blocks
+     * ride with them. */
+    const QnAssembly *as = &check->assembly;
+    size_t bodies = qn_result_body_count (r), count = bodies * QN_DOF_COUNT;
+    const double *stated = r->velocities + step * count;
+    memset (check->velocity, 0, (size_t) as->unknown_count * sizeof *check->velocity);
+    qn_assembly_collect (as, stated, check->velocity);
+    qn_assembly_expand_rates (as, check->u, check->velocity, check->rows);
+    qn_check_rows (check, QN_CLAIM_HISTORY, (QnId) step, stated, bodies,
+                   QN_CHECK_EXACT * qn_largest (check->rows, count));
+    /* Slower than what is called rest, where the outcome says so. */
+    const QnModel *model = check->model;
+    double most = QN_REST_SPEED * sqrt (model->gravity * model->characteristic_length);
+    double fastest = qn_largest (check->velocity, (size_t) check->assembly.unknown_count);
+    if (r->outcome == QN_OUTCOME_REST && step + 1 == r->step_count
+        && !(fastest <= most * (1 + QN_CHECK_EXACT)))
+      qn_check_tell (check, QN_CLAIM_OUTCOME, (QnId) step, QN_ENTITY_ANALYSIS, QN_NONE,
+                     fastest, most);
   }
   /* The last step may lie between two rows, and the dead load has none. */
   if (row == NULL && step > 0 && step + 1 < r->step_count)
@@ -192,7 +111,16 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
     largest = fmax (largest, qn_largest (h->rows + i * h->width + QN_HISTORY_ENERGY,
                                          QN_ENERGY_KIND_COUNT));
   double kinetic = r->velocities != NULL ? kinetic_energy (check) : 0;
-  double elastic = elastic_energy (check);
+  const QnAssembly *as = &check->assembly;
+  double elastic = 0;
+  for (size_t p = 0; p < as->pair_count; p++) {
+    QnPairElasticity pair = qn_pair_elasticity (&as->springs[p]);
+    elastic += qn_pair_elastic_energy (&pair, as->responses[p].force);
+  }
+  for (size_t b = check->model->element_count; b < as->beams.count; b++) { /* ties */
+    double force = as->beams.responses[b].force[0];
+    elastic += 0.5 * force * force / as->beams.beams[b].properties.axial;
+  }
   bool stores =
     check->model->element_count > 0 || r->found_count > 0 || r->left_count > 0;
   if (r->velocities != NULL
@@ -217,6 +145,39 @@ qn_check_history (QnCheck *check)
     qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_TRACK, QN_NONE, NAN, NAN);
     return;
   }
-  check_times (check);
-  check_energy (check);
+  /* Rows are as far apart as the first two, but for the last, which comes before the end
+   * or with it; that is the last step's. */
+  double end = check->result->steps[check->result->step_count - 1].time;
+  double apart = h->row_count > 1 ? h->rows[h->width] - h->rows[0] : 0;
+  bool in_order = qn_check_agrees (h->end, end, QN_CHECK_TOLERANCE * end);
+  for (size_t i = 1; i < h->row_count; i++) {
+    const double *row = h->rows + i * h->width;
+    double time = row[QN_HISTORY_TIME];
+    in_order = in_order
+               && (i + 1 < h->row_count ? qn_check_agrees (time, apart * (double) i,
+                                                           QN_CHECK_TOLERANCE * apart)
+                                        : time > (row - h->width)[QN_HISTORY_TIME]
+                                            && time <= end + QN_CHECK_TOLERANCE * apart);
+  }
+  if (!in_order)
+    qn_check_tell (check, QN_CLAIM_HISTORY, QN_NONE, QN_ENTITY_ANALYSIS, QN_NONE, h->end,
+                   end);
+  /* INPUT = the sum of the others within the stated error. */
+  double most = 0, worst = 0;
+  size_t at = 0;
+  for (size_t i = 0; i < h->row_count; i++) {
+    const double *energy = h->rows + i * h->width + QN_HISTORY_ENERGY;
+    double left = energy[QN_ENERGY_INPUT];
+    for (int kind = QN_ENERGY_INPUT + 1; kind < QN_ENERGY_KIND_COUNT; kind++)
+      left -= energy[kind];
+    most = fmax (most, fabs (energy[QN_ENERGY_INPUT]));
+    if (fabs (left) > worst) {
+      worst = fabs (left);
+      at = i;
+    }
+  }
+  /* The largest input may lie between two rows. */
+  if (!(worst <= 2 * h->energy_error * most + QN_CHECK_TOLERANCE * most))
+    qn_check_tell (check, QN_CLAIM_HISTORY, (QnId) at, QN_ENTITY_ANALYSIS, QN_NONE, worst,
+                   h->energy_error * most);
 }

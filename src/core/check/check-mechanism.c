@@ -130,30 +130,6 @@ check_beams (QnCheck *check, double none)
   qn_beam_assembly_update_kinematics (&check->assembly, check->u);
 }
 
-/* Ties give where they hang slack or have their strength; forces are none or reach the strength within
- * `little`, N. */
-static void
-check_tie_rates (QnCheck *check, double none, double little)
-{
-  const QnBeamAssembly *members = &check->assembly.beams;
-  const size_t elements = check->model->element_count;
-
-  for (size_t i = 0; i < qn_model_tie_count (check->model); i++) {
-    const QnBeamResponse *response = &members->responses[elements + i];
-    const QnAssembledBeam *at = &members->beams[elements + i];
-    double rate = qn_beam_assembly_tie_rate (&check->assembly, i, check->velocity);
-    double force = response->force[0];
-    bool hangs =
-      !check->result->limit.given
-      && at->kinematics.deformation[0] < at->properties.rest + response->memory.stretch;
-    bool flows = fabs (rate) <= none || hangs || (rate < 0 && force <= little)
-                 || (rate > 0 && force >= qn_tie_strength (at->properties.tie) - little);
-    if (!flows)
-      qn_check_tell (check, QN_CLAIM_FLOW, (QnId) check->result->step_count - 1,
-                     QN_ENTITY_TIE, (QnId) i, rate, 0);
-  }
-}
-
 /* Power of the loads that the last stage drives, in the sense in which they grow. A path that was followed
  * until its load had fallen ends in a motion that other loads may drive. */
 static void
@@ -198,27 +174,6 @@ qn_check_bodies (QnCheck *check)
 
   qn_assembly_expand_rates (as, check->u, check->velocity, check->rows);
   qn_check_rows (check, QN_CLAIM_FLOW, QN_NONE, r->mechanism, bodies, 1e-6);
-}
-
-/* In large displacements elastic joints give as the structure moves on, by more than RATE. What proves the
- * motion then is its second-order work; that the structure falls along it is the path's to see, for without
- * associative friction it may stand although some motion has negative second-order work. */
-static void
-check_second_order_work (QnCheck *check)
-{
-  const QnResult *result = check->result;
-  double factors[QN_MAX_LOAD_SETS] = { 0 }, driven[QN_MAX_LOAD_SETS] = { 0 };
-  size_t last = result->step_count - 1;
-  QnCheckStage stage = qn_check_stage (check, result->steps[last].stage);
-
-  qn_result_load_factors (check->model, result, last, factors);
-  for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
-    if ((stage.sets >> set & 1) != 0)
-      driven[set] = result->collapse_multiplier - stage.before[set];
-  qn_assembly_set_loads (&check->assembly, factors, driven);
-  if (!qn_moves_on (&check->assembly, check->u, 0, 1, check->velocity, check->rows,
-                    check->residual))
-    qn_check_tell_model (check, QN_CLAIM_WORK, (QnId) last, NAN, NAN);
 }
 
 /* Where motion is prescribed and the structure does not fall, the mechanism is its last motion; where it has
@@ -276,7 +231,21 @@ qn_check_mechanism (QnCheck *check)
   if (result->mechanism_uncertain)
     return;
   if (result->mechanism_by_work) {
-    check_second_order_work (check);
+    /* In large displacements elastic joints give as the structure moves on, by more than
+     * RATE. What proves the motion then is its second-order work; that the structure
+     * falls along it is the path's to see, for without associative friction it may stand
+     * although some motion has negative second-order work. */
+    double factors[QN_MAX_LOAD_SETS] = { 0 }, driven[QN_MAX_LOAD_SETS] = { 0 };
+    size_t last = result->step_count - 1;
+    QnCheckStage stage = qn_check_stage (check, result->steps[last].stage);
+    qn_result_load_factors (check->model, result, last, factors);
+    for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
+      if ((stage.sets >> set & 1) != 0)
+        driven[set] = result->collapse_multiplier - stage.before[set];
+    qn_assembly_set_loads (&check->assembly, factors, driven);
+    if (!qn_moves_on (&check->assembly, check->u, 0, 1, check->velocity, check->rows,
+                      check->residual))
+      qn_check_tell_model (check, QN_CLAIM_WORK, (QnId) last, NAN, NAN);
     return;
   }
   double *rates = check->rates;
@@ -285,7 +254,27 @@ qn_check_mechanism (QnCheck *check)
   for (size_t p = 0; p < as->pair_count; p++)
     if (!as->inactive[p])
       check_joint (check, p, rates + 2 * p, none);
-  check_tie_rates (check, none, QN_CHECK_LITTLE * check->scale);
+  /* Ties give where they hang slack or have their strength; forces are none or reach the
+   * strength within `little`, N. */
+  const QnBeamAssembly *members = &check->assembly.beams;
+  const size_t elements = check->model->element_count;
+  for (size_t i = 0; i < qn_model_tie_count (check->model); i++) {
+    const QnBeamResponse *response = &members->responses[elements + i];
+    const QnAssembledBeam *at = &members->beams[elements + i];
+    double rate = qn_beam_assembly_tie_rate (&check->assembly, i, check->velocity);
+    double force = response->force[0];
+    bool hangs =
+      !check->result->limit.given
+      && at->kinematics.deformation[0] < at->properties.rest + response->memory.stretch;
+    bool flows = fabs (rate) <= none || hangs
+                 || (rate < 0 && force <= QN_CHECK_LITTLE * check->scale)
+                 || (rate > 0
+                     && force >= qn_tie_strength (at->properties.tie)
+                                   - (QN_CHECK_LITTLE * check->scale));
+    if (!flows)
+      qn_check_tell (check, QN_CLAIM_FLOW, (QnId) check->result->step_count - 1,
+                     QN_ENTITY_TIE, (QnId) i, rate, 0);
+  }
   if (!as->nonlinear)
     check_beams (check, none);
 }

@@ -23,24 +23,6 @@ has_only_forces (const QnModel *model)
   return true;
 }
 
-/* Whether all blocks hang together with such as are held. sets: of the blocks and, behind them, the ground. */
-static bool
-hang_together (const QnModel *model, const QnContacts *contacts, QnId *sets)
-{
-  QnId ground = (QnId) model->block_count;
-  bool all = true;
-
-  qn_sets_init (sets, model->block_count + 1);
-  for (QnId b = 0; b < ground; b++)
-    if (model->blocks[b].support[QN_DOF_UX] && model->blocks[b].support[QN_DOF_UY])
-      qn_sets_join (sets, b, ground);
-  for (size_t f = 0; f < contacts->face_count; f++)
-    qn_sets_join (sets, contacts->faces[f].a, contacts->faces[f].b);
-  for (QnId b = 0; b < ground; b++)
-    all = all && qn_sets_root (sets, b) == qn_sets_root (sets, ground);
-  return all;
-}
-
 QnStatus
 qn_check_unlimited (const QnModel *model, const QnContacts *contacts, bool *unlimited,
                     QnDiag *diag)
@@ -56,7 +38,19 @@ qn_check_unlimited (const QnModel *model, const QnContacts *contacts, bool *unli
   QnId *sets = qn_alloc (model->block_count + 1, sizeof *sets);
   if (sets == NULL)
     return qn_diag_no_memory (diag);
-  *unlimited = hang_together (model, contacts, sets);
+  /* Whether all blocks hang together with such as are held. sets: of the blocks and,
+   * behind them, the ground. */
+  QnId ground = (QnId) model->block_count;
+  bool all = true;
+  qn_sets_init (sets, model->block_count + 1);
+  for (QnId b = 0; b < ground; b++)
+    if (model->blocks[b].support[QN_DOF_UX] && model->blocks[b].support[QN_DOF_UY])
+      qn_sets_join (sets, b, ground);
+  for (size_t f = 0; f < contacts->face_count; f++)
+    qn_sets_join (sets, contacts->faces[f].a, contacts->faces[f].b);
+  for (QnId b = 0; b < ground; b++)
+    all = all && qn_sets_root (sets, b) == qn_sets_root (sets, ground);
+  *unlimited = all;
   free (sets);
   return QN_OK;
 }

@@ -94,37 +94,6 @@ energy_at_start (const QnTimeStep *step)
   return energy;
 }
 
-/* Energy dissipated by slip, plastic hinges and dashpots of pairs. */
-static void
-add_losses (const QnTimeStep *step, QnEnergy *energy)
-{
-  const QnAssembly *as = &step->equation.eq->assembly;
-  const QnInstant *start = &step->start, *end = &step->end;
-  double friction = 0;
-
-  for (size_t p = 0; p < as->pair_count; p++) {
-    QnPairInstant before = qn_instant_pair (start, start->at.responses, p),
-                  after = qn_instant_pair (end, end->at.responses, p);
-    if (as->inactive[p])
-      continue;
-    friction +=
-      qn_pair_friction (&step->elasticity[p], &step->forces[p], &before, &after);
-    for (int i = 0; i < 2; i++)
-      energy->sums[QN_ENERGY_DAMPING] +=
-        step->forces[p].dashpot[i] * (after.q[i] - before.q[i]);
-  }
-  for (size_t b = 0; b < as->beams.count; b++) {
-    const QnBeamResponse *before = &start->at.beams.responses[b],
-                         *after = &end->at.beams.responses[b];
-    for (int i = 0; i < 2; i++)
-      friction += 0.5 * (before->force[1 + i] + after->force[1 + i])
-                  * (after->memory.plastic[i] - before->memory.plastic[i]);
-    friction += 0.5 * (before->force[0] + after->force[0])
-                * (after->memory.stretch - before->memory.stretch);
-  }
-  energy->sums[QN_ENERGY_FRICTION] += friction;
-}
-
 /* After the step of h seconds just tried; the mean acceleration of the ground, and how much it changed. Kinetic
  * and elastic energy are those of step->end. */
 static QnEnergy
@@ -167,20 +136,31 @@ energy_after (const QnTimeStep *step, const QnEnergy *before, double h, QnVec2 m
   energy.sums[QN_ENERGY_INPUT] += input;
   energy.sums[QN_ENERGY_NUMERICAL] += numerical;
 
-  add_losses (step, &energy);
+  /* Energy dissipated by slip, plastic hinges and dashpots of pairs. */
+  double friction = 0;
+  for (size_t p = 0; p < as->pair_count; p++) {
+    QnPairInstant then = qn_instant_pair (start, start->at.responses, p),
+                  now = qn_instant_pair (end, end->at.responses, p);
+    if (as->inactive[p])
+      continue;
+    friction += qn_pair_friction (&step->elasticity[p], &step->forces[p], &then, &now);
+    for (int i = 0; i < 2; i++)
+      energy.sums[QN_ENERGY_DAMPING] +=
+        step->forces[p].dashpot[i] * (now.q[i] - then.q[i]);
+  }
+  for (size_t b = 0; b < as->beams.count; b++) {
+    const QnBeamResponse *then = &start->at.beams.responses[b],
+                         *now = &end->at.beams.responses[b];
+    for (int i = 0; i < 2; i++)
+      friction += 0.5 * (then->force[1 + i] + now->force[1 + i])
+                  * (now->memory.plastic[i] - then->memory.plastic[i]);
+    friction += 0.5 * (then->force[0] + now->force[0])
+                * (now->memory.stretch - then->memory.stretch);
+  }
+  energy.sums[QN_ENERGY_FRICTION] += friction;
   energy.sums[QN_ENERGY_ELASTIC] = elastic (step, end);
   energy.sums[QN_ENERGY_KINETIC] = 0.5 * product (step, step->mass, end->v, end->v);
   return energy;
-}
-
-/* After contacts have changed at the start of a step: adds the loss of elastic energy to FRICTION. */
-static void
-renew_energy (const QnTimeStep *step, QnEnergy *energy)
-{
-  double now = elastic (step, &step->start);
-
-  energy->sums[QN_ENERGY_FRICTION] += energy->sums[QN_ENERGY_ELASTIC] - now;
-  energy->sums[QN_ENERGY_ELASTIC] = now;
 }
 
 /* INPUT less all other terms, J. */
@@ -276,32 +256,25 @@ note_peaks (Run *run)
 
 /* --- How it ends ------------------------------------------------------------------------- */
 
-/* How near every block still is to one of those it touched: the least elongation of its pairs, m.
- * Blocks without pairs, and those that beams hold, are as near as can be. */
-static void
-find_distances (const Run *run, double *distances)
-{
-  const QnAssembly *as = &run->eq->assembly;
-
-  for (size_t b = 0; b < run->model->block_count; b++)
-    distances[b] = INFINITY;
-  for (size_t p = 0; p < as->pair_count; p++) {
-    const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[p].face];
-    const double *q = as->elongations + 2 * p;
-    double distance = q[0] > 0 ? hypot (q[0], q[1]) : 0;
-    distances[face->a] = fmin (distances[face->a], distance);
-    distances[face->b] = fmin (distances[face->b], distance);
-  }
-  for (size_t i = 0; i < run->model->node_count; i++)
-    if (run->model->nodes[i].block != QN_NONE)
-      distances[run->model->nodes[i].block] = 0;
-}
-
 /* After note_peaks(), which leaves the displacements of bodies. */
 static bool
 has_overturned (const Run *run)
 {
-  find_distances (run, run->distances);
+  /* How near every block still is to one of those it touched: the least elongation of its
+   * pairs, m. Blocks without pairs, and those that beams hold, are as near as can be. */
+  const QnAssembly *as = &run->eq->assembly;
+  for (size_t b = 0; b < run->model->block_count; b++)
+    run->distances[b] = INFINITY;
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[p].face];
+    const double *q = as->elongations + 2 * p;
+    double apart = q[0] > 0 ? hypot (q[0], q[1]) : 0;
+    run->distances[face->a] = fmin (run->distances[face->a], apart);
+    run->distances[face->b] = fmin (run->distances[face->b], apart);
+  }
+  for (size_t i = 0; i < run->model->node_count; i++)
+    if (run->model->nodes[i].block != QN_NONE)
+      run->distances[run->model->nodes[i].block] = 0;
   for (size_t b = 0; b < run->model->block_count; b++) {
     double turned = run->displacements[3 * b + QN_DOF_RZ] - run->start[3 * b + QN_DOF_RZ];
     double distance = isfinite (run->distances[b]) ? run->distances[b] : 0;
@@ -309,20 +282,6 @@ has_overturned (const Run *run)
       return true;
   }
   return false;
-}
-
-static bool
-is_at_rest (Run *run)
-{
-  double time = time_of (run, run->now);
-
-  if (qn_largest (run->step.start.v, (size_t) run->eq->assembly.unknown_count)
-        > run->rest_speed
-      || time < run->ground.end)
-    run->still_since = -1;
-  else if (run->still_since < 0)
-    run->still_since = time;
-  return run->still_since >= 0 && time - run->still_since >= run->rest_time;
 }
 
 static QnStatus
@@ -404,25 +363,6 @@ end_with (Run *run, QnOutcome outcome, QnDiag *diag)
   return run->overturned ? QN_OK : keep_mechanism (run, diag);
 }
 
-/* How fast a corner moves at most, m/s. */
-static double
-fastest (const Run *run)
-{
-  const QnAssembly *as = &run->eq->assembly;
-  double speed = 0;
-
-  for (size_t b = 0; b < as->model->block_count; b++) {
-    double v[QN_DOF_COUNT] = { 0 };
-    for (size_t i = 0; i < QN_DOF_COUNT; i++)
-      if (as->unknown[QN_DOF_COUNT * b + i] != QN_NONE)
-        v[i] = run->step.start.v[as->unknown[QN_DOF_COUNT * b + i]];
-    speed =
-      fmax (speed, hypot (v[0], v[1])
-                     + run->moving->follow.reach[b] * fabs (v[QN_DOF_RZ]) / as->length);
-  }
-  return speed;
-}
-
 /* Contacts follow the blocks after a step that was accepted. */
 static QnStatus
 renew_contacts (Run *run, QnDiag *diag)
@@ -432,15 +372,32 @@ renew_contacts (Run *run, QnDiag *diag)
 
   if (run->moving == NULL)
     return QN_OK;
-  QnStatus status = qn_moving_contacts_update (run->moving, run->eq,
-                                               2 * time_of (run, longest) * fastest (run),
-                                               time, run->result, &changed, diag);
+  /* How fast a corner moves at most, m/s. */
+  const QnAssembly *as = &run->eq->assembly;
+  double speed = 0;
+  for (size_t b = 0; b < as->model->block_count; b++) {
+    double v[QN_DOF_COUNT] = { 0 };
+    for (size_t i = 0; i < QN_DOF_COUNT; i++)
+      if (as->unknown[QN_DOF_COUNT * b + i] != QN_NONE)
+        v[i] = run->step.start.v[as->unknown[QN_DOF_COUNT * b + i]];
+    speed =
+      fmax (speed, hypot (v[0], v[1])
+                     + run->moving->follow.reach[b] * fabs (v[QN_DOF_RZ]) / as->length);
+  }
+  QnStatus status =
+    qn_moving_contacts_update (run->moving, run->eq, 2 * time_of (run, longest) * speed,
+                               time, run->result, &changed, diag);
   if (status == QN_OK && changed)
     status = qn_time_step_renew (&run->step, diag);
   if (status != QN_OK)
     return status;
-  if (changed)
-    renew_energy (&run->step, &run->energy);
+  if (changed) {
+    /* After contacts have changed at the start of a step: adds the loss of elastic energy
+     * to FRICTION. */
+    double now = elastic (&run->step, &run->step.start);
+    run->energy.sums[QN_ENERGY_FRICTION] += run->energy.sums[QN_ENERGY_ELASTIC] - now;
+    run->energy.sums[QN_ENERGY_ELASTIC] = now;
+  }
   return qn_moving_contacts_record (run->moving, &run->eq->assembly, time, NULL,
                                     run->result)
            ? QN_OK
@@ -494,7 +451,14 @@ follow (Run *run, QnDiag *diag)
     }
     if (run->now % longest == 0 && !keep_row (run))
       return qn_diag_no_memory (diag);
-    if (is_at_rest (run))
+    double time = time_of (run, run->now);
+    if (qn_largest (run->step.start.v, (size_t) run->eq->assembly.unknown_count)
+          > run->rest_speed
+        || time < run->ground.end)
+      run->still_since = -1;
+    else if (run->still_since < 0)
+      run->still_since = time;
+    if (run->still_since >= 0 && time - run->still_since >= run->rest_time)
       return end_with (run, QN_OUTCOME_REST, diag);
     if (run->now - run->kept >= run->output && !keep_step (run, QN_EVENT_NONE))
       return qn_diag_no_memory (diag);
@@ -503,17 +467,6 @@ follow (Run *run, QnDiag *diag)
 }
 
 /* --- Setting up -------------------------------------------------------------------------- */
-
-/* Height of the structure, m. */
-static double
-height (const QnModel *model)
-{
-  QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
-
-  for (size_t i = 0; i < model->node_count; i++)
-    qn_box_add_point (&box, model->nodes[i].at);
-  return fmax (box.max.y - box.min.y, model->characteristic_length);
-}
 
 static QnStatus
 set_up (Run *run, QnDiag *diag)
@@ -543,7 +496,12 @@ set_up (Run *run, QnDiag *diag)
   run->length = longest;
   run->rest_speed =
     QN_REST_SPEED * sqrt (run->model->gravity * run->model->characteristic_length);
-  run->rest_time = sqrt (height (run->model) / run->model->gravity);
+  /* Height of the structure, m. */
+  QnBox box = qn_box_of_points (run->model->vertices, run->model->vertex_count);
+  for (size_t i = 0; i < run->model->node_count; i++)
+    qn_box_add_point (&box, run->model->nodes[i].at);
+  run->rest_time = sqrt (fmax (box.max.y - box.min.y, run->model->characteristic_length)
+                         / run->model->gravity);
   run->still_since = -1;
   size_t body;
   QnDof dof;

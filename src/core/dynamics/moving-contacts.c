@@ -53,26 +53,6 @@ add_exchange (const QnAssembly *as, size_t pair, bool becomes_inactive, Exchange
   sum->released += becomes_inactive ? qn_pair_elastic_energy (&elastic, force) : 0;
 }
 
-/* Between the blocks of the listed contacts from `first` to `end`. */
-static Exchange
-exchange (const QnContactFollow *follow, const QnAssembly *as, size_t first, size_t end)
-{
-  const QnContacts *drawn = follow->drawn;
-  const QnFoundContact *c = &follow->found[first];
-  Exchange sum = { 0 };
-  size_t f, last;
-
-  qn_contacts_between (drawn, c->block, c->other, &f, &last);
-  for (; f < last; f++) {
-    const QnContactFace *face = &drawn->faces[f];
-    for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++)
-      add_exchange (as, (size_t) p, follow->left[f], &sum);
-  }
-  for (size_t i = first; i < end; i++)
-    add_exchange (as, drawn->pair_count + i, !follow->active[i], &sum);
-  return sum;
-}
-
 /* Where the corner of a listed contact lies, and the force of its pair were there no inset, with the shear force that
  * goes with it. */
 static QnCornerPlace
@@ -99,29 +79,6 @@ carry_nothing (QnAssembly *as, size_t pair)
     (QnPairResponse){ .memory = as->committed[pair], .state = QN_PAIR_OPEN };
 }
 
-/* Loads, memory and forces of all pairs, and which are inactive, as they were before. */
-static void
-transfer (const QnContactFollow *follow, const QnAssembly *old, QnAssembly *as)
-{
-  size_t drawn = follow->drawn->pair_count;
-
-  qn_assembly_set_loads (as, old->held, old->driven);
-  as->commits = old->commits;
-  memcpy (as->committed, old->committed, drawn * sizeof *as->committed);
-  memcpy (as->responses, old->responses, drawn * sizeof *as->responses);
-  memcpy (as->inactive, old->inactive, drawn * sizeof *as->inactive);
-  for (size_t i = 0; i < follow->count; i++) {
-    as->inactive[drawn + i] = true;
-    carry_nothing (as, drawn + i);
-    if (follow->origins[i] == QN_NONE)
-      continue;
-    size_t origin = drawn + (size_t) follow->origins[i];
-    as->committed[drawn + i] = old->committed[origin];
-    as->responses[drawn + i] = old->responses[origin];
-    as->inactive[drawn + i] = old->inactive[origin];
-  }
-}
-
 /* Activates a pair: `share` of how deep its corner lies counts, with the shear force that goes with it. */
 static void
 activate (QnMovingContacts *moving, QnAssembly *as, size_t i, double ratio, double share)
@@ -144,7 +101,19 @@ set_inactive (QnMovingContacts *moving, QnAssembly *as, size_t first, size_t end
 {
   const bool *active = moving->follow.active;
   bool *inactive = as->inactive + moving->follow.drawn->pair_count;
-  Exchange before = exchange (&moving->follow, as, first, end);
+  /* Between the blocks of the listed contacts from `first` to `end`. */
+  const QnContacts *drawn = moving->follow.drawn;
+  const QnFoundContact *c = &moving->follow.found[first];
+  Exchange before = { 0 };
+  size_t f, last;
+  qn_contacts_between (drawn, c->block, c->other, &f, &last);
+  for (; f < last; f++) {
+    const QnContactFace *face = &drawn->faces[f];
+    for (QnId p = face->first_pair; p < face->first_pair + face->pair_count; p++)
+      add_exchange (as, (size_t) p, moving->follow.left[f], &before);
+  }
+  for (size_t i = first; i < end; i++)
+    add_exchange (as, drawn->pair_count + i, !moving->follow.active[i], &before);
   double ratio = before.normal < 0 ? before.shear / before.normal : 0, stored = 0;
 
   for (size_t i = first; i < end; i++)
@@ -200,7 +169,23 @@ rebuild (QnMovingContacts *moving, QnEquilibrium *eq, QnDiag *diag)
   if (status == QN_OK)
     status = qn_assembly_setup (&next, follow->model, contacts, diag);
   if (status == QN_OK) {
-    transfer (follow, &eq->assembly, &next);
+    /* Loads, memory and forces of all pairs, and which are inactive, as they were before. */
+    size_t drawn = follow->drawn->pair_count;
+    qn_assembly_set_loads (&next, eq->assembly.held, eq->assembly.driven);
+    next.commits = eq->assembly.commits;
+    memcpy (next.committed, eq->assembly.committed, drawn * sizeof *next.committed);
+    memcpy (next.responses, eq->assembly.responses, drawn * sizeof *next.responses);
+    memcpy (next.inactive, eq->assembly.inactive, drawn * sizeof *next.inactive);
+    for (size_t i = 0; i < follow->count; i++) {
+      next.inactive[drawn + i] = true;
+      carry_nothing (&next, drawn + i);
+      if (follow->origins[i] == QN_NONE)
+        continue;
+      size_t origin = drawn + (size_t) follow->origins[i];
+      next.committed[drawn + i] = eq->assembly.committed[origin];
+      next.responses[drawn + i] = eq->assembly.responses[origin];
+      next.inactive[drawn + i] = eq->assembly.inactive[origin];
+    }
     take_changes (moving, contacts, &next);
     status = qn_equilibrium_exchange (eq, &next, diag);
   }

@@ -139,30 +139,6 @@ add_shear_correction (const QnPairElasticity *pair, const QnPairInstant *start,
   }
 }
 
-/* c and its derivatives. */
-static void
-add_correction (const QnPairElasticity *pair, const QnPairInstant *start,
-                const QnPairInstant *end, QnPairForces *out)
-{
-  const QnPairResponse *now = end->response;
-  double x[2] = { -1, -1 }, dx[2] = { 0 }, slopes[2];
-
-  if (!pair->conserves)
-    return;
-  if (pair->opens) {
-    x[0] = distance (pair, start);
-    x[1] = distance (pair, end);
-    for (int j = 0; j < 2; j++)
-      dx[j] = x[1] > 0 ? (j == 0 ? 1 : 0) : now->tangent[0][j] / pair->k[0];
-    double mean = -pair->k[0] * mean_positive (-x[0], -x[1], slopes);
-    out->correction[0] = mean - 0.5 * (start->response->force[0] + now->force[0]);
-    for (int j = 0; j < 2; j++)
-      out->tangent[0][j] += pair->k[0] * slopes[1] * dx[j] - 0.5 * now->tangent[0][j];
-  }
-  if (isfinite (pair->friction))
-    add_shear_correction (pair, start, end, x, dx, out);
-}
-
 /* The share of a step's own rate in the dashpot of the current stiffness, and its derivatives. */
 static double
 elastic_share (const QnPairElasticity *pair, const QnPairInstant *start,
@@ -277,7 +253,23 @@ qn_pair_motion (const QnPairElasticity *pair, const QnPairStep *step,
   QnPairForces out = { 0 };
   double weight = 1 - step->alpha_f;
 
-  add_correction (pair, start, end, &out);
+  /* c and its derivatives. */
+  const QnPairResponse *now = end->response;
+  double x[2] = { -1, -1 }, dx[2] = { 0 }, slopes[2];
+  if (pair->conserves) {
+    if (pair->opens) {
+      x[0] = distance (pair, start);
+      x[1] = distance (pair, end);
+      for (int j = 0; j < 2; j++)
+        dx[j] = x[1] > 0 ? (j == 0 ? 1 : 0) : now->tangent[0][j] / pair->k[0];
+      double mean = -pair->k[0] * mean_positive (-x[0], -x[1], slopes);
+      out.correction[0] = mean - 0.5 * (start->response->force[0] + now->force[0]);
+      for (int j = 0; j < 2; j++)
+        out.tangent[0][j] += pair->k[0] * slopes[1] * dx[j] - 0.5 * now->tangent[0][j];
+    }
+    if (isfinite (pair->friction))
+      add_shear_correction (pair, start, end, x, dx, &out);
+  }
   if (step->damping > 0)
     add_dashpot (pair, step, start, end, &out);
   for (int i = 0; i < 2; i++) {

@@ -22,21 +22,6 @@ swing (Oscillator *o, double t)
   o->v = decay * (v * c - (o->w * o->w * u + o->damping * o->w * v) / o->damped * s);
 }
 
-/* The same under an acceleration that goes from a to b: the particular solution is linear in time,
- * p + q t, and what is left swings freely. */
-static void
-follow_oscillator (Oscillator *o, double a, double b, double t)
-{
-  double square = o->w * o->w, q = -(b - a) / (t * square),
-         p = -a / square - 2 * o->damping * q / o->w;
-
-  o->u -= p;
-  o->v -= q;
-  swing (o, t);
-  o->u += p + q * t;
-  o->v += q;
-}
-
 void
 qn_response_spectrum (const double *acceleration, size_t count, double step,
                       double damping, const double *periods, double *spectrum,
@@ -49,7 +34,16 @@ qn_response_spectrum (const double *acceleration, size_t count, double step,
                      .damped = w * sqrt (1 - damping * damping) };
 
     for (size_t i = 1; i < count; i++) {
-      follow_oscillator (&o, acceleration[i - 1], acceleration[i], step);
+      /* The same under an acceleration that goes from a to b: the particular solution is
+       * linear in time, p + q t, and what is left swings freely. */
+      double a = acceleration[i - 1];
+      double square = o.w * o.w, q = -(acceleration[i] - a) / (step * square),
+             p = -a / square - 2 * o.damping * q / o.w;
+      o.u -= p;
+      o.v -= q;
+      swing (&o, step);
+      o.u += p + q * step;
+      o.v += q;
       largest = fmax (largest, fabs (o.u));
     }
     for (int i = 0; i < PLACES; i++) {

@@ -122,24 +122,6 @@ take_evaluation (const QnTimeStep *step, QnInstant *instant)
   instant->beam_energy = beam_energy (&as->beams);
 }
 
-static void
-add_initial_motion (QnTimeStep *step)
-{
-  const QnAssembly *as = &step->equation.eq->assembly;
-
-  for (size_t i = 0; i < as->model->initial_count; i++) {
-    const QnInitialMotion *motion = &as->model->initial[i];
-    for (int dof = 0; dof < QN_DOF_COUNT; dof++) {
-      int32_t unknown = as->unknown[QN_DOF_COUNT * motion->block + dof];
-      double scale = dof == QN_DOF_RZ ? as->length : 1;
-      if (unknown == QN_NONE || as->settles[unknown])
-        continue;
-      step->equation.eq->u[unknown] += scale * motion->displacement[dof];
-      step->start.v[unknown] += scale * motion->velocity[dof];
-    }
-  }
-}
-
 /* The dashpot of a pair: see pair-motion.h. */
 static double
 damping_of (const QnTimeStep *step, size_t pair)
@@ -224,7 +206,18 @@ qn_time_step_setup (QnTimeStep *step, QnEquilibrium *eq, QnDiag *diag)
   eq->factored = false;
   QnStatus status = prepare (step, diag);
   if (status == QN_OK) {
-    add_initial_motion (step);
+    const QnAssembly *as = &step->equation.eq->assembly;
+    for (size_t i = 0; i < as->model->initial_count; i++) {
+      const QnInitialMotion *motion = &as->model->initial[i];
+      for (int dof = 0; dof < QN_DOF_COUNT; dof++) {
+        int32_t unknown = as->unknown[QN_DOF_COUNT * motion->block + dof];
+        double scale = dof == QN_DOF_RZ ? as->length : 1;
+        if (unknown == QN_NONE || as->settles[unknown])
+          continue;
+        step->equation.eq->u[unknown] += scale * motion->displacement[dof];
+        step->start.v[unknown] += scale * motion->velocity[dof];
+      }
+    }
     begin_step (step);
   } else
     qn_time_step_clear (step);

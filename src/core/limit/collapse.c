@@ -164,26 +164,6 @@ stored_work (const QnIpProblem *p, const double *y)
   return sum;
 }
 
-static void
-find_residuals (QnCollapse *c)
-{
-  const QnIpProblem *p = c->ip.problem;
-
-  for (int32_t i = 0; i < 2 * p->cell_count; i++)
-    c->ip.ry[i] = p->cells[i / 2].no_shear && i % 2 == 1
-                    ? 0
-                    : c->given[i] - p->cells[i / 2].quadratic[i % 2] * c->ip.at.y[i];
-  qn_ip_add_rates (p, c->ip.at.v, -1, c->ip.ry);
-  qn_ip_add_flows (p, c->ip.at.z, -1, c->ip.ry);
-  find_balance (p, c->ip.at.y, c->ip.at.lambda, c->rv);
-  for (int32_t r = 0; r < p->row_count; r++)
-    c->rv[r] = -c->rv[r];
-  qn_ip_step_measure (&c->ip);
-  c->r_lambda = p->load != NULL
-                  ? p->load_gain - qn_dot (p->load, c->ip.at.v, (size_t) p->row_count)
-                  : 0;
-}
-
 bool
 qn_collapse_proves_infeasible (const QnCollapse *c, const QnIpProblem *p)
 {
@@ -335,7 +315,19 @@ qn_collapse_follow (QnCollapse *c, double tolerance, int32_t budget,
   c->ip.inverse.regularization = collapse_tuning.least_proximal;
   *coupling = 1;
   for (int32_t iteration = 0; ok; iteration++) {
-    find_residuals (c);
+    for (int32_t i = 0; i < 2 * p->cell_count; i++)
+      c->ip.ry[i] = p->cells[i / 2].no_shear && i % 2 == 1
+                      ? 0
+                      : c->given[i] - p->cells[i / 2].quadratic[i % 2] * c->ip.at.y[i];
+    qn_ip_add_rates (p, c->ip.at.v, -1, c->ip.ry);
+    qn_ip_add_flows (p, c->ip.at.z, -1, c->ip.ry);
+    find_balance (p, c->ip.at.y, c->ip.at.lambda, c->rv);
+    for (int32_t r = 0; r < p->row_count; r++)
+      c->rv[r] = -c->rv[r];
+    qn_ip_step_measure (&c->ip);
+    c->r_lambda = p->load != NULL
+                    ? p->load_gain - qn_dot (p->load, c->ip.at.v, (size_t) p->row_count)
+                    : 0;
     double misfit = find_misfit (c, tolerance), length = 0;
     QnOutcome state =
       iteration > 0 ? judge_iterate (c, misfit) : QN_OUTCOME_NOT_CONVERGED;
@@ -391,22 +383,6 @@ take_turn (QnCollapse *c, const QnIpProblem *whole, bool fixed_flow, double tole
   return state;
 }
 
-/* z'(h - Gy) + 1/2 |Qy - q|^2 of the forces y of the iterate, and of flow z and elastic rates q that are kept. */
-static double
-find_gap (const QnCollapse *c, const QnIpProblem *whole)
-{
-  double gap = 0;
-
-  for (int32_t i = 0; i < 2 * whole->cell_count; i++) {
-    double off = c->ip.at.y[i] - c->kept.y[i];
-    gap += 0.5 * whole->cells[i / 2].quadratic[i % 2] * off * off;
-  }
-  qn_ip_apply_bounds (whole, c->ip.at.y, c->ip.rz);
-  for (int32_t i = 0; i < whole->bound_count; i++)
-    gap += (whole->bounds[i].limit - c->ip.rz[i]) * c->kept.z[i];
-  return gap;
-}
-
 QnOutcome
 qn_collapse_alternate (QnCollapse *c, double tolerance, int32_t budget)
 {
@@ -425,7 +401,17 @@ qn_collapse_alternate (QnCollapse *c, double tolerance, int32_t budget)
       state = take_turn (c, whole, true, 0.1 * tolerance, end);
     double least = fmax (fabs (c->ip.at.lambda), c->least_multiplier);
     before = gap;
-    gap = find_gap (c, whole) / (whole->load_gain * least);
+    /* z'(h - Gy) + 1/2 |Qy - q|^2 of the forces y of the iterate, and of flow z and
+     * elastic rates q that are kept. */
+    double duality = 0;
+    for (int32_t i = 0; i < 2 * whole->cell_count; i++) {
+      double off = c->ip.at.y[i] - c->kept.y[i];
+      duality += 0.5 * whole->cells[i / 2].quadratic[i % 2] * off * off;
+    }
+    qn_ip_apply_bounds (whole, c->ip.at.y, c->ip.rz);
+    for (int32_t i = 0; i < whole->bound_count; i++)
+      duality += (whole->bounds[i].limit - c->ip.rz[i]) * c->kept.z[i];
+    gap = duality / (whole->load_gain * least);
     c->growth = 0.5 * stored_work (whole, c->ip.at.y) / whole->load_gain;
     c->gap = gap * least;
     enough = fmax (tolerance, sqrt (tolerance * c->growth / least));

@@ -128,28 +128,6 @@ qn_ip_kkt_factorize (QnIpKkt *kkt)
   return true;
 }
 
-/* Largest relative residual of the second and third block row; residual_v holds what
- * subtract_forces() has left. */
-static double
-relative_error (QnIpKkt *kkt, const QnIpVector *right, const QnIpVector *out)
-{
-  const QnIpProblem *p = kkt->ip->problem;
-  double error = 0.0;
-  double scale = fmax (qn_ip_largest (right->v, p->row_count), fabs (out->lambda));
-
-  scale = fmax (scale, 1e-3 * qn_ip_largest (out->y, 2 * p->cell_count));
-  if (scale > 0.0)
-    error = qn_ip_largest (kkt->residual_v, p->row_count) / scale;
-  if (kkt->bordered) {
-    kkt->residual_lambda =
-      right->lambda - qn_dot (p->load, out->v, (size_t) p->row_count);
-    scale = fmax (fabs (right->lambda), qn_ip_largest (out->v, p->row_count));
-    if (scale > 0.0)
-      error = qn_worse (error, fabs (kkt->residual_lambda) / scale);
-  }
-  return error;
-}
-
 /* Lets the forces follow `sign` times the last correction of v (and ry, where given), and
  * measures the residuals of the second and third block row. */
 static double
@@ -168,46 +146,21 @@ follow_rates (QnIpKkt *kkt, const QnIpVector *right, const double *ry, double si
     e[r] = right->v[r] - (kkt->bordered ? p->load[r] * out->lambda : 0.0)
            + kkt->ip->inverse.regularization * out->v[r];
   qn_ip_add_forces (p, out->y, -1, e);
-  return relative_error (kkt, right, out);
-}
-
-/* residual_v -= B (H+r)^-1 ry: what the forces along v have to balance. */
-static void
-condense (QnIpKkt *kkt, const QnIpVector *right)
-{
-  const QnIpProblem *p = kkt->ip->problem;
-
-  memcpy (kkt->residual_v, right->v, (size_t) p->row_count * sizeof (double));
-  kkt->residual_lambda = right->lambda;
-  for (int32_t c = 0; c < p->cell_count; c++) {
-    const double *h = kkt->ip->inverse.cells + 4 * (size_t) c,
-                 *ry = right->y + 2 * (size_t) c;
-    double shear = p->cells[c].no_shear ? 0.0 : ry[1];
-    kkt->rates[2 * c] = h[0] * ry[0] + h[1] * shear;
-    kkt->rates[2 * c + 1] = h[2] * ry[0] + h[3] * shear;
+  /* Largest relative residual of the second and third block row; residual_v holds what
+   * subtract_forces() has left. */
+  double error = 0.0;
+  double scale = fmax (qn_ip_largest (right->v, p->row_count), fabs (out->lambda));
+  scale = fmax (scale, 1e-3 * qn_ip_largest (out->y, 2 * p->cell_count));
+  if (scale > 0.0)
+    error = qn_ip_largest (kkt->residual_v, p->row_count) / scale;
+  if (kkt->bordered) {
+    kkt->residual_lambda =
+      right->lambda - qn_dot (p->load, out->v, (size_t) p->row_count);
+    scale = fmax (fabs (right->lambda), qn_ip_largest (out->v, p->row_count));
+    if (scale > 0.0)
+      error = qn_worse (error, fabs (kkt->residual_lambda) / scale);
   }
-  qn_ip_add_forces (p, kkt->rates, -1, kkt->residual_v);
-}
-
-/* The change of v and lambda that removes the residuals. */
-static void
-correct (QnIpKkt *kkt, QnIpVector *out)
-{
-  const QnIpProblem *p = kkt->ip->problem;
-  double *step = kkt->step_v;
-
-  for (int32_t r = 0; r < p->row_count; r++)
-    step[r] = -kkt->residual_v[r]; /* M dv - f dl = -e,  f'dv = e_l */
-  schur_solve (kkt, step);
-  kkt->step_lambda = 0.0;
-  if (kkt->bordered && kkt->border_power != 0.0) {
-    kkt->step_lambda =
-      (kkt->residual_lambda - qn_dot (p->load, step, (size_t) p->row_count))
-      / kkt->border_power;
-    qn_ip_add_multiple (step, kkt->step_lambda, kkt->border, p->row_count);
-  }
-  qn_ip_add_multiple (out->v, 1, step, p->row_count);
-  out->lambda += kkt->step_lambda;
+  return error;
 }
 
 void
@@ -219,9 +172,33 @@ qn_ip_kkt_solve (QnIpKkt *kkt, const QnIpVector *right, QnIpVector *out)
   memset (out->s, 0, (size_t) kkt->ip->problem->bound_count * sizeof (double));
   memset (out->v, 0, (size_t) kkt->ip->problem->row_count * sizeof (double));
   out->lambda = 0.0;
-  condense (kkt, right);
+  /* residual_v -= B (H+r)^-1 ry: what the forces along v have to balance. */
+  const QnIpProblem *p = kkt->ip->problem;
+  memcpy (kkt->residual_v, right->v, (size_t) p->row_count * sizeof (double));
+  kkt->residual_lambda = right->lambda;
+  for (int32_t c = 0; c < p->cell_count; c++) {
+    const double *h = kkt->ip->inverse.cells + 4 * (size_t) c,
+                 *ry = right->y + 2 * (size_t) c;
+    double shear = p->cells[c].no_shear ? 0.0 : ry[1];
+    kkt->rates[2 * c] = h[0] * ry[0] + h[1] * shear;
+    kkt->rates[2 * c + 1] = h[2] * ry[0] + h[3] * shear;
+  }
+  qn_ip_add_forces (p, kkt->rates, -1, kkt->residual_v);
   for (int round = 0; round <= MOST_REFINEMENTS; round++) {
-    correct (kkt, out);
+    /* The change of v and lambda that removes the residuals. */
+    double *step = kkt->step_v;
+    for (int32_t r = 0; r < p->row_count; r++)
+      step[r] = -kkt->residual_v[r]; /* M dv - f dl = -e,  f'dv = e_l */
+    schur_solve (kkt, step);
+    kkt->step_lambda = 0.0;
+    if (kkt->bordered && kkt->border_power != 0.0) {
+      kkt->step_lambda =
+        (kkt->residual_lambda - qn_dot (p->load, step, (size_t) p->row_count))
+        / kkt->border_power;
+      qn_ip_add_multiple (step, kkt->step_lambda, kkt->border, p->row_count);
+    }
+    qn_ip_add_multiple (out->v, 1, step, p->row_count);
+    out->lambda += kkt->step_lambda;
     double now = follow_rates (kkt, right, round == 0 ? right->y : NULL, 1.0, out);
     /* The first pass is the solution; later ones refine it while they gain a digit. */
     if (round > 0 && now > last) { /* takes the last correction back */

@@ -158,26 +158,6 @@ keep (Search *search, double compliance, QnDiag *diag)
   return QN_OK;
 }
 
-/* Joints give so much, in scaled rates per scaled force; elastic ones in the mean. */
-static void
-set_compliance (Search *search, double compliance)
-{
-  QnLimitProblem *limit = &search->limit;
-
-  for (int32_t c = 0; c < limit->ip.cell_count; c++) {
-    double k[2] = { 1, 1 };
-    if (search->elastic) {
-      QnPairSprings springs = qn_contacts_pair_springs (search->model, search->contacts,
-                                                        (size_t) limit->cell_pairs[c]);
-      qn_pair_elastic_stiffness (&springs, k);
-      k[0] *= search->flexibility;
-      k[1] *= search->flexibility;
-    }
-    for (int i = 0; i < 2; i++)
-      limit->ip.cells[c].quadratic[i] = compliance / k[i];
-  }
-}
-
 /* One start; where its iteration is lost, two programs in turn. A collapse in which joints give too much is
  * none. */
 static QnStatus
@@ -189,7 +169,20 @@ seek (Search *search, Start start, double compliance, int32_t budget, bool *foun
   bool exact = search->known < INFINITY;
   QnOutcome state = QN_OUTCOME_NOT_CONVERGED;
 
-  set_compliance (search, compliance);
+  /* Joints give so much, in scaled rates per scaled force; elastic ones in the mean. */
+  QnLimitProblem *limit = &search->limit;
+  for (int32_t cell = 0; cell < limit->ip.cell_count; cell++) {
+    double k[2] = { 1, 1 };
+    if (search->elastic) {
+      QnPairSprings springs = qn_contacts_pair_springs (search->model, search->contacts,
+                                                        (size_t) limit->cell_pairs[cell]);
+      qn_pair_elastic_stiffness (&springs, k);
+      k[0] *= search->flexibility;
+      k[1] *= search->flexibility;
+    }
+    for (int i = 0; i < 2; i++)
+      limit->ip.cells[cell].quadratic[i] = compliance / k[i];
+  }
   if (start == GO_ON)
     qn_collapse_centre (c, search_tuning.strength[start]);
   else

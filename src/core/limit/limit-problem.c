@@ -91,20 +91,6 @@ scale_loads (QnLimitProblem *limit, const QnModel *model, double *dead, double *
            : qn_refuse (diag, QN_PROBLEM_NO_LIVE_LOAD, QN_ENTITY_MODEL, QN_NONE);
 }
 
-/* Weights stand for masses; a weightless block has the little that keeps its motion finite. */
-static void
-fill_masses (QnLimitProblem *limit, const QnModel *model)
-{
-  for (size_t b = 0; b < model->block_count; b++) {
-    const QnBlock *block = &model->blocks[b];
-    double mass = fmax (block->weight / limit->force_unit, LEAST_MASS);
-    double radius = sqrt (block->polar_moment / block->area) / limit->length_unit;
-    double *out = limit->mass + b * QN_DOF_COUNT;
-    out[QN_DOF_UX] = out[QN_DOF_UY] = mass;
-    out[QN_DOF_RZ] = mass * radius * radius;
-  }
-}
-
 /* Resultant on block `id` (QN_NONE: the ground) of a unit force along `axis` at `point`, lengths scaled. */
 static void
 map_force (const QnLimitProblem *limit, const QnModel *model, QnId id, QnVec2 point,
@@ -252,7 +238,16 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
     qn_limit_problem_clear (limit);
     return status;
   }
-  fill_masses (limit, model);
+  /* Weights stand for masses; a weightless block has the little that keeps its motion
+   * finite. */
+  for (size_t b = 0; b < model->block_count; b++) {
+    const QnBlock *block = &model->blocks[b];
+    double mass = fmax (block->weight / limit->force_unit, LEAST_MASS);
+    double radius = sqrt (block->polar_moment / block->area) / limit->length_unit;
+    double *out = limit->mass + b * QN_DOF_COUNT;
+    out[QN_DOF_UX] = out[QN_DOF_UY] = mass;
+    out[QN_DOF_RZ] = mass * radius * radius;
+  }
   fill_faces (limit, model, contacts);
   fill_ties (limit, model, contacts);
   for (int32_t r = 0; r < ip->row_count; r++)

@@ -99,32 +99,6 @@ has_law (const QnModel *model, const QnBlock *block, QnId law)
   return (block->law != QN_NONE ? block->law : model->contact.law) == law;
 }
 
-/* What joints dissipate grows with their area: forces times rates. An area grows where both blocks become thicker,
- * or the thinner one does. */
-static double
-area_power (const QnModel *model, const QnContacts *contacts, const QnResult *result,
-            const double *v, QnId law)
-{
-  double power = 0.0;
-
-  for (size_t p = 0; p < contacts->pair_count; p++) {
-    const QnContactPair *pair = &contacts->pairs[p];
-    const QnContactFace *face = &contacts->faces[pair->face];
-    const QnPairResult *force = &result->pairs[p];
-    double unit;
-    QnId id = governing_law (model, contacts, p, force, &unit);
-    const QnBlock *a = &model->blocks[face->a], *b = &model->blocks[face->b];
-    bool thickens = (a->thickness > b->thickness || has_law (model, a, law))
-                    && (b->thickness > a->thickness || has_law (model, b, law));
-    if (pair->bar != QN_NONE || model->laws[id].basis == QN_BASIS_CONTACT || !thickens)
-      continue;
-    Rates rates = pair_rates (model, face, pair->point, v);
-    power +=
-      force->normal_force * rates.opening + fabs (force->shear_force) * rates.sliding;
-  }
-  return power;
-}
-
 /* What of a load acts at collapse. */
 static double
 part_of (const QnLoad *load, double multiplier)
@@ -154,7 +128,25 @@ add_blocks (const QnModel *model, const QnContacts *contacts, const QnResult *re
     }
   }
   out->weight = -power;
-  out->thickness = -power - pressure + area_power (model, contacts, result, v, law);
+  /* What joints dissipate grows with their area: forces times rates. An area grows where
+   * both blocks become thicker, or the thinner one does. */
+  double joints = 0.0;
+  for (size_t p = 0; p < contacts->pair_count; p++) {
+    const QnContactPair *pair = &contacts->pairs[p];
+    const QnContactFace *face = &contacts->faces[pair->face];
+    const QnPairResult *force = &result->pairs[p];
+    double unit;
+    QnId id = governing_law (model, contacts, p, force, &unit);
+    const QnBlock *a = &model->blocks[face->a], *b = &model->blocks[face->b];
+    bool thickens = (a->thickness > b->thickness || has_law (model, a, law))
+                    && (b->thickness > a->thickness || has_law (model, b, law));
+    if (pair->bar != QN_NONE || model->laws[id].basis == QN_BASIS_CONTACT || !thickens)
+      continue;
+    Rates rates = pair_rates (model, face, pair->point, v);
+    joints +=
+      force->normal_force * rates.opening + fabs (force->shear_force) * rates.sliding;
+  }
+  out->thickness = -power - pressure + joints;
   for (size_t i = 0; i < qn_model_load_count (model); i++)
     if (model->soil_tie_count > 0 || qn_model_load (model, i)->kind == QN_LOAD_VEHICLE)
       out->thickness = NAN;
