@@ -174,46 +174,6 @@ qn_assembly_add_load_stiffness (QnAssembly *as, double multiplier)
 
 /* --- Reactions -------------------------------------------------------------------------- */
 
-/* Adds what the pairs of all faces exert on the fixed degrees of freedom of their blocks, as P of
- * the residual. */
-static void
-add_pair_forces (const QnAssembly *as, double *forces)
-{
-  for (size_t p = 0; p < as->pair_count; p++) {
-    const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[p].face];
-    const double *force = as->responses[p].force;
-    double *a = forces + QN_DOF_COUNT * face->a, *b = forces + QN_DOF_COUNT * face->b;
-    double part[QN_PAIR_FACTORS];
-    for (int i = 0; i < QN_PAIR_FACTORS; i++) /* P = G' f */
-      part[i] = as->gradients[p].factors[0][i] * force[0]
-                + as->gradients[p].factors[1][i] * force[1];
-    for (int i = 0; i < 2; i++) {
-      a[i] -= part[1 + i];
-      b[i] += part[1 + i];
-    }
-    a[QN_DOF_RZ] += part[0] * as->length;
-    b[QN_DOF_RZ] += part[3] * as->length;
-  }
-}
-
-/* Subtracts loads, their arms turned with supports that turn. */
-static void
-subtract_turned (const QnAssembly *as, const QnLoad *load, double factor, double *forces)
-{
-  if (!as->nonlinear || !is_eccentric (as->model, load))
-    return;
-  size_t rotation = QN_DOF_COUNT * qn_model_load_body (as->model, load) + QN_DOF_RZ;
-  int32_t unknown = as->unknown[rotation];
-  for (size_t s = 0; s < as->settling_count; s++) {
-    if (as->settling[s].unknown != unknown)
-      continue;
-    double rz = as->settling[s].u / as->length;
-    QnVec2 arm = qn_model_load_arm (as->model, load);
-    QnVec2 moved = qn_vec2_sub (qn_vec2_rotate (arm, cos (rz), sin (rz)), arm);
-    forces[rotation] -= factor * qn_vec2_cross (moved, load->vector);
-  }
-}
-
 static bool
 is_supported (const QnModel *model, size_t body, size_t dof)
 {
@@ -232,7 +192,24 @@ qn_assembly_reactions (QnAssembly *as, double multiplier, double *reactions)
   for (int set = 0; set < QN_MAX_LOAD_SETS; set++)
     factors[set] = as->held[set] + multiplier * as->driven[set];
   memset (reactions, 0, count * sizeof *reactions);
-  add_pair_forces (as, reactions);
+  /* Adds what the pairs of all faces exert on the fixed degrees of freedom of their
+   * blocks, as P of the residual. */
+  for (size_t p = 0; p < as->pair_count; p++) {
+    const QnContactFace *face = &as->contacts->faces[as->contacts->pairs[p].face];
+    const double *force = as->responses[p].force;
+    double *a = reactions + QN_DOF_COUNT * face->a,
+           *b = reactions + QN_DOF_COUNT * face->b;
+    double part[QN_PAIR_FACTORS];
+    for (int i = 0; i < QN_PAIR_FACTORS; i++) /* P = G' f */
+      part[i] = as->gradients[p].factors[0][i] * force[0]
+                + as->gradients[p].factors[1][i] * force[1];
+    for (int i = 0; i < 2; i++) {
+      a[i] -= part[1 + i];
+      b[i] += part[1 + i];
+    }
+    a[QN_DOF_RZ] += part[0] * as->length;
+    b[QN_DOF_RZ] += part[3] * as->length;
+  }
   qn_beam_assembly_add_body_forces (as, multiplier, reactions);
   qn_model_set_forces (model, NULL, as->forces);
   for (size_t i = 0; i < count; i++)
@@ -242,7 +219,20 @@ qn_assembly_reactions (QnAssembly *as, double multiplier, double *reactions)
     reactions[i] -= as->forces[i];
   for (size_t i = 0; i < qn_model_acting_count (model); i++) {
     const QnLoad load = qn_model_acting_load (model, i);
-    subtract_turned (as, &load, load.set == QN_NONE ? 1 : factors[load.set], reactions);
+    /* Subtracts loads, their arms turned with supports that turn. */
+    if (as->nonlinear && is_eccentric (as->model, &load)) {
+      size_t rotation = QN_DOF_COUNT * qn_model_load_body (as->model, &load) + QN_DOF_RZ;
+      int32_t unknown = as->unknown[rotation];
+      for (size_t s = 0; s < as->settling_count; s++) {
+        if (as->settling[s].unknown != unknown)
+          continue;
+        double rz = as->settling[s].u / as->length;
+        QnVec2 arm = qn_model_load_arm (as->model, &load);
+        QnVec2 moved = qn_vec2_sub (qn_vec2_rotate (arm, cos (rz), sin (rz)), arm);
+        reactions[rotation] -= (load.set == QN_NONE ? 1 : factors[load.set])
+                               * qn_vec2_cross (moved, load.vector);
+      }
+    }
   }
   for (size_t i = 0; i < count; i++)
     if (!is_supported (model, i / QN_DOF_COUNT, i % QN_DOF_COUNT))

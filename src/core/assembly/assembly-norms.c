@@ -51,12 +51,17 @@ qn_assembly_largest (const QnAssembly *as, const double *v, const double *base)
   return largest_of_bodies (as, v, base, NULL);
 }
 
-/* Bodies with a support, and those at the ends of beams, are held; `loose` is every other one. */
-static void
-find_supported (const QnAssembly *as, bool *loose)
+double
+qn_assembly_largest_loose (QnAssembly *as, const double *v, const double *base)
 {
-  const QnModel *model = as->model;
+  const QnBeamAssembly *members = &as->beams;
+  bool *loose = as->loose;
+  bool found = true;
+  double largest = 0;
 
+  /* Bodies with a support, and those at the ends of beams, are held; `loose` is every
+   * other one. */
+  const QnModel *model = as->model;
   for (size_t body = 0; body < qn_model_body_count (model); body++) {
     const int32_t *unknowns = as->unknown + QN_DOF_COUNT * body;
     loose[body] = true;
@@ -67,17 +72,6 @@ find_supported (const QnAssembly *as, bool *loose)
   for (size_t e = 0; e < model->element_count; e++)
     for (int end = 0; end < 2; end++)
       loose[qn_model_node_body (model, model->elements[e].nodes[end])] = false;
-}
-
-double
-qn_assembly_largest_loose (QnAssembly *as, const double *v, const double *base)
-{
-  const QnBeamAssembly *members = &as->beams;
-  bool *loose = as->loose;
-  bool found = true;
-  double largest = 0;
-
-  find_supported (as, loose);
   while (found) {
     found = false;
     for (size_t p = 0; p < as->pair_count; p++) {

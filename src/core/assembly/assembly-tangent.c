@@ -87,45 +87,6 @@ qn_assembly_subtract_face_forces (const QnAssembly *as, const double *forces,
   }
 }
 
-/* k, by columns, += g' D g of a pair */
-static inline void
-add_pair_tangent (const QnPairGradient *pair, const double *d,
-                  double k[QN_PAIR_FACTORS][QN_PAIR_FACTORS])
-{
-  const double *n = pair->factors[0], *t = pair->factors[1];
-
-  for (int j = 0; j < QN_PAIR_FACTORS; j++) {
-    double dn = n[j] * d[0] + t[j] * d[1], dt = n[j] * d[2] + t[j] * d[3];
-    for (int i = 0; i < QN_PAIR_FACTORS; i++)
-      k[j][i] += n[i] * dn + t[i] * dt;
-  }
-}
-
-/* ax += G' D G of all pairs, and their geometric stiffness. */
-static void
-add_face_tangents (QnAssembly *as, const double *tangents, size_t stride)
-{
-  for (size_t f = 0; f < as->contacts->face_count; f++) {
-    const int32_t *scatter = as->scatter + 36 * f;
-    double k[QN_PAIR_FACTORS][QN_PAIR_FACTORS] = { { 0 } };         /* by columns */
-    double geometric[QN_PAIR_FACTORS][QN_PAIR_FACTORS] = { { 0 } }; /* symmetric */
-
-    for (int32_t p = as->first_pairs[f]; p < as->first_pairs[f + 1]; p++) {
-      add_pair_tangent (&as->gradients[p], tangents + stride * (size_t) p, k);
-      if (as->nonlinear)
-        qn_pair_kinematics_add_stiffness (&as->kinematics[p], as->responses[p].force,
-                                          geometric);
-    }
-    for (int i = 0; i < QN_FACE_UNKNOWNS; i++, scatter += QN_FACE_UNKNOWNS)
-      for (int j = 0; j < QN_FACE_UNKNOWNS; j++)
-        if (scatter[j] != QN_NONE) {
-          int row = entries[i].factor, column = entries[j].factor;
-          as->ax[scatter[j]] +=
-            entries[i].sign * entries[j].sign * (k[column][row] + geometric[row][column]);
-        }
-  }
-}
-
 /* --- The whole tangent ------------------------------------------------------------------- */
 
 /* The pattern is symmetric: a column says which columns have an entry in its row. */
@@ -145,7 +106,33 @@ qn_assembly_tangent_of (QnAssembly *as, double multiplier, double viscosity,
                         const double *tangents, size_t stride)
 {
   memset (as->ax, 0, (size_t) as->ap[as->unknown_count] * sizeof *as->ax);
-  add_face_tangents (as, tangents, stride);
+  /* ax += G' D G of all pairs, and their geometric stiffness. */
+  for (size_t f = 0; f < as->contacts->face_count; f++) {
+    const int32_t *scatter = as->scatter + 36 * f;
+    double k[QN_PAIR_FACTORS][QN_PAIR_FACTORS] = { { 0 } };         /* by columns */
+    double geometric[QN_PAIR_FACTORS][QN_PAIR_FACTORS] = { { 0 } }; /* symmetric */
+    for (int32_t p = as->first_pairs[f]; p < as->first_pairs[f + 1]; p++) {
+      /* k, by columns, += g' D g of a pair */
+      const QnPairGradient *pair = &as->gradients[p];
+      const double *d = tangents + stride * (size_t) p;
+      const double *n = pair->factors[0], *t = pair->factors[1];
+      for (int j = 0; j < QN_PAIR_FACTORS; j++) {
+        double dn = n[j] * d[0] + t[j] * d[1], dt = n[j] * d[2] + t[j] * d[3];
+        for (int i = 0; i < QN_PAIR_FACTORS; i++)
+          k[j][i] += n[i] * dn + t[i] * dt;
+      }
+      if (as->nonlinear)
+        qn_pair_kinematics_add_stiffness (&as->kinematics[p], as->responses[p].force,
+                                          geometric);
+    }
+    for (int i = 0; i < QN_FACE_UNKNOWNS; i++, scatter += QN_FACE_UNKNOWNS)
+      for (int j = 0; j < QN_FACE_UNKNOWNS; j++)
+        if (scatter[j] != QN_NONE) {
+          int row = entries[i].factor, column = entries[j].factor;
+          as->ax[scatter[j]] +=
+            entries[i].sign * entries[j].sign * (k[column][row] + geometric[row][column]);
+        }
+  }
   qn_beam_assembly_add_tangent (as);
   for (int32_t i = 0; i < as->unknown_count; i++)
     as->ax[as->diagonal[i]] += viscosity * as->damping[i];

@@ -95,18 +95,6 @@ qn_assembly_place_pair (QnAssembly *as, size_t p)
   as->gradients[p] = qn_pair_kinematics_gradient (&as->kinematics[p]);
 }
 
-/* Where a face's 6 x 6 goes in ax. */
-static void
-find_face_places (QnAssembly *as, size_t f)
-{
-  const int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
-  int32_t *scatter = as->scatter + 36 * f;
-
-  for (int i = 0; i < QN_FACE_UNKNOWNS; i++)
-    for (int j = 0; j < QN_FACE_UNKNOWNS; j++)
-      scatter[6 * i + j] = qn_sparse_find (as->ap, as->ai, unknowns[i], unknowns[j]);
-}
-
 /* Pattern of K: every block couples with itself and with the blocks it touches. */
 static void
 build_pattern (QnAssembly *as)
@@ -130,8 +118,14 @@ build_pattern (QnAssembly *as)
       qn_pool_alloc (&as->pool, (size_t) as->ap[as->unknown_count], sizeof (double));
   if (as->pool.failed)
     return;
-  for (size_t f = 0; f < contacts->face_count; f++)
-    find_face_places (as, f);
+  for (size_t f = 0; f < contacts->face_count; f++) {
+    /* Where a face's 6 x 6 goes in ax. */
+    const int32_t *unknowns = as->face_unknowns + QN_FACE_UNKNOWNS * f;
+    int32_t *scatter = as->scatter + 36 * f;
+    for (int i = 0; i < QN_FACE_UNKNOWNS; i++)
+      for (int j = 0; j < QN_FACE_UNKNOWNS; j++)
+        scatter[6 * i + j] = qn_sparse_find (as->ap, as->ai, unknowns[i], unknowns[j]);
+  }
   qn_beam_assembly_find_places (as);
   for (int32_t i = 0; i < as->unknown_count; i++)
     as->diagonal[i] = qn_sparse_find (as->ap, as->ai, i, i);

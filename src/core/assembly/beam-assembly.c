@@ -84,24 +84,6 @@ place (QnAssembly *as, size_t index)
   qn_beam_kinematics_init (&beam->kinematics, &beam->properties);
 }
 
-static void
-share_out (QnAssembly *as)
-{
-  const QnModel *model = as->model;
-
-  for (size_t i = 0; i < model->element_count; i++) {
-    const QnBeamElement *element = &model->elements[i];
-    const QnSection *section = &model->sections[model->beams[element->beam].section];
-    double length = as->beams.beams[i].properties.length;
-    for (int end = 0; end < 2; end++) {
-      QnBeamShare *share = &as->beams.shares[element->nodes[end]];
-      share->weight += 0.5 * length * qn_section_weight (section);
-      share->volume += 0.5 * length * section->area;
-      share->longest = fmax (share->longest, length);
-    }
-  }
-}
-
 double
 qn_beam_assembly_stiffness (const QnAssembly *as)
 {
@@ -147,7 +129,17 @@ qn_beam_assembly_setup (QnAssembly *as)
     return;
   for (size_t i = 0; i < count; i++)
     place (as, i);
-  share_out (as);
+  for (size_t i = 0; i < model->element_count; i++) {
+    const QnBeamElement *element = &model->elements[i];
+    const QnSection *section = &model->sections[model->beams[element->beam].section];
+    double length = as->beams.beams[i].properties.length;
+    for (int end = 0; end < 2; end++) {
+      QnBeamShare *share = &as->beams.shares[element->nodes[end]];
+      share->weight += 0.5 * length * qn_section_weight (section);
+      share->volume += 0.5 * length * section->area;
+      share->longest = fmax (share->longest, length);
+    }
+  }
 }
 
 void

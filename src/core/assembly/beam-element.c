@@ -90,32 +90,6 @@ bending_stiffness (const QnBeamProperties *p, double k[2][2])
 
 /* --- Yielding --------------------------------------------------------------------------- */
 
-/* Moments when the ends named by `sense` (+-1: at the limit, 0: elastic) yield; slip is how
- * far their hinges turn on. */
-static void
-return_to (double k[2][2], const double trial[2], const double limit[2],
-           const int sense[2], double moment[2], double slip[2])
-{
-  double excess[2] = { 0, 0 };
-
-  for (int i = 0; i < 2; i++)
-    if (sense[i] != 0)
-      excess[i] = trial[i] - sense[i] * limit[i];
-  slip[0] = slip[1] = 0;
-  if (sense[0] != 0 && sense[1] != 0) {
-    double det = k[0][0] * k[1][1] - k[0][1] * k[1][0];
-    slip[0] = (k[1][1] * excess[0] - k[0][1] * excess[1]) / det;
-    slip[1] = (k[0][0] * excess[1] - k[1][0] * excess[0]) / det;
-  } else {
-    for (int i = 0; i < 2; i++)
-      if (sense[i] != 0)
-        slip[i] = excess[i] / k[i][i];
-  }
-  for (int i = 0; i < 2; i++)
-    moment[i] = sense[i] != 0 ? sense[i] * limit[i]
-                              : trial[i] - k[i][0] * slip[0] - k[i][1] * slip[1];
-}
-
 /* Whether ends that yield turn in the sense of their moments and the others keep their limits. */
 static bool
 is_admissible (const double limit[2], double stiffness, const int sense[2],
@@ -146,7 +120,25 @@ return_map (const QnBeamProperties *p, double k[2][2], const double trial[2],
         continue; /* hinges always turn */
       if ((isinf (p->moments[0]) && i != 0) || (isinf (p->moments[1]) && j != 0))
         continue;
-      return_to (k, trial, p->moments, sense, moment, slip);
+      /* Moments when the ends named by `sense` (+-1: at the limit, 0: elastic) yield;
+       * slip is how far their hinges turn on. */
+      double excess[2] = { 0, 0 };
+      for (int e = 0; e < 2; e++)
+        if (sense[e] != 0)
+          excess[e] = trial[e] - sense[e] * p->moments[e];
+      slip[0] = slip[1] = 0;
+      if (sense[0] != 0 && sense[1] != 0) {
+        double det = k[0][0] * k[1][1] - k[0][1] * k[1][0];
+        slip[0] = (k[1][1] * excess[0] - k[0][1] * excess[1]) / det;
+        slip[1] = (k[0][0] * excess[1] - k[1][0] * excess[0]) / det;
+      } else {
+        for (int e = 0; e < 2; e++)
+          if (sense[e] != 0)
+            slip[e] = excess[e] / k[e][e];
+      }
+      for (int e = 0; e < 2; e++)
+        moment[e] = sense[e] != 0 ? sense[e] * p->moments[e]
+                                  : trial[e] - k[e][0] * slip[0] - k[e][1] * slip[1];
       if (is_admissible (p->moments, k[0][0], sense, moment, slip))
         return;
     }
@@ -245,31 +237,19 @@ qn_beam_fixed_end_moments (const QnBeamProperties *p, double q, double moments[2
     moments[0] += k[0][1] / k[1][1] * fixed;
 }
 
-/* Deflection and rotation of the axis at x = s L for unit end values w1, r1, w2, r2 in the axes
- * of the chord: Timoshenko's cubics, condensed where an end is hinged. */
-static void
-shape_functions (const QnBeamProperties *p, double s, double w[4], double r[4])
+void
+qn_beam_mass (const QnBeamProperties *p, double mass[6][6])
 {
-  const double L = p->length, f = p->phi, d = 1 / (1 + f);
+  /* Gauss and Legendre, four points: exact for products of cubics. */
+  static const double places[2] = { 0.3399810435848563, 0.8611363115940526 };
+  static const double weights[2] = { 0.6521451548625461, 0.3478548451374538 };
+  const QnVec2 x = qn_vec2_scale (1 / p->length, p->chord), y = qn_vec2_perp (x);
+  double t[4][4];
 
-  w[0] = d * (1 - 3 * s * s + 2 * s * s * s + f * (1 - s));
-  w[1] = d * L * (s - 2 * s * s + s * s * s + 0.5 * f * (s - s * s));
-  w[2] = d * (3 * s * s - 2 * s * s * s + f * s);
-  w[3] = d * L * (-s * s + s * s * s + 0.5 * f * (s * s - s));
-  r[0] = d * 6 / L * (s * s - s);
-  r[1] = d * (1 - 4 * s + 3 * s * s + f * (1 - s));
-  r[2] = -r[0];
-  r[3] = d * (-2 * s + 3 * s * s + f * s);
-}
-
-/* How the rotations of the axis at the ends follow from w1, r1, w2, r2 of the nodes: the same
- * but for hinges, whose rotation makes the moment vanish. */
-static void
-hinge_transform (const QnBeamProperties *p, double t[4][4])
-{
+  /* How the rotations of the axis at the ends follow from w1, r1, w2, r2 of the nodes:
+   * the same but for hinges, whose rotation makes the moment vanish. */
   const double turning[4] = { -1 / p->length, 0, 1 / p->length, 0 };
   double k[2][2];
-
   bending_stiffness (p, k);
   memset (t, 0, 16 * sizeof (double));
   for (int i = 0; i < 4; i++)
@@ -285,24 +265,22 @@ hinge_transform (const QnBeamProperties *p, double t[4][4])
     if (!hinge[1 - end])
       t[row][far] += carry;
   }
-}
-
-void
-qn_beam_mass (const QnBeamProperties *p, double mass[6][6])
-{
-  /* Gauss and Legendre, four points: exact for products of cubics. */
-  static const double places[2] = { 0.3399810435848563, 0.8611363115940526 };
-  static const double weights[2] = { 0.6521451548625461, 0.3478548451374538 };
-  const QnVec2 x = qn_vec2_scale (1 / p->length, p->chord), y = qn_vec2_perp (x);
-  double t[4][4];
-
-  hinge_transform (p, t);
   memset (mass, 0, 36 * sizeof (double));
   for (int g = 0; g < 4; g++) {
     double s = 0.5 * (1 + (g % 2 ? 1 : -1) * places[g / 2]), w[4], r[4];
     double weight = 0.5 * weights[g / 2] * p->length;
     double field[3][6] = { { 0 } }; /* displacements along x and y, rotation */
-    shape_functions (p, s, w, r);
+    /* Deflection and rotation of the axis at x = s L for unit end values w1, r1, w2, r2
+     * in the axes of the chord: Timoshenko's cubics, condensed where an end is hinged. */
+    const double L = p->length, f = p->phi, d = 1 / (1 + f);
+    w[0] = d * (1 - 3 * s * s + 2 * s * s * s + f * (1 - s));
+    w[1] = d * L * (s - 2 * s * s + s * s * s + 0.5 * f * (s - s * s));
+    w[2] = d * (3 * s * s - 2 * s * s * s + f * s);
+    w[3] = d * L * (-s * s + s * s * s + 0.5 * f * (s * s - s));
+    r[0] = d * 6 / L * (s * s - s);
+    r[1] = d * (1 - 4 * s + 3 * s * s + f * (1 - s));
+    r[2] = -r[0];
+    r[3] = d * (-2 * s + 3 * s * s + f * s);
     for (int j = 0; j < 4; j++) {
       double wj = 0, rj = 0;
       for (int i = 0; i < 4; i++) {

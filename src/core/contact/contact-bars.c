@@ -38,23 +38,6 @@ qn_bar_search_init (QnBarSearch *search, const QnModel *model, QnPool *room)
   qn_box_tree_init (&search->tree, boxes, count, room);
 }
 
-/* How many lines lie near a face. The margin is rounding where one crosses an end of it. */
-static size_t
-find_near (QnBarSearch *search, const QnContactFace *face)
-{
-  QnBox box = qn_box_grow (qn_box_of_segment (face->start, face->end),
-                           QN_TOLERANCE_CONVEX * face->length);
-  QnBoxQuery query = qn_box_tree_query (&search->tree, box);
-  size_t count = 0;
-
-  for (QnId line = qn_box_query_next (&query); line != QN_NONE;
-       line = qn_box_query_next (&query))
-    search->near[count++] = line;
-  if (count > 1)
-    qsort (search->near, count, sizeof *search->near, qn_compare_ids);
-  return count;
-}
-
 static QnVec2
 direction (const QnVec2 ends[2])
 {
@@ -93,7 +76,17 @@ qn_bar_search_cross (QnBarSearch *search, const QnModel *model, QnContacts *cont
                      QnId index)
 {
   QnContactFace *face = &contacts->faces[index];
-  size_t count = find_near (search, face);
+  /* How many lines lie near a face. The margin is rounding where one crosses an end of
+   * it. */
+  QnBox box = qn_box_grow (qn_box_of_segment (face->start, face->end),
+                           QN_TOLERANCE_CONVEX * face->length);
+  QnBoxQuery query = qn_box_tree_query (&search->tree, box);
+  size_t count = 0;
+  for (QnId line = qn_box_query_next (&query); line != QN_NONE;
+       line = qn_box_query_next (&query))
+    search->near[count++] = line;
+  if (count > 1)
+    qsort (search->near, count, sizeof *search->near, qn_compare_ids);
 
   if (!qn_contacts_reserve_pairs (contacts, count))
     return;
@@ -178,28 +171,6 @@ side_of_face (const QnModel *model, const QnContacts *contacts, QnId p)
   return qn_vec2_cross (direction (ends), qn_vec2_sub (middle, pair->point)) > 0 ? 1 : -1;
 }
 
-/* Halves the bars at every place where there are faces on either side. */
-static void
-share_ends (const QnModel *model, QnContacts *contacts)
-{
-  size_t count;
-  QnBarCrossing *all =
-    qn_pool_add (&contacts->room, qn_bar_crossings (model, contacts, &count));
-
-  for (size_t first = 0, next; first < count; first = next) {
-    bool left = false, right = false;
-    for (next = first; next < count && qn_bar_crossings_meet (&all[first], &all[next]);
-         next++) {
-      int side = side_of_face (model, contacts, all[next].pair);
-      left |= side > 0;
-      right |= side < 0;
-    }
-    for (size_t i = first; i < next && left && right; i++)
-      if (side_of_face (model, contacts, all[i].pair) != 0)
-        contacts->pairs[all[i].pair].tributary *= 0.5;
-  }
-}
-
 /* Whether a point lies in a block, or on its outline. */
 static bool
 is_in_block (const QnBoxTree *blocks, const QnModel *model, QnVec2 at)
@@ -257,8 +228,24 @@ qn_bar_search_finish (const QnBarSearch *search, const QnModel *model,
   for (size_t i = 0; status == QN_OK && i < model->bar_count; i++)
     if (!search->used[i])
       status = qn_refuse (diag, QN_PROBLEM_BAR_UNUSED, QN_ENTITY_BAR, (QnId) i);
-  if (status == QN_OK)
-    share_ends (model, contacts);
+  if (status == QN_OK) {
+    /* Halves the bars at every place where there are faces on either side. */
+    size_t count;
+    QnBarCrossing *all =
+      qn_pool_add (&contacts->room, qn_bar_crossings (model, contacts, &count));
+    for (size_t first = 0, next; first < count; first = next) {
+      bool left = false, right = false;
+      for (next = first; next < count && qn_bar_crossings_meet (&all[first], &all[next]);
+           next++) {
+        int side = side_of_face (model, contacts, all[next].pair);
+        left |= side > 0;
+        right |= side < 0;
+      }
+      for (size_t i = first; i < next && left && right; i++)
+        if (side_of_face (model, contacts, all[i].pair) != 0)
+          contacts->pairs[all[i].pair].tributary *= 0.5;
+    }
+  }
   return status;
 }
 

@@ -104,22 +104,6 @@ lies_on (QnVec2 corner, const QnSide *side, bool with_start, double tolerance)
          && along < side->length - tolerance;
 }
 
-/* Every corner is the start of one side; where two corners meet, only the first test sees it. */
-static void
-match_corners (const QnContactSearch *search, const QnSide *a, const QnSide *b,
-               Match match, Matches *matches)
-{
-  match.kind = MATCH_TOUCH;
-  if (lies_on (a->start, b, true, search->lengths.tolerance)) {
-    match.start = match.end = a->start;
-    add_match (search, matches, match);
-  }
-  if (lies_on (b->start, a, false, search->lengths.tolerance)) {
-    match.start = match.end = b->start;
-    add_match (search, matches, match);
-  }
-}
-
 static int
 compare_matches (const void *left, const void *right)
 {
@@ -151,7 +135,17 @@ find_matches (const QnContactSearch *search, QnId a, QnId b, Matches *matches)
       Match match = { .side_a = (QnId) (side_a - sides),
                       .side_b = (QnId) (side_b - sides) };
       match_stretch (search, side_a, side_b, match, matches);
-      match_corners (search, side_a, side_b, match, matches);
+      /* Every corner is the start of one side; where two corners meet, only the first
+       * test sees it. */
+      match.kind = MATCH_TOUCH;
+      if (lies_on (side_a->start, side_b, true, search->lengths.tolerance)) {
+        match.start = match.end = side_a->start;
+        add_match (search, matches, match);
+      }
+      if (lies_on (side_b->start, side_a, false, search->lengths.tolerance)) {
+        match.start = match.end = side_b->start;
+        add_match (search, matches, match);
+      }
     }
   }
   if (matches->count > 1)

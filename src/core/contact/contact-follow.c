@@ -186,13 +186,6 @@ is_joined (const QnContactFollow *follow, QnId a, QnId b, const QnSide *side,
   return false;
 }
 
-/* Whether the boundary of the block bulges at the end of side i of its `count` ones. */
-static bool
-is_convex_corner (const QnSide *sides, size_t i, size_t count)
-{
-  return qn_vec2_cross (sides[i].direction, sides[(i + 1) % count].direction) > 0;
-}
-
 /* Corners of block b near sides of block a. */
 static void
 list_corners (QnContactFollow *follow, QnId a, QnId b, const double *displacements,
@@ -204,7 +197,8 @@ list_corners (QnContactFollow *follow, QnId a, QnId b, const double *displacemen
   bool joined = is_joined (follow, a, b, NULL, NULL);
 
   for (size_t i = 0; i < corners; i++) {
-    if (!is_convex_corner (own, i, corners))
+    /* Whether the boundary of the block bulges at the end of side i of its `count` ones. */
+    if (!(qn_vec2_cross (own[i].direction, own[(i + 1) % corners].direction) > 0))
       continue;
     const QnSide *next = &own[(i + 1) % corners];
     const QnSide *const both[2] = { &own[i], next };
@@ -229,37 +223,6 @@ list_corners (QnContactFollow *follow, QnId a, QnId b, const double *displacemen
                                           .foot = at.along });
     }
   }
-}
-
-static void
-list_all (QnContactFollow *follow, const double *displacements, double margin)
-{
-  const QnModel *model = follow->model;
-  size_t blocks = model->block_count;
-  QnPool room = { 0 };
-  QnBox *boxes = qn_pool_alloc (&room, blocks, sizeof *boxes);
-  QnBoxTree tree;
-  QnBoxPairs pairs = { 0 };
-
-  for (size_t b = 0; boxes != NULL && b < blocks; b++) {
-    const QnVec2 *v = qn_model_block_vertices (model, (QnId) b);
-    boxes[b] = QN_BOX_EMPTY;
-    for (QnId i = 0; i < model->blocks[b].vertex_count; i++)
-      qn_box_add_point (&boxes[b], qn_block_place (model, (QnId) b, displacements, v[i]));
-  }
-  qn_box_tree_init (&tree, boxes, blocks, &room);
-  follow->pool.failed |=
-    room.failed || !qn_box_tree_pairs (&tree, margin, MOST_NEAR * blocks, &pairs);
-  for (size_t i = 0; i < pairs.count; i++) {
-    QnId a = pairs.items[i][0], b = pairs.items[i][1];
-    if (qn_support_is_full (model->blocks[a].support)
-        && qn_support_is_full (model->blocks[b].support))
-      continue;
-    list_corners (follow, a, b, displacements, margin);
-    list_corners (follow, b, a, displacements, margin);
-  }
-  qn_box_pairs_clear (&pairs);
-  qn_pool_clear (&room);
 }
 
 static bool
@@ -349,7 +312,31 @@ qn_contact_follow_search (QnContactFollow *follow, const double *displacements,
 
   follow->found = NULL;
   follow->count = follow->capacity = 0;
-  list_all (follow, displacements, margin);
+  const QnModel *model = follow->model;
+  size_t blocks = model->block_count;
+  QnPool room = { 0 };
+  QnBox *boxes = qn_pool_alloc (&room, blocks, sizeof *boxes);
+  QnBoxTree tree;
+  QnBoxPairs pairs = { 0 };
+  for (size_t b = 0; boxes != NULL && b < blocks; b++) {
+    const QnVec2 *v = qn_model_block_vertices (model, (QnId) b);
+    boxes[b] = QN_BOX_EMPTY;
+    for (QnId i = 0; i < model->blocks[b].vertex_count; i++)
+      qn_box_add_point (&boxes[b], qn_block_place (model, (QnId) b, displacements, v[i]));
+  }
+  qn_box_tree_init (&tree, boxes, blocks, &room);
+  follow->pool.failed |=
+    room.failed || !qn_box_tree_pairs (&tree, margin, MOST_NEAR * blocks, &pairs);
+  for (size_t i = 0; i < pairs.count; i++) {
+    QnId a = pairs.items[i][0], b = pairs.items[i][1];
+    if (qn_support_is_full (model->blocks[a].support)
+        && qn_support_is_full (model->blocks[b].support))
+      continue;
+    list_corners (follow, a, b, displacements, margin);
+    list_corners (follow, b, a, displacements, margin);
+  }
+  qn_box_pairs_clear (&pairs);
+  qn_pool_clear (&room);
   free (follow->origins);
   follow->active = qn_alloc (follow->count, sizeof *follow->active);
   follow->origins = qn_alloc (follow->count, sizeof *follow->origins);

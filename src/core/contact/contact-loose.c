@@ -10,29 +10,6 @@ typedef struct {
   size_t *faces;
 } FaceLists;
 
-static void
-face_lists_init (FaceLists *lists, size_t block_count, QnContacts *contacts)
-{
-  lists->first = qn_pool_alloc (&contacts->room, block_count + 2, sizeof *lists->first);
-  lists->faces =
-    qn_pool_alloc (&contacts->room, 2 * contacts->face_count, sizeof *lists->faces);
-  if (contacts->room.failed)
-    return;
-
-  /* Counting sort, shifted by one so that filling moves every start to its place. */
-  size_t *end = lists->first + 1;
-  for (size_t i = 0; i < contacts->face_count; i++) {
-    end[contacts->faces[i].a + 1]++;
-    end[contacts->faces[i].b + 1]++;
-  }
-  for (size_t i = 1; i <= block_count; i++)
-    end[i] += end[i - 1];
-  for (size_t i = 0; i < contacts->face_count; i++) {
-    lists->faces[end[contacts->faces[i].a]++] = i;
-    lists->faces[end[contacts->faces[i].b]++] = i;
-  }
-}
-
 static bool
 has_face_at (const FaceLists *lists, const QnContacts *contacts, QnId block, QnVec2 at,
              double tolerance)
@@ -78,7 +55,24 @@ qn_contact_search_points (const QnContactSearch *search, QnContacts *contacts,
   size_t earlier = contacts->findings.count, next = 0;
   FaceLists lists;
 
-  face_lists_init (&lists, search->model->block_count, contacts);
+  size_t block_count = search->model->block_count;
+  lists.first = qn_pool_alloc (&contacts->room, block_count + 2, sizeof *lists.first);
+  lists.faces =
+    qn_pool_alloc (&contacts->room, 2 * contacts->face_count, sizeof *lists.faces);
+  if (!contacts->room.failed) {
+    /* Counting sort, shifted by one so that filling moves every start to its place. */
+    size_t *end = lists.first + 1;
+    for (size_t i = 0; i < contacts->face_count; i++) {
+      end[contacts->faces[i].a + 1]++;
+      end[contacts->faces[i].b + 1]++;
+    }
+    for (size_t i = 1; i <= block_count; i++)
+      end[i] += end[i - 1];
+    for (size_t i = 0; i < contacts->face_count; i++) {
+      lists.faces[end[contacts->faces[i].a]++] = i;
+      lists.faces[end[contacts->faces[i].b]++] = i;
+    }
+  }
   for (size_t i = 0; i < touches->count && !contacts->room.failed; i++) {
     const QnTouch *touch = &touches->items[i];
     if (!(has_face_at (&lists, contacts, touch->a, touch->at, near)

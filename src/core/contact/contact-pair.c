@@ -141,33 +141,6 @@ evaluate_joined (const QnPairSprings *springs, const QnPairMemory *committed,
   r->varies = whole.varies;
 }
 
-/* The pair's response from the state that the iteration ended in. */
-static void
-take_series (const QnPairSeries *series, QnPairResponse *r)
-{
-  static const int ranks[QN_PAIR_STATE_COUNT] = {
-    [QN_PAIR_STICK] = 0, [QN_PAIR_YIELD] = 1, [QN_PAIR_SLIP] = 2, [QN_PAIR_OPEN] = 3
-  };
-  const QnSpringResponse *a = &series->a, *b = &series->b;
-  double inverse[2][2], share[2][2];
-
-  qn_pair_series_flexibility (series, inverse);
-  for (int i = 0; i < 2; i++)
-    for (int j = 0; j < 2; j++)
-      share[i][j] = inverse[i][0] * b->tangent[0][j] + inverse[i][1] * b->tangent[1][j];
-  for (int i = 0; i < 2; i++) {
-    for (int j = 0; j < 2; j++)
-      r->tangent[i][j] = a->tangent[i][0] * share[0][j] + a->tangent[i][1] * share[1][j];
-    r->force[i] = a->force[i];
-    r->memory.qa[i] = series->qa[i];
-    r->memory.qb[i] = series->q[i] - series->qa[i];
-  }
-  r->memory.a = a->memory;
-  r->memory.b = b->memory;
-  r->state = ranks[a->state] > ranks[b->state] ? a->state : b->state;
-  r->varies = a->varies || b->varies;
-}
-
 static bool
 solve_series (const QnPairSprings *springs, const QnPairMemory *committed,
               const double q[2], QnPairResponse *r)
@@ -180,7 +153,28 @@ solve_series (const QnPairSprings *springs, const QnPairMemory *committed,
     for (int i = 0; i < INTERNAL_SWEEPS && !(series.size <= QN_TOLERANCE_SERIES); i++)
       qn_pair_series_sweep (&series);
   }
-  take_series (&series, r);
+  /* The pair's response from the state that the iteration ended in. */
+  static const int ranks[QN_PAIR_STATE_COUNT] = {
+    [QN_PAIR_STICK] = 0, [QN_PAIR_YIELD] = 1, [QN_PAIR_SLIP] = 2, [QN_PAIR_OPEN] = 3
+  };
+  const QnSpringResponse *a = &series.a, *b = &series.b;
+  double inverse[2][2], share[2][2];
+
+  qn_pair_series_flexibility (&series, inverse);
+  for (int i = 0; i < 2; i++)
+    for (int j = 0; j < 2; j++)
+      share[i][j] = inverse[i][0] * b->tangent[0][j] + inverse[i][1] * b->tangent[1][j];
+  for (int i = 0; i < 2; i++) {
+    for (int j = 0; j < 2; j++)
+      r->tangent[i][j] = a->tangent[i][0] * share[0][j] + a->tangent[i][1] * share[1][j];
+    r->force[i] = a->force[i];
+    r->memory.qa[i] = series.qa[i];
+    r->memory.qb[i] = series.q[i] - series.qa[i];
+  }
+  r->memory.a = a->memory;
+  r->memory.b = b->memory;
+  r->state = ranks[a->state] > ranks[b->state] ? a->state : b->state;
+  r->varies = a->varies || b->varies;
   return series.size <= QN_TOLERANCE_SERIES;
 }
 

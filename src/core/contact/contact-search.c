@@ -32,40 +32,6 @@ is_convex (const QnSides *sides, size_t block)
   return true;
 }
 
-static void
-describe_blocks (QnContactSearch *search)
-{
-  const QnModel *model = search->model;
-  for (size_t i = 0; i < model->block_count; i++) {
-    search->block_boxes[i] = qn_model_block_box (model, (QnId) i);
-    search->convex[i] = is_convex (&search->sides, i);
-  }
-}
-
-/* The trees of the sides of blocks that have many. */
-static void
-plant_sides (QnContactSearch *search)
-{
-  QnId blocks = (QnId) search->model->block_count;
-  size_t most = 0;
-  for (QnId i = 0; i < blocks; i++)
-    most = qn_side_count (search, i) > most ? qn_side_count (search, i) : most;
-  if (most <= QN_FEW_SIDES)
-    return;
-
-  QnBox *boxes = qn_pool_alloc (search->room, most, sizeof *boxes);
-  search->side_trees =
-    qn_pool_alloc (search->room, (size_t) blocks, sizeof *search->side_trees);
-  for (QnId i = 0; i < blocks && !search->room->failed; i++) {
-    size_t count = qn_side_count (search, i);
-    if (count <= QN_FEW_SIDES)
-      continue;
-    for (size_t k = 0; k < count; k++)
-      boxes[k] = qn_side_box (&search->sides.items[search->sides.first[i] + k]);
-    qn_box_tree_init (&search->side_trees[i], boxes, count, search->room);
-  }
-}
-
 void
 qn_contact_search_init (QnContactSearch *search, const QnModel *model,
                         QnContactLengths lengths, QnPool *room)
@@ -77,9 +43,29 @@ qn_contact_search_init (QnContactSearch *search, const QnModel *model,
   qn_sides_init (&search->sides, model, search->lengths.tolerance, room);
   if (room->failed)
     return;
-  describe_blocks (search);
+  for (size_t i = 0; i < model->block_count; i++) {
+    search->block_boxes[i] = qn_model_block_box (model, (QnId) i);
+    search->convex[i] = is_convex (&search->sides, i);
+  }
   qn_box_tree_init (&search->block_tree, search->block_boxes, model->block_count, room);
-  plant_sides (search);
+  /* The trees of the sides of blocks that have many. */
+  QnId blocks = (QnId) search->model->block_count;
+  size_t most = 0;
+  for (QnId i = 0; i < blocks; i++)
+    most = qn_side_count (search, i) > most ? qn_side_count (search, i) : most;
+  if (most <= QN_FEW_SIDES)
+    return;
+  QnBox *boxes = qn_pool_alloc (search->room, most, sizeof *boxes);
+  search->side_trees =
+    qn_pool_alloc (search->room, (size_t) blocks, sizeof *search->side_trees);
+  for (QnId i = 0; i < blocks && !search->room->failed; i++) {
+    size_t count = qn_side_count (search, i);
+    if (count <= QN_FEW_SIDES)
+      continue;
+    for (size_t k = 0; k < count; k++)
+      boxes[k] = qn_side_box (&search->sides.items[search->sides.first[i] + k]);
+    qn_box_tree_init (&search->side_trees[i], boxes, count, search->room);
+  }
 }
 
 /* --- All pairs of blocks that lie near each other, one after the other ------------------- */

@@ -45,31 +45,24 @@ run_length (const QnVec2 *v, size_t count, size_t first, size_t limit, double to
   return edges > 0 ? edges : 1;
 }
 
-/* A vertex where the boundary certainly turns, to begin with: the one farthest from the
- * centroid, which is a corner of the convex hull. */
-static size_t
-sharp_vertex (const QnVec2 *v, size_t count, QnVec2 centroid)
-{
-  size_t farthest = 0;
-  double most = -1;
-  for (size_t i = 0; i < count; i++) {
-    QnVec2 arm = qn_vec2_sub (v[i], centroid);
-    double square = qn_vec2_dot (arm, arm);
-    if (square > most) {
-      most = square;
-      farthest = i;
-    }
-  }
-  return farthest;
-}
-
 /* Appends the sides of one block; items has room for one per vertex. */
 static void
 collect_sides (QnSides *sides, const QnModel *model, QnId block, double tolerance)
 {
   size_t count = (size_t) model->blocks[block].vertex_count;
   const QnVec2 *v = qn_model_block_vertices (model, block);
-  size_t begin = sharp_vertex (v, count, model->blocks[block].centroid);
+  /* A vertex where the boundary certainly turns, to begin with: the one farthest from the
+   * centroid, which is a corner of the convex hull. */
+  size_t begin = 0;
+  double most = -1;
+  for (size_t i = 0; i < count; i++) {
+    QnVec2 arm = qn_vec2_sub (v[i], model->blocks[block].centroid);
+    double square = qn_vec2_dot (arm, arm);
+    if (square > most) {
+      most = square;
+      begin = i;
+    }
+  }
   for (size_t done = 0; done < count;) {
     size_t edges = run_length (v, count, begin + done, count - done, tolerance);
     QnSide *side = &sides->items[sides->count++];

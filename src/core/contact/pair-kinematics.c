@@ -69,34 +69,29 @@ turn_away (QnVec2 a, Turn turn)
                              2 * turn.sine * turn.cosine, qn_vec2_perp (a));
 }
 
-static void
-update (QnPairKinematics *pair, const double v[6], Turn a, Turn b)
-{
-  QnVec2 move_a = turn_away (pair->arm_a, a), move_b = turn_away (pair->arm_b, b);
-  QnVec2 d = qn_vec2_add (qn_vec2_sub (qn_vec2 (v[3], v[4]), qn_vec2 (v[0], v[1])),
-                          qn_vec2_sub (move_b, move_a));
-  /* Two halves make the frame's rotation: of both blocks, or of a alone. */
-  Turn other = pair->share == 0.5 ? b : a;
-
-  if (pair->share != 0.5)
-    d = qn_vec2_add (d, pair->apart);
-  pair->frame =
-    qn_vec2_rotate (pair->normal, a.cosine * other.cosine - a.sine * other.sine,
-                    a.sine * other.cosine + a.cosine * other.sine);
-  pair->turned_a = qn_vec2_add (pair->arm_a, move_a);
-  pair->turned_b = qn_vec2_add (pair->arm_b, move_b);
-  pair->elongation[0] = qn_vec2_dot (pair->frame, d);
-  pair->elongation[1] = qn_vec2_dot (qn_vec2_perp (pair->frame), d);
-}
-
 void
 qn_pair_kinematics_update (QnPairKinematics *pairs, int32_t count, const double v[6])
 {
   if (count == 0)
     return;
   Turn a = turn_by (v[2] / pairs->length), b = turn_by (v[5] / pairs->length);
-  for (int32_t p = 0; p < count; p++)
-    update (&pairs[p], v, a, b);
+  for (int32_t p = 0; p < count; p++) {
+    QnPairKinematics *pair = &pairs[p];
+    QnVec2 move_a = turn_away (pair->arm_a, a), move_b = turn_away (pair->arm_b, b);
+    QnVec2 d = qn_vec2_add (qn_vec2_sub (qn_vec2 (v[3], v[4]), qn_vec2 (v[0], v[1])),
+                            qn_vec2_sub (move_b, move_a));
+    /* Two halves make the frame's rotation: of both blocks, or of a alone. */
+    Turn other = pair->share == 0.5 ? b : a;
+    if (pair->share != 0.5)
+      d = qn_vec2_add (d, pair->apart);
+    pair->frame =
+      qn_vec2_rotate (pair->normal, a.cosine * other.cosine - a.sine * other.sine,
+                      a.sine * other.cosine + a.cosine * other.sine);
+    pair->turned_a = qn_vec2_add (pair->arm_a, move_a);
+    pair->turned_b = qn_vec2_add (pair->arm_b, move_b);
+    pair->elongation[0] = qn_vec2_dot (pair->frame, d);
+    pair->elongation[1] = qn_vec2_dot (qn_vec2_perp (pair->frame), d);
+  }
 }
 
 /* With the force F = f_n n + f_t t, which turns with the frame, the shares s of block a and r = 1 - s of

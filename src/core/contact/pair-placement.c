@@ -11,26 +11,6 @@ static const double least_bending = 0.8, most_bending = 1.25, most_crushing = 1.
 /* Sine of the angle between two faces of a block from which on its neighbours lie in two directions. */
 #define SIDEWAYS 0.5
 
-/* Fills the exception of each face, NULL where there is none; of two for the same blocks the later one
- * counts. Those without a face are findings. */
-static void
-find_exceptions (const QnModel *model, QnContacts *contacts, const QnFaceOverride **own)
-{
-  for (size_t i = 0; i < model->override_count; i++) {
-    const QnFaceOverride *override = &model->overrides[i];
-    QnId a = override->block_a, b = override->block_b;
-    size_t face, end;
-    if (a > b)
-      a = override->block_b, b = override->block_a;
-    QnVec2 at = qn_vec2_lerp (model->blocks[a].centroid, model->blocks[b].centroid, 0.5);
-    qn_contacts_between (contacts, a, b, &face, &end);
-    if (face == end)
-      qn_contacts_tell (contacts, QN_PROBLEM_OVERRIDE_UNUSED, a, b, QN_NONE, at, 0);
-    for (; face < end; face++)
-      own[face] = override;
-  }
-}
-
 static QnId
 law_of_side (const QnModel *model, QnId block, QnId other,
              const QnFaceOverride *exception)
@@ -132,28 +112,6 @@ count_in (QnFinding *finding, const QnContactFace *face, double value)
   finding->value = value;
 }
 
-/* What the pairs misstate. Bending stiffness counts in large displacements; Gauss-Lobatto pairs have that
- * of the face between its rounded edges. */
-static void
-judge_pairs (const QnModel *model, const QnContactFace *face, const QnPairRule *rule,
-             QnFinding *bending, QnFinding *crushing)
-{
-  const QnLaw *a = &model->laws[face->law_a], *b = &model->laws[face->law_b];
-  bool per_pair = a->basis == QN_BASIS_CONTACT || b->basis == QN_BASIS_CONTACT;
-
-  if (!per_pair && model->analysis.geometry == QN_GEOMETRY_NONLINEAR
-      && rule->placement != QN_PLACEMENT_LOBATTO) {
-    double stiffness = qn_pair_rule_bending (rule, face->length);
-    if (stiffness < least_bending || stiffness > most_bending)
-      count_in (bending, face, stiffness);
-  }
-  if (qn_law_yields (a->kind) || qn_law_yields (b->kind)) {
-    double moment = qn_pair_rule_crushing (rule, face->length, per_pair);
-    if (moment > most_crushing)
-      count_in (crushing, face, moment);
-  }
-}
-
 /* The law that says how many pairs a face has where the rule does not: stiffness per pair is that of a
  * pair at an end, and crushing needs more of them. */
 static const QnLaw *
@@ -182,7 +140,21 @@ furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
   QnStatus status = place_pairs (contacts, index, &rule, diag);
   if (status != QN_OK)
     return status;
-  judge_pairs (model, face, &rule, &judged[0], &judged[1]);
+  /* What the pairs misstate. Bending stiffness counts in large displacements; Gauss-
+   * Lobatto pairs have that of the face between its rounded edges. */
+  const QnLaw *a = &model->laws[face->law_a], *b = &model->laws[face->law_b];
+  bool per_pair = a->basis == QN_BASIS_CONTACT || b->basis == QN_BASIS_CONTACT;
+  if (!per_pair && model->analysis.geometry == QN_GEOMETRY_NONLINEAR
+      && rule.placement != QN_PLACEMENT_LOBATTO) {
+    double stiffness = qn_pair_rule_bending (&rule, face->length);
+    if (stiffness < least_bending || stiffness > most_bending)
+      count_in (&judged[0], face, stiffness);
+  }
+  if (qn_law_yields (a->kind) || qn_law_yields (b->kind)) {
+    double moment = qn_pair_rule_crushing (&rule, face->length, per_pair);
+    if (moment > most_crushing)
+      count_in (&judged[1], face, moment);
+  }
   qn_bar_search_cross (bars, model, contacts, (QnId) index);
   return check_springs (model, contacts, (QnId) index, diag);
 }
@@ -217,38 +189,6 @@ typedef struct FirstFace {
   QnId law;
 } FirstFace;
 
-/* How the blocks lie that laws join. It is a finding of the first block where a law of a chain joins blocks
- * that have neighbours in two directions, or one of a grid blocks where none has; and where many blocks of
- * a law that is elastic in shear have, which is more than the corners of frames. */
-static void
-judge_arrangements (const QnModel *model, QnContacts *contacts)
-{
-  FirstFace *first = qn_pool_alloc (&contacts->room, model->block_count, sizeof *first);
-  LawUse *uses = qn_pool_alloc (&contacts->room, model->law_count, sizeof *uses);
-
-  if (contacts->room.failed)
-    return;
-  for (size_t i = 0; i < 2 * contacts->face_count; i++) {
-    const QnContactFace *face = &contacts->faces[i / 2];
-    QnId block = i % 2 == 0 ? face->a : face->b;
-    QnId id = i % 2 == 0 ? face->law_a : face->law_b;
-    LawUse *use = &uses[id];
-    if (model->blocks[block].rigid || !is_of_one_basis (model, face))
-      continue;
-    if (use->sides++ == 0)
-      use->block = block;
-    if (qn_vec2_length (first[block].normal) == 0)
-      first[block] = (FirstFace){ face->normal, id };
-    else if (first[block].law == id
-             && fabs (qn_vec2_cross (first[block].normal, face->normal)) > SIDEWAYS
-             && use->sideways++ == 0
-             && model->laws[id].arrangement == QN_ARRANGEMENT_CHAIN)
-      use->block = block;
-  }
-  for (size_t i = 0; i < model->law_count; i++)
-    report_use (contacts, &model->laws[i], (QnId) i, &uses[i]);
-}
-
 QnStatus
 qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
@@ -262,8 +202,24 @@ qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *dia
   };
 
   qn_bar_search_init (&bars, model, &contacts->room);
-  if (own != NULL)
-    find_exceptions (model, contacts, own);
+  if (own != NULL) {
+    /* Fills the exception of each face, NULL where there is none; of two for the same
+     * blocks the later one counts. Those without a face are findings. */
+    for (size_t i = 0; i < model->override_count; i++) {
+      const QnFaceOverride *override = &model->overrides[i];
+      QnId a = override->block_a, b = override->block_b;
+      size_t face, end;
+      if (a > b)
+        a = override->block_b, b = override->block_a;
+      QnVec2 at =
+        qn_vec2_lerp (model->blocks[a].centroid, model->blocks[b].centroid, 0.5);
+      qn_contacts_between (contacts, a, b, &face, &end);
+      if (face == end)
+        qn_contacts_tell (contacts, QN_PROBLEM_OVERRIDE_UNUSED, a, b, QN_NONE, at, 0);
+      for (; face < end; face++)
+        own[face] = override;
+    }
+  }
   for (size_t i = 0;
        i < contacts->face_count && status == QN_OK && !contacts->room.failed; i++)
     status = furnish_face (model, contacts, i, own[i], &bars, judged, diag);
@@ -272,7 +228,34 @@ qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *dia
   for (size_t i = 0; i < QN_N_ELEMENTS (judged); i++)
     if (judged[i].block_a != QN_NONE)
       qn_contacts_report (contacts, judged[i]);
-  if (status == QN_OK)
-    judge_arrangements (model, contacts);
+  if (status == QN_OK) {
+    /* How the blocks lie that laws join. It is a finding of the first block where a law
+     * of a chain joins blocks that have neighbours in two directions, or one of a grid
+     * blocks where none has; and where many blocks of a law that is elastic in shear
+     * have, which is more than the corners of frames. */
+    FirstFace *first = qn_pool_alloc (&contacts->room, model->block_count, sizeof *first);
+    LawUse *uses = qn_pool_alloc (&contacts->room, model->law_count, sizeof *uses);
+    if (!contacts->room.failed) {
+      for (size_t i = 0; i < 2 * contacts->face_count; i++) {
+        const QnContactFace *face = &contacts->faces[i / 2];
+        QnId block = i % 2 == 0 ? face->a : face->b;
+        QnId id = i % 2 == 0 ? face->law_a : face->law_b;
+        LawUse *use = &uses[id];
+        if (model->blocks[block].rigid || !is_of_one_basis (model, face))
+          continue;
+        if (use->sides++ == 0)
+          use->block = block;
+        if (qn_vec2_length (first[block].normal) == 0)
+          first[block] = (FirstFace){ face->normal, id };
+        else if (first[block].law == id
+                 && fabs (qn_vec2_cross (first[block].normal, face->normal)) > SIDEWAYS
+                 && use->sideways++ == 0
+                 && model->laws[id].arrangement == QN_ARRANGEMENT_CHAIN)
+          use->block = block;
+      }
+      for (size_t i = 0; i < model->law_count; i++)
+        report_use (contacts, &model->laws[i], (QnId) i, &uses[i]);
+    }
+  }
   return status;
 }

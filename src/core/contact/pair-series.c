@@ -8,26 +8,6 @@
 #define WIDENINGS  60
 #define NARROWINGS 60
 
-/* inverse * m = 1, with m regularised where both springs are without stiffness. */
-static void
-invert_sum (const QnPairSprings *s, double m[2][2], double inverse[2][2])
-{
-  double kn = s->a.kn + s->b.kn, ks = s->a.ks + s->b.ks;
-  double a = m[0][0] + QN_TOLERANCE_SERIES * kn, d = m[1][1] + QN_TOLERANCE_SERIES * ks;
-  double determinant = a * d - m[0][1] * m[1][0];
-
-  if (fabs (determinant) < QN_TOLERANCE_SERIES * QN_TOLERANCE_SERIES * kn * ks) {
-    inverse[0][0] = 1 / kn;
-    inverse[1][1] = 1 / ks;
-    inverse[0][1] = inverse[1][0] = 0;
-    return;
-  }
-  inverse[0][0] = d / determinant;
-  inverse[1][1] = a / determinant;
-  inverse[0][1] = -m[0][1] / determinant;
-  inverse[1][0] = -m[1][0] / determinant;
-}
-
 void
 qn_pair_series_flexibility (const QnPairSeries *series, double inverse[2][2])
 {
@@ -36,7 +16,22 @@ qn_pair_series_flexibility (const QnPairSeries *series, double inverse[2][2])
   for (int i = 0; i < 2; i++)
     for (int j = 0; j < 2; j++)
       sum[i][j] = series->a.tangent[i][j] + series->b.tangent[i][j];
-  invert_sum (series->springs, sum, inverse);
+  /* inverse * m = 1, with m regularised where both springs are without stiffness. */
+  double kn = series->springs->a.kn + series->springs->b.kn,
+         ks = series->springs->a.ks + series->springs->b.ks;
+  double a = sum[0][0] + QN_TOLERANCE_SERIES * kn,
+         d = sum[1][1] + QN_TOLERANCE_SERIES * ks;
+  double determinant = a * d - sum[0][1] * sum[1][0];
+  if (fabs (determinant) < QN_TOLERANCE_SERIES * QN_TOLERANCE_SERIES * kn * ks) {
+    inverse[0][0] = 1 / kn;
+    inverse[1][1] = 1 / ks;
+    inverse[0][1] = inverse[1][0] = 0;
+    return;
+  }
+  inverse[0][0] = d / determinant;
+  inverse[1][1] = a / determinant;
+  inverse[0][1] = -sum[0][1] / determinant;
+  inverse[1][0] = -sum[1][0] / determinant;
 }
 
 /* Evaluates both springs at the present share. */
@@ -79,18 +74,19 @@ qn_pair_series_start (QnPairSeries *series, const QnPairSprings *springs,
   evaluate (series);
 }
 
-/* Where neither spring has stiffness in a direction, both slip, yield or are open, and no tangent
- * shows how to share the elongation. But the stronger one cannot yield further: it is set back to
- * where it carries the force of the other elastically. Returns whether that was done. */
-static bool
-set_back_stronger (QnPairSeries *series)
+void
+qn_pair_series_step (QnPairSeries *series)
 {
+  double inverse[2][2];
+
+  /* Where neither spring has stiffness in a direction, both slip, yield or are open, and
+   * no tangent shows how to share the elongation. But the stronger one cannot yield
+   * further: it is set back to where it carries the force of the other elastically. */
   const QnPairSprings *s = series->springs;
   const QnSpringMemory *ma = &series->committed->a, *mb = &series->committed->b;
   const double origin_a[2] = { ma->opening, ma->slip }, ka[2] = { s->a.kn, s->a.ks };
   const double origin_b[2] = { mb->opening, mb->slip }, kb[2] = { s->b.kn, s->b.ks };
   bool done = false;
-
   for (int i = 0; i < 2; i++) {
     double stiffness = fabs (series->a.tangent[i][i]) + fabs (series->b.tangent[i][i]);
     double fa = series->a.force[i], fb = series->b.force[i];
@@ -102,15 +98,7 @@ set_back_stronger (QnPairSeries *series)
       series->qa[i] = series->q[i] - (origin_b[i] + fa / kb[i]);
     done = true;
   }
-  return done;
-}
-
-void
-qn_pair_series_step (QnPairSeries *series)
-{
-  double inverse[2][2];
-
-  if (!set_back_stronger (series)) {
+  if (!done) {
     qn_pair_series_flexibility (series, inverse);
     for (int i = 0; i < 2; i++)
       series->qa[i] -= inverse[i][0] * series->gap[0] + inverse[i][1] * series->gap[1];
@@ -127,41 +115,36 @@ gap_at (QnPairSeries *series, int i, double x)
   return series->gap[i];
 }
 
-/* Closes gap[i] along qa[i] alone, along which it grows: an interval that holds the root, then
- * false position with halved weights (Illinois). */
-static void
-close_gap (QnPairSeries *series, int i)
-{
-  const QnPairSprings *s = series->springs;
-  double stiffness = i == 0 ? s->a.kn + s->b.kn : s->a.ks + s->b.ks;
-  double low = series->qa[i], high = low, g_low = series->gap[i], g_high = g_low;
-  double reach = fabs (g_low) / stiffness;
-
-  for (int k = 0; k < WIDENINGS && g_low > 0; k++, reach *= 2)
-    g_low = gap_at (series, i, low -= reach);
-  for (int k = 0; k < WIDENINGS && g_high < 0; k++, reach *= 2)
-    g_high = gap_at (series, i, high += reach);
-  for (int k = 0; k < NARROWINGS && g_low < 0 && g_high > 0; k++) {
-    double x = (low * g_high - high * g_low) / (g_high - g_low);
-    double g = gap_at (series, i, x);
-    if (fabs (g) <= QN_TOLERANCE_SERIES * (fabs (series->a.force[i]) + stiffness * reach))
-      return;
-    if (g > 0) {
-      high = x;
-      g_high = g;
-      g_low *= 0.5;
-    } else {
-      low = x;
-      g_low = g;
-      g_high *= 0.5;
-    }
-  }
-}
-
 void
 qn_pair_series_sweep (QnPairSeries *series)
 {
   for (int i = 0; i < 2; i++)
-    if (series->gap[i] != 0)
-      close_gap (series, i);
+    if (series->gap[i] != 0) {
+      /* Closes gap[i] along qa[i] alone, along which it grows: an interval that holds the
+     * root, then false position with halved weights (Illinois). */
+      const QnPairSprings *s = series->springs;
+      double stiffness = i == 0 ? s->a.kn + s->b.kn : s->a.ks + s->b.ks;
+      double low = series->qa[i], high = low, g_low = series->gap[i], g_high = g_low;
+      double reach = fabs (g_low) / stiffness;
+      for (int k = 0; k < WIDENINGS && g_low > 0; k++, reach *= 2)
+        g_low = gap_at (series, i, low -= reach);
+      for (int k = 0; k < WIDENINGS && g_high < 0; k++, reach *= 2)
+        g_high = gap_at (series, i, high += reach);
+      for (int k = 0; k < NARROWINGS && g_low < 0 && g_high > 0; k++) {
+        double x = (low * g_high - high * g_low) / (g_high - g_low);
+        double g = gap_at (series, i, x);
+        if (fabs (g)
+            <= QN_TOLERANCE_SERIES * (fabs (series->a.force[i]) + stiffness * reach))
+          continue;
+        if (g > 0) {
+          high = x;
+          g_high = g;
+          g_low *= 0.5;
+        } else {
+          low = x;
+          g_low = g;
+          g_high *= 0.5;
+        }
+      }
+    }
 }

@@ -220,29 +220,6 @@ examine_members (Doubts *d, QnEntity entity, size_t index, QnId block, const voi
     }
 }
 
-static void
-examine_laws (Doubts *d)
-{
-  for (size_t i = 0; i < d->model->law_count; i++) {
-    const QnLaw *law = &d->model->laws[i];
-    size_t count;
-    const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
-    examine (d, (Row) (KN + law->basis), i, QN_NONE, law->kn);
-    examine (d, (Row) (KS + law->basis), i, QN_NONE, law->ks);
-    if (qn_law_may_bond (law->kind) && law->tension * law->friction > 0)
-      examine (d, APEX, i, QN_NONE,
-               fmin (law->tension * law->friction / law->cohesion, 1e9));
-    for (size_t k = 0; k < count; k++) {
-      double value = qn_law_get (law, &parameters[k]);
-      /* A strength in N or an energy in J depends on the size of what it belongs to. */
-      for (Row row = FRICTION; row <= DILATION_END; row++)
-        if (strcmp (parameters[k].key, ranges[row].key) == 0
-            && (law->basis != QN_BASIS_CONTACT || row == FRICTION || row == DILATION_END))
-          examine (d, row, i, QN_NONE, value);
-    }
-  }
-}
-
 static double
 size_of (QnBox box)
 {
@@ -279,37 +256,6 @@ free_weight (const QnModel *model)
     if (!model->blocks[i].support[QN_DOF_UY])
       weight += model->blocks[i].weight;
   return weight;
-}
-
-static void
-examine_loads (Doubts *d, double extent)
-{
-  const QnModel *model = d->model;
-  double weight = free_weight (model);
-  for (size_t i = 0; i < model->dead_load_count && weight > 0; i++) {
-    const QnLoad *load = &model->dead_loads[i];
-    double size = qn_vec2_length (load->vector);
-    if (load->kind == QN_LOAD_FORCE)
-      examine (d, DEAD_FORCE, i, load->block, size / weight);
-    else if (load->kind == QN_LOAD_WEIGHT)
-      examine (d, DEAD_WEIGHT, i, QN_NONE, size);
-    else if (load->kind == QN_LOAD_EDGE)
-      examine (d, DEAD_INTENSITY, i, load->block,
-               fmax (fabs (load->intensity[0]), fabs (load->intensity[1])));
-  }
-  for (size_t i = 0; i < qn_model_load_count (model); i++) {
-    const QnLoad *load = qn_model_load (model, i);
-    int live = i >= model->dead_load_count;
-    examine_members (d, live ? QN_ENTITY_LIVE_LOAD : QN_ENTITY_DEAD_LOAD,
-                     i - (live ? model->dead_load_count : 0), QN_NONE, load);
-  }
-  for (size_t i = 0; i < model->live_load_count && extent > 0; i++) {
-    const QnLoad *load = &model->live_loads[i];
-    bool turns = load->dof == QN_DOF_RZ;
-    if (load->kind == QN_LOAD_SETTLEMENT)
-      examine (d, turns ? TURN : SETTLEMENT, i, load->block,
-               load->value / (turns ? 1 : extent));
-  }
 }
 
 static void
@@ -369,19 +315,6 @@ examine_bars_and_beams (Doubts *d)
 
 /* ---- the dead load ---- */
 
-/* Sum of the dead loads on weights, as part of the weight. */
-static QnVec2
-dead_weight (const QnModel *model)
-{
-  QnVec2 sum = { 0, 0 };
-  for (size_t i = 0; i < model->dead_load_count; i++) {
-    const QnLoad *load = &model->dead_loads[i];
-    if (load->kind == QN_LOAD_WEIGHT)
-      sum = qn_vec2_add_scaled (sum, qn_model_load_factor (model, load), load->vector);
-  }
-  return sum;
-}
-
 /* Whether the joints of some law carry nothing unless they are pressed together. */
 static bool
 needs_pressure (const QnModel *model)
@@ -425,24 +358,6 @@ compare_bearings (const void *a, const void *b)
   return (p->upper > q->upper) - (p->upper < q->upper);
 }
 
-static Bearing
-bearing_of (const QnModel *model, const QnContacts *contacts, size_t face, QnVec2 down)
-{
-  const QnContactFace *of = &contacts->faces[face];
-  double a = qn_vec2_dot (model->blocks[of->a].centroid, down);
-  double b = qn_vec2_dot (model->blocks[of->b].centroid, down);
-  Bearing bearing = { fmin (a, b), a <= b ? of->a : of->b, a <= b ? of->b : of->a, 0 };
-  double n = qn_vec2_dot (of->normal, down), t = qn_vec2_dot (of->tangent, down);
-  for (int32_t k = 0; k < of->pair_count && fabs (n) >= fabs (t); k++) {
-    QnPairSprings s =
-      qn_contacts_pair_springs (model, contacts, (size_t) (of->first_pair + k));
-    double stiffness[2];
-    qn_pair_elastic_stiffness (&s, stiffness);
-    bearing.stiffness += stiffness[0] * n * n + stiffness[1] * t * t;
-  }
-  return bearing;
-}
-
 /* What every block stands on. */
 typedef struct Seat {
   double stiffness, width; /* N/m, m */
@@ -474,7 +389,14 @@ examine_sinking (Doubts *d)
 {
   QnContacts *contacts = d->contacts;
   const QnModel *model = d->model;
-  QnVec2 weight = dead_weight (model);
+  /* Sum of the dead loads on weights, as part of the weight. */
+  QnVec2 weight = { 0, 0 };
+  for (size_t i = 0; i < model->dead_load_count; i++) {
+    const QnLoad *load = &model->dead_loads[i];
+    if (load->kind == QN_LOAD_WEIGHT)
+      weight =
+        qn_vec2_add_scaled (weight, qn_model_load_factor (model, load), load->vector);
+  }
   double part = qn_vec2_length (weight), sinking = 0, deepest = 0;
   if (!(part > 0) || contacts->face_count == 0)
     return;
@@ -488,7 +410,19 @@ examine_sinking (Doubts *d)
   for (size_t i = 0; i < model->block_count; i++)
     seats[i].load = part * model->blocks[i].weight;
   for (size_t i = 0; i < contacts->face_count; i++) {
-    bearings[i] = bearing_of (model, contacts, i, down);
+    const QnContactFace *of = &contacts->faces[i];
+    double a = qn_vec2_dot (model->blocks[of->a].centroid, down);
+    double b = qn_vec2_dot (model->blocks[of->b].centroid, down);
+    Bearing bearing = { fmin (a, b), a <= b ? of->a : of->b, a <= b ? of->b : of->a, 0 };
+    double n = qn_vec2_dot (of->normal, down), t = qn_vec2_dot (of->tangent, down);
+    for (int32_t k = 0; k < of->pair_count && fabs (n) >= fabs (t); k++) {
+      QnPairSprings s =
+        qn_contacts_pair_springs (model, contacts, (size_t) (of->first_pair + k));
+      double stiffness[2];
+      qn_pair_elastic_stiffness (&s, stiffness);
+      bearing.stiffness += stiffness[0] * n * n + stiffness[1] * t * t;
+    }
+    bearings[i] = bearing;
     seats[bearings[i].upper].stiffness += bearings[i].stiffness;
     if (bearings[i].stiffness > 0)
       seats[bearings[i].upper].width += contacts->faces[i].length;
@@ -573,35 +507,70 @@ qn_contacts_find_slivers (const QnModel *model, QnContacts *contacts, QnId **row
   return true;
 }
 
-/* Of slivers side by side the first is told, with their number. */
-static void
-examine_slivers (Doubts *d)
-{
-  QnId *row, *beside;
-  const size_t n = d->model->block_count;
-  QnId *counts = qn_pool_alloc (&d->contacts->room, n, sizeof *counts);
-  if (counts == NULL || !qn_contacts_find_slivers (d->model, d->contacts, &row, &beside))
-    return;
-  for (size_t i = 0; i < n; i++)
-    if (row[i] != QN_NONE)
-      counts[row[i]]++;
-  for (size_t i = 0; i < n; i++)
-    if (counts[i] > 0)
-      qn_contacts_tell (d->contacts, QN_PROBLEM_BLOCK_SLIVER, (QnId) i, beside[i],
-                        counts[i], d->model->blocks[i].centroid, 0);
-}
-
 void
 qn_contacts_report_doubts (const QnModel *model, QnContacts *contacts)
 {
   Doubts d = { .contacts = contacts, .model = model };
   double extent = examine_blocks (&d);
   examine_members (&d, QN_ENTITY_MODEL, 0, QN_NONE, model);
-  examine_laws (&d);
+  for (size_t i = 0; i < model->law_count; i++) {
+    const QnLaw *law = &model->laws[i];
+    size_t count;
+    const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
+    examine (&d, (Row) (KN + law->basis), i, QN_NONE, law->kn);
+    examine (&d, (Row) (KS + law->basis), i, QN_NONE, law->ks);
+    if (qn_law_may_bond (law->kind) && law->tension * law->friction > 0)
+      examine (&d, APEX, i, QN_NONE,
+               fmin (law->tension * law->friction / law->cohesion, 1e9));
+    for (size_t k = 0; k < count; k++) {
+      double value = qn_law_get (law, &parameters[k]);
+      /* A strength in N or an energy in J depends on the size of what it belongs to. */
+      for (Row row = FRICTION; row <= DILATION_END; row++)
+        if (strcmp (parameters[k].key, ranges[row].key) == 0
+            && (law->basis != QN_BASIS_CONTACT || row == FRICTION || row == DILATION_END))
+          examine (&d, row, i, QN_NONE, value);
+    }
+  }
   examine_bars_and_beams (&d);
-  examine_loads (&d, extent);
+  double weight = free_weight (model);
+  for (size_t i = 0; i < model->dead_load_count && weight > 0; i++) {
+    const QnLoad *load = &model->dead_loads[i];
+    double size = qn_vec2_length (load->vector);
+    if (load->kind == QN_LOAD_FORCE)
+      examine (&d, DEAD_FORCE, i, load->block, size / weight);
+    else if (load->kind == QN_LOAD_WEIGHT)
+      examine (&d, DEAD_WEIGHT, i, QN_NONE, size);
+    else if (load->kind == QN_LOAD_EDGE)
+      examine (&d, DEAD_INTENSITY, i, load->block,
+               fmax (fabs (load->intensity[0]), fabs (load->intensity[1])));
+  }
+  for (size_t i = 0; i < qn_model_load_count (model); i++) {
+    const QnLoad *load = qn_model_load (model, i);
+    int live = i >= model->dead_load_count;
+    examine_members (&d, live ? QN_ENTITY_LIVE_LOAD : QN_ENTITY_DEAD_LOAD,
+                     i - (live ? model->dead_load_count : 0), QN_NONE, load);
+  }
+  for (size_t i = 0; i < model->live_load_count && extent > 0; i++) {
+    const QnLoad *load = &model->live_loads[i];
+    bool turns = load->dof == QN_DOF_RZ;
+    if (load->kind == QN_LOAD_SETTLEMENT)
+      examine (&d, turns ? TURN : SETTLEMENT, i, load->block,
+               load->value / (turns ? 1 : extent));
+  }
   examine_analysis (&d, extent);
   examine_dead_load (&d);
   examine_sinking (&d);
-  examine_slivers (&d);
+  /* Of slivers side by side the first is told, with their number. */
+  QnId *row, *beside;
+  const size_t n = model->block_count;
+  QnId *counts = qn_pool_alloc (&contacts->room, n, sizeof *counts);
+  if (counts == NULL || !qn_contacts_find_slivers (model, contacts, &row, &beside))
+    return;
+  for (size_t i = 0; i < n; i++)
+    if (row[i] != QN_NONE)
+      counts[row[i]]++;
+  for (size_t i = 0; i < n; i++)
+    if (counts[i] > 0)
+      qn_contacts_tell (contacts, QN_PROBLEM_BLOCK_SLIVER, (QnId) i, beside[i], counts[i],
+                        model->blocks[i].centroid, 0);
 }

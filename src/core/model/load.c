@@ -65,19 +65,6 @@ qn_model_load_body (const QnModel *model, const QnLoad *load)
                                     : (size_t) load->block;
 }
 
-/* Adds a force acting at a point of the body and a free moment; at the centroid the force has
- * no arm. */
-static void
-add_force (const QnModel *model, const QnLoad *load, double factor, double *forces)
-{
-  double *out = forces + QN_DOF_COUNT * qn_model_load_body (model, load);
-  QnVec2 arm = qn_model_load_arm (model, load);
-  double moment = load->moment + qn_vec2_cross (arm, load->vector); /* M + r x F */
-  out[QN_DOF_UX] += factor * load->vector.x;
-  out[QN_DOF_UY] += factor * load->vector.y;
-  out[QN_DOF_RZ] += factor * moment;
-}
-
 /* Factor of a load by its set, 0 for dead loads; without `factors` 1 for dead loads, 0 for others. */
 static double
 part_of (const QnLoad *load, const double *factors)
@@ -103,8 +90,16 @@ qn_model_set_forces (const QnModel *model, const double *factors, double *forces
       out[QN_DOF_UY] += part * (model->blocks[b].weight * load.vector.y);
     }
     /* Those of loads on edges come behind the loads. */
-    if (load.kind == QN_LOAD_FORCE || load.kind == QN_LOAD_NODE)
-      add_force (model, &load, part, forces);
+    if (load.kind == QN_LOAD_FORCE || load.kind == QN_LOAD_NODE) {
+      /* Adds a force acting at a point of the body and a free moment; at the centroid the
+       * force has no arm. */
+      double *out = forces + QN_DOF_COUNT * qn_model_load_body (model, &load);
+      QnVec2 arm = qn_model_load_arm (model, &load);
+      double moment = load.moment + qn_vec2_cross (arm, load.vector); /* M + r x F */
+      out[QN_DOF_UX] += part * load.vector.x;
+      out[QN_DOF_UY] += part * load.vector.y;
+      out[QN_DOF_RZ] += part * moment;
+    }
   }
 }
 

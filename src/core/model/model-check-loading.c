@@ -52,15 +52,6 @@ check_edge_load (const QnModel *model, const QnLoad *load, QnSubject of)
          && (load->normal || check_direction (load->vector, of));
 }
 
-/* Infinite ends are those that are not given. */
-static bool
-check_span (const double span[2], const char *from, const char *to, QnSubject of)
-{
-  return qn_require (of, !isnan (span[0]), QN_PROBLEM_NOT_FINITE, from, span[0])
-         && qn_require (of, !isnan (span[1]), QN_PROBLEM_NOT_FINITE, to, span[1])
-         && qn_require (of, span[0] < span[1], QN_PROBLEM_LOADED_PART, from, span[0]);
-}
-
 /* Surcharge and backfill. */
 static bool
 check_fill (const QnLoad *load, QnSubject of)
@@ -68,13 +59,19 @@ check_fill (const QnLoad *load, QnSubject of)
   const bool backfill = load->kind == QN_LOAD_BACKFILL;
   const double angle = load->friction_angle;
 
+  /* Infinite ends are those that are not given. */
+  const char *from = backfill ? "bottom" : "from";
   if (!qn_require_number (of, backfill ? "surcharge" : "pressure", load->pressure,
                           QN_RANGE_NOT_NEGATIVE)
       || !qn_require_number (of, "unit_weight", load->unit_weight, QN_RANGE_NOT_NEGATIVE)
       || !qn_require_number (of, "level", load->level, QN_RANGE_FINITE)
       || !qn_require_number (of, "coefficient", load->coefficient, QN_RANGE_NOT_NEGATIVE)
-      || !check_span (load->span, backfill ? "bottom" : "from", backfill ? "top" : "to",
-                      of))
+      || !(qn_require (of, !isnan (load->span[0]), QN_PROBLEM_NOT_FINITE, from,
+                       load->span[0])
+           && qn_require (of, !isnan (load->span[1]), QN_PROBLEM_NOT_FINITE,
+                          backfill ? "top" : "to", load->span[1])
+           && qn_require (of, load->span[0] < load->span[1], QN_PROBLEM_LOADED_PART, from,
+                          load->span[0])))
     return false;
   return !backfill
          || (qn_require (
@@ -85,27 +82,20 @@ check_fill (const QnLoad *load, QnSubject of)
                             "friction_angle", angle));
 }
 
-/* The points of a fill's surface, from left to right. */
-static bool
-check_surface (const QnLoad *load, QnSubject of)
-{
-  bool holds = qn_require (of, load->surface_count >= 2, QN_PROBLEM_SURFACE, "surface", 0)
-               && qn_require (of, load->surface_count <= QN_MAX_SURFACE_POINTS,
-                              QN_PROBLEM_TOO_LARGE, "surface", load->surface_count);
-
-  for (int32_t i = 0; i < load->surface_count && holds; i++)
-    holds = qn_require_vector (of, "surface", load->surface[i])
-            && qn_require (of, i == 0 || load->surface[i - 1].x < load->surface[i].x,
-                           QN_PROBLEM_SURFACE, "surface", 0);
-  return holds;
-}
-
 static bool
 check_soil (const QnLoad *load, QnSubject of)
 {
   const double angle = load->friction_angle, part = load->mobilisation;
 
-  return check_surface (load, of)
+  /* The points of a fill's surface, from left to right. */
+  bool holds = qn_require (of, load->surface_count >= 2, QN_PROBLEM_SURFACE, "surface", 0)
+               && qn_require (of, load->surface_count <= QN_MAX_SURFACE_POINTS,
+                              QN_PROBLEM_TOO_LARGE, "surface", load->surface_count);
+  for (int32_t i = 0; i < load->surface_count && holds; i++)
+    holds = qn_require_vector (of, "surface", load->surface[i])
+            && qn_require (of, i == 0 || load->surface[i - 1].x < load->surface[i].x,
+                           QN_PROBLEM_SURFACE, "surface", 0);
+  return holds
          && qn_require_number (of, "unit_weight", load->unit_weight,
                                QN_RANGE_NOT_NEGATIVE)
          && qn_require (of, angle >= 0 && angle < RIGHT_ANGLE, QN_PROBLEM_EARTH_ANGLE,
@@ -114,21 +104,6 @@ check_soil (const QnLoad *load, QnSubject of)
                         part)
          && qn_require_number (of, "stiffness", load->stiffness, QN_RANGE_POSITIVE)
          && qn_require (of, !isnan (load->span[0]), QN_PROBLEM_NOT_FINITE, "bottom", 0);
-}
-
-static bool
-check_vehicle_load (const QnModel *model, const QnLoad *load, QnSubject of)
-{
-  return qn_require_index (of, "vehicle", load->vehicle, model->vehicle_count,
-                           QN_PROBLEM_VEHICLE_UNKNOWN)
-         && qn_require_number (of, "position", load->position, QN_RANGE_FINITE)
-         && qn_require_number (of, "convoy", load->convoy, QN_RANGE_POSITIVE)
-         && qn_require (of, load->convoy <= QN_MAX_CONVOY, QN_PROBLEM_TOO_LARGE, "convoy",
-                        load->convoy)
-         && qn_require_number (of, "headway", load->headway, QN_RANGE_NOT_NEGATIVE)
-         && qn_require_number (of, "width", load->width, QN_RANGE_NOT_NEGATIVE)
-         && qn_require_number (of, "effective_width", load->effective,
-                               QN_RANGE_NOT_NEGATIVE);
 }
 
 static bool
@@ -170,7 +145,16 @@ check_load (const QnModel *model, const QnLoad *load, QnSubject of)
   if (load->kind == QN_LOAD_FILL)
     return check_soil (load, of);
   if (load->kind == QN_LOAD_VEHICLE)
-    return check_vehicle_load (model, load, of);
+    return qn_require_index (of, "vehicle", load->vehicle, model->vehicle_count,
+                             QN_PROBLEM_VEHICLE_UNKNOWN)
+           && qn_require_number (of, "position", load->position, QN_RANGE_FINITE)
+           && qn_require_number (of, "convoy", load->convoy, QN_RANGE_POSITIVE)
+           && qn_require (of, load->convoy <= QN_MAX_CONVOY, QN_PROBLEM_TOO_LARGE,
+                          "convoy", load->convoy)
+           && qn_require_number (of, "headway", load->headway, QN_RANGE_NOT_NEGATIVE)
+           && qn_require_number (of, "width", load->width, QN_RANGE_NOT_NEGATIVE)
+           && qn_require_number (of, "effective_width", load->effective,
+                                 QN_RANGE_NOT_NEGATIVE);
   if (!check_loaded (model, load, of))
     return false;
   if (load->kind == QN_LOAD_SETTLEMENT)

@@ -245,40 +245,35 @@ duplicate_name (const char *name, bool *failed)
   return copy;
 }
 
-/* Makes a list, which is the source's, one of its own. One that could not be copied is empty, so that
- * the copy may be cleared. */
-static void
-copy_list (QnModel *copy, const List *list, bool *failed)
-{
-  size_t count = count_of (copy, list);
-  char *items = duplicate (items_of (copy, list), count, list->size, failed), *name;
-
-  count = items != NULL ? count : 0;
-  for (size_t i = 0; list->named && i < count; i++) {
-    memcpy (&name, items + i * list->size, sizeof name);
-    name = duplicate_name (name, failed);
-    memcpy (items + i * list->size, &name, sizeof name);
-  }
-  memcpy ((char *) copy + list->items, &items, sizeof items);
-  memcpy ((char *) copy + list->count, &count, sizeof count);
-  memcpy ((char *) copy + list->capacity, &count, sizeof count);
-  if (list->index == 0)
-    return;
-  QnNameIndex *index = index_of (copy, list);
-  index->slots =
-    duplicate (index->slots, index->slot_count, sizeof *index->slots, failed);
-  if (index->slots == NULL)
-    *index = (QnNameIndex){ 0 };
-}
-
 QnStatus
 qn_model_copy (const QnModel *source, QnModel *copy, QnDiag *diag)
 {
   bool failed = false;
   *copy = *source;
   copy->title = duplicate_name (source->title, &failed);
-  for (size_t i = 0; i < QN_N_ELEMENTS (lists); i++)
-    copy_list (copy, &lists[i], &failed);
+  for (size_t i = 0; i < QN_N_ELEMENTS (lists); i++) {
+    /* Makes a list, which is the source's, one of its own. One that could not be copied
+     * is empty, so that the copy may be cleared. */
+    const List *list = &lists[i];
+    size_t count = count_of (copy, list);
+    char *items = duplicate (items_of (copy, list), count, list->size, &failed), *name;
+    count = items != NULL ? count : 0;
+    for (size_t k = 0; list->named && k < count; k++) {
+      memcpy (&name, items + k * list->size, sizeof name);
+      name = duplicate_name (name, &failed);
+      memcpy (items + k * list->size, &name, sizeof name);
+    }
+    memcpy ((char *) copy + list->items, &items, sizeof items);
+    memcpy ((char *) copy + list->count, &count, sizeof count);
+    memcpy ((char *) copy + list->capacity, &count, sizeof count);
+    if (list->index != 0) {
+      QnNameIndex *index = index_of (copy, list);
+      index->slots =
+        duplicate (index->slots, index->slot_count, sizeof *index->slots, &failed);
+      if (index->slots == NULL)
+        *index = (QnNameIndex){ 0 };
+    }
+  }
   for (size_t i = 0; i < copy->law_count; i++)
     copy->laws[i].source = duplicate_name (copy->laws[i].source, &failed);
   for (size_t i = 0; i < copy->vehicle_count; i++)

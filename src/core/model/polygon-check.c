@@ -29,16 +29,6 @@ check_numbers (const QnVec2 *vertices, size_t count)
   return no_flaw;
 }
 
-/* Length below which distances in this polygon count as none. */
-static double
-resolution (const QnVec2 *vertices, size_t count)
-{
-  QnBox box = qn_box_of_points (vertices, count);
-  double far = fmax (fmax (fabs (box.min.x), fabs (box.max.x)),
-                     fmax (fabs (box.min.y), fabs (box.max.y)));
-  return QN_TOLERANCE_POLYGON * qn_box_size (box) + QN_TOLERANCE_COORDINATE * far;
-}
-
 /* Whether all vertices lie on one line: that of the first vertex and the one farthest from it. */
 static bool
 is_flat (const QnVec2 *vertices, size_t count, double tolerance)
@@ -163,7 +153,12 @@ qn_polygon_check (const QnVec2 *vertices, size_t count)
   if (found.problem != QN_PROBLEM_NONE)
     return found;
 
-  double tolerance = resolution (vertices, count);
+  /* Length below which distances in this polygon count as none. */
+  QnBox box = qn_box_of_points (vertices, count);
+  double far = fmax (fmax (fabs (box.min.x), fabs (box.max.x)),
+                     fmax (fabs (box.min.y), fabs (box.max.y)));
+  double tolerance =
+    QN_TOLERANCE_POLYGON * qn_box_size (box) + QN_TOLERANCE_COORDINATE * far;
   for (size_t i = 0; i < count; i++) {
     size_t next = (i + 1) % count;
     if (qn_vec2_length (qn_vec2_sub (vertices[next], vertices[i])) <= tolerance)

@@ -24,15 +24,6 @@ fill_mobilised (const QnLoad *fill)
   return active > 0 ? fmax (fill->mobilisation / active - active, 0) : 0;
 }
 
-/* Pressure at rest less Ka. */
-static double
-fill_at_rest (const QnLoad *fill)
-{
-  double above = qn_earth_at_rest (fill->friction_angle) - qn_fill_active (fill);
-
-  return fmin (fmax (above, 0), fill_mobilised (fill));
-}
-
 void
 qn_model_drop_soil (QnModel *model)
 {
@@ -70,7 +61,10 @@ add_tie (QnModel *model, const QnLoad *fill, QnId block, const Push *push, doubl
   tie->area = push->area;
   tie->elasticity = fill->stiffness * reach;
   tie->yield = fill_mobilised (fill) * push->stress / push->area;
-  tie->prestress = fmin (fill_at_rest (fill) * push->stress, tie->yield * tie->area);
+  /* Pressure at rest less Ka. */
+  double above = qn_earth_at_rest (fill->friction_angle) - qn_fill_active (fill);
+  tie->prestress = fmin (fmin (fmax (above, 0), fill_mobilised (fill)) * push->stress,
+                         tie->yield * tie->area);
   return QN_OK;
 }
 
