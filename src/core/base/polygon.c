@@ -81,25 +81,18 @@ qn_polygon_depth (const QnVec2 *vertices, size_t count, QnVec2 point)
   return inside ? nearest : -nearest;
 }
 
-/* Lowest vertex, the leftmost of several: certainly a convex corner. */
-static size_t
-lowest_vertex (const QnVec2 *vertices, size_t count)
-{
-  size_t lowest = 0;
-  for (size_t i = 1; i < count; i++) {
-    if (vertices[i].y < vertices[lowest].y
-        || (vertices[i].y == vertices[lowest].y && vertices[i].x < vertices[lowest].x))
-      lowest = i;
-  }
-  return lowest;
-}
-
 /* Cuts off the triangle at a convex corner. If it is empty of other vertices its centroid is
  * inside; otherwise the vertex in it that lies deepest sees the corner, and half-way is inside. */
 QnVec2
 qn_polygon_inner_point (const QnVec2 *vertices, size_t count)
 {
-  size_t corner = lowest_vertex (vertices, count);
+  /* Lowest vertex, the leftmost of several: certainly a convex corner. */
+  size_t corner = 0;
+  for (size_t i = 1; i < count; i++) {
+    if (vertices[i].y < vertices[corner].y
+        || (vertices[i].y == vertices[corner].y && vertices[i].x < vertices[corner].x))
+      corner = i;
+  }
   size_t before = (corner + count - 1) % count;
   size_t after = (corner + 1) % count;
   QnVec2 p = qn_vec2_sub (vertices[before], vertices[corner]);

@@ -102,28 +102,6 @@ add_row (Chain *c, QnId a, QnId b, QnVec2 point, QnDof axis)
                                    .axis = axis };
 }
 
-static void
-add_rows (Chain *c, const QnContacts *contacts)
-{
-  for (size_t f = 0; f < c->mechanism->joint_count; f++) {
-    QnJointKind kind = c->mechanism->joints[f].kind;
-    QnId a = body_of (c, contacts->faces[f].a), b = body_of (c, contacts->faces[f].b);
-    QnVec2 ends[2];
-    qn_joint_corners (contacts, (QnId) f, &ends[0], &ends[1]);
-    if ((kind != QN_JOINT_HINGE_START && kind != QN_JOINT_HINGE_END) || a == b)
-      continue;
-    for (int axis = QN_DOF_UX; axis <= QN_DOF_UY; axis++)
-      add_row (c, a != QN_NONE ? a : b, a != QN_NONE ? b : a,
-               ends[kind == QN_JOINT_HINGE_END], (QnDof) axis);
-  }
-  for (size_t b = 0; b < c->model->block_count; b++) {
-    const QnBlock *block = &c->model->blocks[b];
-    for (int axis = 0; axis < QN_DOF_COUNT && body_of (c, (QnId) b) != QN_NONE; axis++)
-      if (block->support[axis])
-        add_row (c, body_of (c, (QnId) b), QN_NONE, block->centroid, (QnDof) axis);
-  }
-}
-
 /* How far the points of every condition are apart, and what moves them. */
 static void
 place_rows (Chain *c)
@@ -204,28 +182,6 @@ solve (Chain *c)
       c->p[i] = c->z[i] + next / square * c->p[i];
     square = next;
   }
-}
-
-/* Closes the hinges that a step has parted. False where they cannot be. */
-static bool
-close_hinges (Chain *c)
-{
-  double largest = 0;
-
-  for (int k = 0; k < 4; k++) {
-    place_rows (c);
-    largest = 0;
-    for (size_t i = 0; i < c->row_count; i++) {
-      c->right[i] = c->rows[i].gap;
-      largest = fmax (largest, fabs (c->rows[i].gap));
-    }
-    if (largest <= 1e-12 * c->size)
-      break;
-    solve (c);
-    for (size_t i = 0; i < c->n; i++)
-      c->u[i] -= c->x[i];
-  }
-  return largest <= PARTED * c->size;
 }
 
 /* Takes off the velocities what parts the hinges, and scales them: the fastest body has 1. Returns how
@@ -389,7 +345,23 @@ chain_init (Chain *c, const QnModel *model, const QnContacts *contacts,
   if (c->pool.failed)
     return false;
   add_bodies (c, base);
-  add_rows (c, contacts);
+  for (size_t f = 0; f < c->mechanism->joint_count; f++) {
+    QnJointKind kind = c->mechanism->joints[f].kind;
+    QnId a = body_of (c, contacts->faces[f].a), b = body_of (c, contacts->faces[f].b);
+    QnVec2 ends[2];
+    qn_joint_corners (contacts, (QnId) f, &ends[0], &ends[1]);
+    if ((kind != QN_JOINT_HINGE_START && kind != QN_JOINT_HINGE_END) || a == b)
+      continue;
+    for (int axis = QN_DOF_UX; axis <= QN_DOF_UY; axis++)
+      add_row (c, a != QN_NONE ? a : b, a != QN_NONE ? b : a,
+               ends[kind == QN_JOINT_HINGE_END], (QnDof) axis);
+  }
+  for (size_t b = 0; b < c->model->block_count; b++) {
+    const QnBlock *block = &c->model->blocks[b];
+    for (int axis = 0; axis < QN_DOF_COUNT && body_of (c, (QnId) b) != QN_NONE; axis++)
+      if (block->support[axis])
+        add_row (c, body_of (c, (QnId) b), QN_NONE, block->centroid, (QnDof) axis);
+  }
   place_rows (c);
   return true;
 }
@@ -405,34 +377,6 @@ static QnVec2
 arm_of_block (const Chain *c, QnId block)
 {
   return arm_of (c, body_of (c, block), c->model->blocks[block].centroid);
-}
-
-/* Control block, M*, e* and the ratio of displacements, of the velocities as built. False where the chain
- * or the control block does not move with the load. */
-static bool
-find_chain_masses (const Chain *c, QnCapacity *capacity, QnId control)
-{
-  QnMassSums sums = { 0 };
-  double farthest = 0;
-
-  capacity->block = control;
-  for (size_t b = 0; b < c->model->block_count; b++) {
-    const QnBlock *block = &c->model->blocks[b];
-    QnId body = body_of (c, (QnId) b);
-    double motion = along (c, velocity (c, body, arm_of_block (c, (QnId) b)));
-    if (body == QN_NONE && !qn_support_is_full (block->support))
-      capacity->left_out += block->weight / c->model->gravity;
-    capacity->participating += body != QN_NONE;
-    if (control != QN_NONE ? (QnId) b == control : motion > farthest * (1 + 1e-9)) {
-      farthest = motion;
-      capacity->block = (QnId) b;
-    }
-  }
-  for (size_t i = 0; i < c->force_count; i++) {
-    const Force *f = &c->forces[i];
-    qn_mass_sums_add (&sums, f->seismic, along (c, velocity (c, f->body, f->arm)));
-  }
-  return qn_capacity_set_masses (capacity, sums, farthest, c->model->gravity);
 }
 
 /* The work of ties as the chain has moved, and whether one of them breaks here. */
@@ -499,7 +443,22 @@ follow (Chain *c, QnCapacity *capacity, double tie_strain, QnDiag *diag)
     /* A chain with one freedom is right wherever its hinges close again. */
     for (size_t i = 0; i < c->n; i++)
       c->u[i] += STEP * c->size * c->v[i];
-    if (!close_hinges (c))
+    /* Closes the hinges that a step has parted. False where they cannot be. */
+    double largest = 0;
+    for (int k = 0; k < 4; k++) {
+      place_rows (c);
+      largest = 0;
+      for (size_t i = 0; i < c->row_count; i++) {
+        c->right[i] = c->rows[i].gap;
+        largest = fmax (largest, fabs (c->rows[i].gap));
+      }
+      if (largest <= 1e-12 * c->size)
+        break;
+      solve (c);
+      for (size_t i = 0; i < c->n; i++)
+        c->u[i] -= c->x[i];
+    }
+    if (!(largest <= PARTED * c->size))
       break;
     project (c);
   }
@@ -538,7 +497,28 @@ analyse (Chain *c, QnCapacity *capacity, const QnContacts *contacts, QnId contro
     return refuse (QN_PROBLEM_CAPACITY_LOADS, diag);
   if (project (c) > DEVIATION)
     return refuse (QN_PROBLEM_MECHANISM_SLIDES, diag);
-  if (!find_chain_masses (c, capacity, control))
+  /* Control block, M*, e* and the ratio of displacements, of the velocities as built.
+   * False where the chain or the control block does not move with the load. */
+  QnMassSums sums = { 0 };
+  double farthest = 0;
+  capacity->block = control;
+  for (size_t b = 0; b < c->model->block_count; b++) {
+    const QnBlock *block = &c->model->blocks[b];
+    QnId body = body_of (c, (QnId) b);
+    double motion = along (c, velocity (c, body, arm_of_block (c, (QnId) b)));
+    if (body == QN_NONE && !qn_support_is_full (block->support))
+      capacity->left_out += block->weight / c->model->gravity;
+    capacity->participating += body != QN_NONE;
+    if (control != QN_NONE ? (QnId) b == control : motion > farthest * (1 + 1e-9)) {
+      farthest = motion;
+      capacity->block = (QnId) b;
+    }
+  }
+  for (size_t i = 0; i < c->force_count; i++) {
+    const Force *f = &c->forces[i];
+    qn_mass_sums_add (&sums, f->seismic, along (c, velocity (c, f->body, f->arm)));
+  }
+  if (!qn_capacity_set_masses (capacity, sums, farthest, c->model->gravity))
     return qn_refuse (diag, QN_PROBLEM_CAPACITY_MOTION, QN_ENTITY_BLOCK, capacity->block);
   status = stretch_ties (c, &capacity->works[QN_WORK_TIES], diag);
   if (status != QN_OK)

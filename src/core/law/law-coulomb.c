@@ -159,33 +159,6 @@ crush (const QnSpring *s, const double q[2], double t_trial, QnSpringResponse *r
   return true;
 }
 
-/* With mu the residual friction. */
-static void
-rub (const QnSpring *s, const QnSpringMemory *committed, const double q[2],
-     QnSpringResponse *r)
-{
-  double n_trial = s->kn * (q[0] - committed->opening);
-  double t_trial = s->ks * (q[1] - committed->slip);
-  double open = qn_spring_risen (s, committed, q[1]);
-  bool slips = fabs (t_trial) + s->residual * n_trial > 0 || is_too_deep (s, n_trial);
-
-  *r = (QnSpringResponse){ .memory = *committed, .state = QN_PAIR_STICK };
-  if (crush (s, q, t_trial, r))
-    return;
-  if (q[0] > open && (slips || n_trial > 0)) {
-    r->memory.slip = q[1];
-    r->memory.opening = open;
-    r->state = QN_PAIR_OPEN;
-  } else if (slips) {
-    slide (s, q, t_trial < 0 ? -1 : 1, r);
-  } else {
-    r->force[0] = n_trial;
-    r->force[1] = t_trial;
-    r->tangent[0][0] = s->kn;
-    r->tangent[1][1] = s->ks;
-  }
-}
-
 /* --- Bond -------------------------------------------------------------------------------- */
 
 /* Strength at which exponential softening ends, and the area below the rest of the curve, both of those of
@@ -299,7 +272,26 @@ void
 qn_law_coulomb_evaluate (const QnSpring *s, const QnSpringMemory *committed,
                          const double q[2], QnSpringResponse *r)
 {
-  rub (s, committed, q, r);
+  /* With mu the residual friction. */
+  double n_trial = s->kn * (q[0] - committed->opening);
+  double t_trial = s->ks * (q[1] - committed->slip);
+  double open = qn_spring_risen (s, committed, q[1]);
+  bool slips = fabs (t_trial) + s->residual * n_trial > 0 || is_too_deep (s, n_trial);
+  *r = (QnSpringResponse){ .memory = *committed, .state = QN_PAIR_STICK };
+  if (!crush (s, q, t_trial, r)) {
+    if (q[0] > open && (slips || n_trial > 0)) {
+      r->memory.slip = q[1];
+      r->memory.opening = open;
+      r->state = QN_PAIR_OPEN;
+    } else if (slips) {
+      slide (s, q, t_trial < 0 ? -1 : 1, r);
+    } else {
+      r->force[0] = n_trial;
+      r->force[1] = t_trial;
+      r->tangent[0][0] = s->kn;
+      r->tangent[1][1] = s->ks;
+    }
+  }
   if (committed->extreme < 1 && qn_spring_has_bond (s))
     add_bond (s, committed, q, r);
 }

@@ -140,19 +140,6 @@ evaluate_curve (const QnSpring *s, const QnSpringMemory *committed, const double
 
 /* --- Parameters ------------------------------------------------------------------------- */
 
-/* What is wrong with point i, the one nearer to the origin being `inner`. */
-static QnProblem
-point_problem (const QnLaw *law, QnVec2 inner, QnVec2 point)
-{
-  double de = fabs (point.x - inner.x), df = fabs (point.y) - fabs (inner.y);
-
-  if (point.x * point.y < 0 || (point.x == 0 && point.y != 0))
-    return QN_PROBLEM_CURVE_SIGN;
-  if (df > law->kn * de * (1 + STEEP))
-    return QN_PROBLEM_CURVE_TOO_STEEP;
-  return QN_PROBLEM_NONE;
-}
-
 /* The descent of a side of the law itself: plastic elongation times force above the last one;
  * 0 where it does not descend. */
 static double
@@ -193,11 +180,17 @@ check_point (const QnLaw *law, int32_t i)
     return QN_PROBLEM_NOT_FINITE;
   if (i > 0 && p[i].x <= p[i - 1].x)
     return QN_PROBLEM_CURVE_ORDER;
-  return point_problem (law,
-                        p[i].x > 0 && inner_before  ? p[i - 1]
-                        : p[i].x < 0 && inner_after ? p[i + 1]
-                                                    : origin,
-                        p[i]);
+  /* What is wrong with point i, the one nearer to the origin being `inner`. */
+  QnVec2 inner = p[i].x > 0 && inner_before  ? p[i - 1]
+                 : p[i].x < 0 && inner_after ? p[i + 1]
+                                             : origin;
+  QnVec2 point = p[i];
+  double de = fabs (point.x - inner.x), df = fabs (point.y) - fabs (inner.y);
+  if (point.x * point.y < 0 || (point.x == 0 && point.y != 0))
+    return QN_PROBLEM_CURVE_SIGN;
+  if (df > law->kn * de * (1 + STEEP))
+    return QN_PROBLEM_CURVE_TOO_STEEP;
+  return QN_PROBLEM_NONE;
 }
 
 /* A law for all sizes of blocks must say what energy its descent dissipates. */

@@ -207,30 +207,6 @@ list_all_entries (QnBlockLu *lu, const int32_t *ap, const int32_t *ai, QnPool *r
   lu->matrices[tree->front_count].first_entry = fill;
 }
 
-/* Finds where the solution, or what is summed up beside it, holds the rests of a part's fronts. `place`: of
- * every position; `where`: scratch of the same size. */
-static void
-place_rests (QnBlockLu *lu, const Part *part, const int32_t *place, int32_t *where)
-{
-  const QnFrontTree *tree = &lu->tree;
-  const QnFront *root = &tree->fronts[part->end - 1];
-
-  for (int32_t r = 0; r < root->rest; r++) {
-    int32_t row = tree->rows[root->first_row + r];
-    where[row] = (int32_t) lu->outside_count;
-    lu->outside_places[lu->outside_count++] = place[row];
-  }
-  for (int32_t f = part->first; f < part->end; f++) {
-    const QnFront *front = &tree->fronts[f];
-    const int32_t *rows = tree->rows + front->first_row;
-    int32_t *inside = &lu->matrices[f].inside;
-    while (*inside < front->rest && rows[*inside] < root->first + root->pivots)
-      ++*inside;
-    for (int32_t r = 0; r < front->rest; r++)
-      lu->rest_places[front->first_row + r] = (r < *inside ? place : where)[rows[r]];
-  }
-}
-
 /* Makes room for the rest of one of the fronts. */
 static void
 widen_scratch (const QnBlockLu *lu, int32_t f, size_t begin, size_t *end)
@@ -238,22 +214,6 @@ widen_scratch (const QnBlockLu *lu, int32_t f, size_t begin, size_t *end)
   size_t size = matrix_size (lu->tree.fronts[f].rest, 1);
 
   *end = size > *end - begin ? begin + size : *end;
-}
-
-static void
-lay_out_scratch (QnBlockLu *lu)
-{
-  size_t end = 0;
-
-  for (Part *part = lu->parts; part < lu->parts + lu->part_count; part++) {
-    part->scratch = end;
-    for (int32_t f = part->first; f < part->end; f++)
-      widen_scratch (lu, f, part->scratch, &end);
-  }
-  lu->scratch_above = end;
-  for (int32_t t = 0; t < lu->top_count; t++)
-    widen_scratch (lu, lu->top[t], lu->scratch_above, &end);
-  lu->scratch = qn_pool_lines (&lu->pool, end, sizeof *lu->scratch);
 }
 
 /* Finds the places of all unknowns in the solution. */
@@ -281,8 +241,26 @@ lay_out_solution (QnBlockLu *lu, QnPool *room)
       place[tree->fronts[f].first + c] = lu->matrices[f].first_place + c;
   for (int32_t i = 0; i < tree->n; i++)
     lu->unknown_places[i] = place[tree->position[i]];
-  for (int32_t p = 0; p < lu->part_count; p++)
-    place_rests (lu, &lu->parts[p], place, where);
+  for (int32_t p = 0; p < lu->part_count; p++) {
+    /* Finds where the solution, or what is summed up beside it, holds the rests of a
+     * part's fronts. `place`: of every position; `where`: scratch of the same size. */
+    const Part *part = &lu->parts[p];
+    const QnFront *root = &tree->fronts[part->end - 1];
+    for (int32_t r = 0; r < root->rest; r++) {
+      int32_t row = tree->rows[root->first_row + r];
+      where[row] = (int32_t) lu->outside_count;
+      lu->outside_places[lu->outside_count++] = place[row];
+    }
+    for (int32_t f = part->first; f < part->end; f++) {
+      const QnFront *front = &tree->fronts[f];
+      const int32_t *rows = tree->rows + front->first_row;
+      int32_t *inside = &lu->matrices[f].inside;
+      while (*inside < front->rest && rows[*inside] < root->first + root->pivots)
+        ++*inside;
+      for (int32_t r = 0; r < front->rest; r++)
+        lu->rest_places[front->first_row + r] = (r < *inside ? place : where)[rows[r]];
+    }
+  }
   for (int32_t t = 0; t < lu->top_count; t++) {
     const QnFront *front = &tree->fronts[lu->top[t]];
     lu->matrices[lu->top[t]].inside = front->rest;
@@ -311,7 +289,16 @@ set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai, QnPool *
   lay_out_parts (lu, room);
   if (room->failed || lu->pool.failed)
     return false;
-  lay_out_scratch (lu);
+  size_t end = 0;
+  for (Part *part = lu->parts; part < lu->parts + lu->part_count; part++) {
+    part->scratch = end;
+    for (int32_t f = part->first; f < part->end; f++)
+      widen_scratch (lu, f, part->scratch, &end);
+  }
+  lu->scratch_above = end;
+  for (int32_t t = 0; t < lu->top_count; t++)
+    widen_scratch (lu, lu->top[t], lu->scratch_above, &end);
+  lu->scratch = qn_pool_lines (&lu->pool, end, sizeof *lu->scratch);
   lay_out_solution (lu, room);
   list_all_entries (lu, ap, ai, room);
   return !room->failed && !lu->pool.failed;
@@ -375,58 +362,6 @@ has_new_values (const QnBlockLu *lu, int32_t f)
   return e < end;
 }
 
-/* Puts the values of A that come into a front there, and keeps them for comparison. */
-static void
-take_values (QnBlockLu *lu, int32_t f, double *diagonal)
-{
-  const double *ax = lu->ax;
-  int32_t e = lu->matrices[f].first_entry, end = lu->matrices[f + 1].first_entry;
-
-  for (; e < end; e++)
-    diagonal[lu->places[e]] = lu->values[e] = ax[lu->sources[e]];
-}
-
-/* Adds what of a child's rest are pivots here, to D, L and U; */
-static void
-add_to_pivots (const QnBlockLu *lu, int32_t c, const QnDenseFront *front)
-{
-  const QnFront *child = &lu->tree.fronts[c];
-  const int32_t *places = lu->tree.places + child->first_row, pivots = front->pivots;
-  const int32_t known = lu->matrices[c].pivots_of_parent;
-  const double *column = dense_front (lu, c).schur;
-
-  for (int32_t j = 0; j < child->rest; j++, column += qn_front_height (child->rest)) {
-    const int32_t own = j < known ? places[j] : 0;
-    double *diagonal = front->diagonal + matrix_size (pivots, own);
-    double *lower = front->lower + matrix_size (front->rest, own);
-    for (int32_t r = 0; r < known && j < known; r++)
-      diagonal[places[r]] += column[r];
-    for (int32_t r = known; r < child->rest && j < known; r++)
-      lower[places[r] - pivots] += column[r];
-    for (int32_t r = 0; r < known && j >= known; r++)
-      front
-        ->upper[matrix_size (front->rest, places[r]) + (size_t) (places[j] - pivots)] +=
-        column[r];
-  }
-}
-
-/* and the other part of it to S. */
-static void
-add_to_rest (const QnBlockLu *lu, int32_t c, const QnDenseFront *front)
-{
-  const QnFront *child = &lu->tree.fronts[c];
-  const int32_t *places = lu->tree.places + child->first_row, pivots = front->pivots;
-  const int32_t known = lu->matrices[c].pivots_of_parent;
-  const double *schur = dense_front (lu, c).schur;
-
-  for (int32_t j = known; j < child->rest; j++) {
-    double *target = front->schur + matrix_size (front->rest, places[j] - pivots);
-    const double *column = schur + matrix_size (child->rest, j);
-    for (int32_t r = known; r < child->rest; r++)
-      target[places[r] - pivots] += column[r];
-  }
-}
-
 static bool
 factor_front (QnBlockLu *lu, int32_t f)
 {
@@ -434,14 +369,49 @@ factor_front (QnBlockLu *lu, int32_t f)
   QnDenseFront front = dense_front (lu, f);
 
   memset (front.diagonal, 0, (m->schur - m->diagonal) * sizeof (double));
-  take_values (lu, f, front.diagonal);
-  for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE; c = lu->tree.fronts[c].sibling)
-    add_to_pivots (lu, c, &front);
+  /* Puts the values of A that come into a front there, and keeps them for comparison. */
+  const double *ax = lu->ax;
+  int32_t e = lu->matrices[f].first_entry, end = lu->matrices[f + 1].first_entry;
+  for (; e < end; e++)
+    front.diagonal[lu->places[e]] = lu->values[e] = ax[lu->sources[e]];
+  for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE;
+       c = lu->tree.fronts[c].sibling) {
+    /* Adds what of a child's rest are pivots here, to D, L and U; */
+    const QnFront *child = &lu->tree.fronts[c];
+    const int32_t *places = lu->tree.places + child->first_row, pivots = front.pivots;
+    const int32_t known = lu->matrices[c].pivots_of_parent;
+    const double *column = dense_front (lu, c).schur;
+    for (int32_t j = 0; j < child->rest; j++, column += qn_front_height (child->rest)) {
+      const int32_t own = j < known ? places[j] : 0;
+      double *diagonal = front.diagonal + matrix_size (pivots, own);
+      double *lower = front.lower + matrix_size (front.rest, own);
+      for (int32_t r = 0; r < known && j < known; r++)
+        diagonal[places[r]] += column[r];
+      for (int32_t r = known; r < child->rest && j < known; r++)
+        lower[places[r] - pivots] += column[r];
+      for (int32_t r = 0; r < known && j >= known; r++)
+        front
+          .upper[matrix_size (front.rest, places[r]) + (size_t) (places[j] - pivots)] +=
+          column[r];
+    }
+  }
   m->range = (QnPivotRange){ INFINITY, 0 };
   if (!lu->loops->eliminate (&front, &m->range))
     return false;
-  for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE; c = lu->tree.fronts[c].sibling)
-    add_to_rest (lu, c, &front);
+  for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE;
+       c = lu->tree.fronts[c].sibling) {
+    /* and the other part of it to S. */
+    const QnFront *child = &lu->tree.fronts[c];
+    const int32_t *places = lu->tree.places + child->first_row, pivots = front.pivots;
+    const int32_t known = lu->matrices[c].pivots_of_parent;
+    const double *schur = dense_front (lu, c).schur;
+    for (int32_t j = known; j < child->rest; j++) {
+      double *target = front.schur + matrix_size (front.rest, places[j] - pivots);
+      const double *column = schur + matrix_size (child->rest, j);
+      for (int32_t r = known; r < child->rest; r++)
+        target[places[r] - pivots] += column[r];
+    }
+  }
   return true;
 }
 

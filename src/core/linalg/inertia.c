@@ -114,35 +114,6 @@ qn_inertia_free (QnInertia *inertia)
   free (inertia);
 }
 
-/* Signs of the pivots of a factor, of which each counts as zero that is no more than rounding of
- * the terms it is the sum of, S_kk = sum l^2 d. */
-static void
-count_pivots (QnInertia *inertia, double largest, QnInertiaCount *count)
-{
-  const cholmod_factor *factor = inertia->factor;
-  const int32_t *lp = factor->p, *li = factor->i, *lnz = factor->nz;
-  const double *lx = factor->x;
-  double *sums = inertia->sums, most = 0;
-
-  memset (sums, 0, (size_t) inertia->n * sizeof *sums);
-  for (int32_t j = 0; j < inertia->n; j++) {
-    double pivot = fabs (lx[lp[j]]);
-    sums[j] += pivot;
-    for (int32_t k = lp[j] + 1; k < lp[j] + lnz[j]; k++)
-      sums[li[k]] += lx[k] * lx[k] * pivot;
-  }
-  *count = (QnInertiaCount){ 0 };
-  for (int32_t j = 0; j < inertia->n; j++) {
-    double pivot = lx[lp[j]];
-    most = sums[j] <= most ? most : sums[j]; /* keeps what is no number */
-    if (fabs (pivot) <= ZERO * sums[j] || fabs (pivot) <= VANISHED)
-      count->zero++;
-    else if (!(pivot > 0))
-      count->negative++;
-  }
-  count->rounding = largest > 0 ? DBL_EPSILON * most / largest : 0;
-}
-
 /* The same by a dense factorisation with exchanges. Its blocks of two have an eigenvalue of either
  * sign: that is why they were chosen. */
 static bool
@@ -193,7 +164,29 @@ qn_inertia_count (QnInertia *inertia, const double *ax, QnInertiaCount *count)
   cholmod_factorize (inertia->upper, inertia->factor, &inertia->common);
   if (inertia->common.status < CHOLMOD_OK || inertia->factor->x == NULL)
     return false;
-  count_pivots (inertia, largest, count);
+  /* Signs of the pivots of a factor, of which each counts as zero that is no more than
+   * rounding of the terms it is the sum of, S_kk = sum l^2 d. */
+  const cholmod_factor *factor = inertia->factor;
+  const int32_t *lp = factor->p, *li = factor->i, *lnz = factor->nz;
+  const double *lx = factor->x;
+  double *sums = inertia->sums, most = 0;
+  memset (sums, 0, (size_t) inertia->n * sizeof *sums);
+  for (int32_t j = 0; j < inertia->n; j++) {
+    double pivot = fabs (lx[lp[j]]);
+    sums[j] += pivot;
+    for (int32_t k = lp[j] + 1; k < lp[j] + lnz[j]; k++)
+      sums[li[k]] += lx[k] * lx[k] * pivot;
+  }
+  *count = (QnInertiaCount){ 0 };
+  for (int32_t j = 0; j < inertia->n; j++) {
+    double pivot = lx[lp[j]];
+    most = sums[j] <= most ? most : sums[j]; /* keeps what is no number */
+    if (fabs (pivot) <= ZERO * sums[j] || fabs (pivot) <= VANISHED)
+      count->zero++;
+    else if (!(pivot > 0))
+      count->negative++;
+  }
+  count->rounding = largest > 0 ? DBL_EPSILON * most / largest : 0;
   return count->rounding <= GROWTH * DBL_EPSILON || inertia->n > DENSE
          || count_dense (inertia, ax, largest, count);
 }

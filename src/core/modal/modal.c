@@ -143,20 +143,6 @@ prove_modes (Pencil *pencil, QnDiag *diag)
   return status;
 }
 
-/* What is left out, and what counts as stiffer than it is. */
-static void
-count_joints (const Pencil *pencil, QnModes *modes)
-{
-  const QnAssembly *as = pencil->assembly;
-
-  for (size_t p = 0; p < as->pair_count; p++) {
-    const double *tangent = pencil->proof.tangents + 4 * p;
-    bool open = tangent[0] == 0 && tangent[3] == 0;
-    modes->open += open;
-    modes->slides += !open && as->responses[p].state == QN_PAIR_SLIP;
-  }
-}
-
 /* The `wanted` lowest modes, or as many as there are; none where it was cancelled. */
 static QnStatus
 find_modes (QnEquilibrium *eq, size_t wanted, bool sliding, QnModes *modes, QnDiag *diag)
@@ -197,8 +183,16 @@ find_modes (QnEquilibrium *eq, size_t wanted, bool sliding, QnModes *modes, QnDi
     status = prove_modes (&pencil, diag);
   if (status == QN_OK && pencil.found > 0)
     status = take_modes (&pencil, eq->u, modes, diag);
-  if (status == QN_OK && !sliding)
-    count_joints (&pencil, modes);
+  if (status == QN_OK && !sliding) {
+    /* What is left out, and what counts as stiffer than it is. */
+    const QnAssembly *as = pencil.assembly;
+    for (size_t p = 0; p < as->pair_count; p++) {
+      const double *tangent = pencil.proof.tangents + 4 * p;
+      bool open = tangent[0] == 0 && tangent[3] == 0;
+      modes->open += open;
+      modes->slides += !open && as->responses[p].state == QN_PAIR_SLIP;
+    }
+  }
   qn_mode_proof_clear (&pencil.proof);
   free (pencil.values);
   free (pencil.vectors);

@@ -32,23 +32,6 @@ qn_result_peak (const QnResult *result, QnId *block)
   return largest;
 }
 
-static bool
-is_settled (double at, double end)
-{
-  return fabs (end - at) <= QN_SETTLED * fabs (end);
-}
-
-/* Whether the analysis ends at the multiplier of this step: at its collapse, or with its last step. */
-static bool
-is_end (const QnResult *result, size_t step)
-{
-  const QnStep *at = &result->steps[step];
-
-  return step + 1 == result->step_count
-         || (result->has_collapse_multiplier && at->stage == result->stage
-             && at->multiplier == result->collapse_multiplier);
-}
-
 void
 qn_result_judge_linearity (const QnModel *model, QnResult *result)
 {
@@ -78,9 +61,14 @@ qn_result_judge_linearity (const QnModel *model, QnResult *result)
       result->beyond_linear_multiplier =
         from + (most - before) / (now - before) * (to - from);
     }
-    if (is_end (result, i)) {
+    /* Whether the analysis ends at the multiplier of this step: at its collapse, or with
+     * its last step. */
+    const QnStep *at = &result->steps[i];
+    if (i + 1 == result->step_count
+        || (result->has_collapse_multiplier && at->stage == result->stage
+            && at->multiplier == result->collapse_multiplier)) {
       if (result->has_collapse_multiplier
-          && is_settled (result->beyond_linear_multiplier, to)) {
+          && fabs (to - result->beyond_linear_multiplier) <= QN_SETTLED * fabs (to)) {
         result->linearity = QN_LINEARITY_HOLDS;
         result->beyond_linear_multiplier = 0;
       }

@@ -181,12 +181,6 @@ classify_turning (const QnMechanism *m, const QnModel *model, const QnContacts *
   return slides_foremost (m) ? QN_MECHANISM_KIND_MIXED : QN_MECHANISM_KIND_ROCKING;
 }
 
-static double
-largest_dilatancy (const QnModel *model, const QnContactFace *face)
-{
-  return fmax (model->laws[face->law_a].dilatancy, model->laws[face->law_b].dilatancy);
-}
-
 static bool
 goes_aside (const QnMechanismBody *body)
 {
@@ -220,7 +214,10 @@ loses_contact (const QnMechanism *m, const QnModel *model, const QnContacts *con
     double friction =
       fmax (model->laws[face->law_a].friction, model->laws[face->law_b].friction);
     if (joint->kind == QN_JOINT_SLIDING
-        && (opening < (largest_dilatancy (model, face) + QN_JOINT_PARTING) * slip
+        && (opening < (fmax (model->laws[face->law_a].dilatancy,
+                             model->laws[face->law_b].dilatancy)
+                       + QN_JOINT_PARTING)
+                        * slip
             || fabs (opening - friction * slip) < QN_JOINT_PARTING * slip))
       return false;
   }

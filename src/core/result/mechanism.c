@@ -82,17 +82,6 @@ qn_joint_corners (const QnContacts *contacts, QnId face, QnVec2 *start, QnVec2 *
   *end = f->pair_count > 1 ? pairs[f->pair_count - 1].point : f->end;
 }
 
-/* By how much of its slip a joint opens and stays in touch: by the larger of its two sides. */
-static double
-dilation (const Field *field, const QnContactFace *face)
-{
-  const QnLaw *a = &field->model->laws[face->law_a],
-              *b = &field->model->laws[face->law_b];
-
-  return field->associative ? fmax (a->friction, b->friction)
-                            : fmax (a->dilatancy, b->dilatancy);
-}
-
 static QnJointMotion
 joint_motion (const Field *field, const QnContacts *contacts, QnId id, double least)
 {
@@ -116,7 +105,14 @@ joint_motion (const Field *field, const QnContacts *contacts, QnId id, double le
   joint.slides = fabs (joint.slip) > least;
   low = fmin (joint.opening_start, joint.opening_end);
   high = fmax (joint.opening_start, joint.opening_end);
-  dilated = (dilation (field, face) + QN_JOINT_PARTING) * fabs (joint.slip);
+  /* By how much of its slip a joint opens and stays in touch: by the larger of its two
+   * sides. */
+  const QnLaw *a = &field->model->laws[face->law_a],
+              *b = &field->model->laws[face->law_b];
+  dilated = ((field->associative ? fmax (a->friction, b->friction)
+                                 : fmax (a->dilatancy, b->dilatancy))
+             + QN_JOINT_PARTING)
+            * fabs (joint.slip);
   if (low > dilated + least) {
     joint.kind = QN_JOINT_OPENING;
     joint.slides = false;

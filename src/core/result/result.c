@@ -219,19 +219,6 @@ qn_result_add_velocities (QnResult *result, const double *velocities)
                   sizeof (double));
 }
 
-static void
-drop_forces (QnResult *result)
-{
-  free (result->step_forces);
-  free (result->step_states);
-  free (result->step_damage);
-  result->step_forces = result->step_damage = NULL;
-  result->step_states = NULL;
-  result->step_force_capacity = result->step_state_capacity = 0;
-  result->step_damage_capacity = 0;
-  result->forces_dropped = true;
-}
-
 /* The damage of all bonds at the last step; of those before there is none until there is some. */
 static bool
 add_damage (QnResult *result)
@@ -259,8 +246,16 @@ qn_result_add_forces (QnResult *result, bool all)
 {
   size_t row = result->pair_count, last = (result->step_count - 1) * row;
 
-  if (!all && result->step_count * row > QN_RESULT_FORCE_BUDGET)
-    drop_forces (result);
+  if (!all && result->step_count * row > QN_RESULT_FORCE_BUDGET) {
+    free (result->step_forces);
+    free (result->step_states);
+    free (result->step_damage);
+    result->step_forces = result->step_damage = NULL;
+    result->step_states = NULL;
+    result->step_force_capacity = result->step_state_capacity = 0;
+    result->step_damage_capacity = 0;
+    result->forces_dropped = true;
+  }
   if (result->forces_dropped)
     return true;
   if (!qn_array_reserve (&result->step_forces, &result->step_force_capacity,
