@@ -187,15 +187,6 @@ begin (QnDocument *self, QnProject *project, const char *path, GError **error)
   return TRUE;
 }
 
-/* The history is no part of the state that it leads to. */
-static char *
-take_history (QnProject *project)
-{
-  char *json = qn_project_dup_extra (project, HISTORY);
-  qn_project_put_extra (project, HISTORY, NULL);
-  return json;
-}
-
 static void
 adopt_history (QnDocument *self, const char *json)
 {
@@ -240,7 +231,9 @@ qn_document_load (QnDocument *self, const char *path, GError **error)
   g_autofree char *text = qn_file_read (path, &length, error);
   if (text == NULL || !parse (text, path, &project, error))
     return FALSE;
-  g_autofree char *history = take_history (&project);
+  /* The history is no part of the state that it leads to. */
+  g_autofree char *history = qn_project_dup_extra (&project, HISTORY);
+  qn_project_put_extra (&project, HISTORY, NULL);
   if (!begin (self, &project, path, error))
     return FALSE;
   adopt_history (self, history);

@@ -245,21 +245,6 @@ qn_history_get_name (const QnEditHistory *history, guint step)
 
 /* ---- in a file: `history` in data/project-format.md ---- */
 
-static void
-append_hunks (GString *json, const QnEditStep *step)
-{
-  for (guint i = 0; i < step->hunks->len; i++) {
-    const QnHunk *hunk = &g_array_index (step->hunks, QnHunk, i);
-    g_string_append (json, i > 0 ? ", [" : "[");
-    qn_json_append_number (json, (double) hunk->offset);
-    g_string_append (json, ", ");
-    qn_json_append_string (json, hunk->removed);
-    g_string_append (json, ", ");
-    qn_json_append_string (json, hunk->inserted);
-    g_string_append_c (json, ']');
-  }
-}
-
 char *
 qn_history_to_json (const QnEditHistory *history, const char *text)
 {
@@ -275,7 +260,16 @@ qn_history_to_json (const QnEditHistory *history, const char *text)
     qn_json_put_string (json, "name", step->name);
     qn_json_begin_member (json, "hunks");
     g_string_append_c (json, '[');
-    append_hunks (json, step);
+    for (guint k = 0; k < step->hunks->len; k++) {
+      const QnHunk *hunk = &g_array_index (step->hunks, QnHunk, k);
+      g_string_append (json, k > 0 ? ", [" : "[");
+      qn_json_append_number (json, (double) hunk->offset);
+      g_string_append (json, ", ");
+      qn_json_append_string (json, hunk->removed);
+      g_string_append (json, ", ");
+      qn_json_append_string (json, hunk->inserted);
+      g_string_append_c (json, ']');
+    }
     g_string_append (json, "]}");
   }
   g_string_append (json, "]}");

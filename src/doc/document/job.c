@@ -84,15 +84,6 @@ qn_job_new (const QnModel *model, const char *name, const char *fingerprint,
   return g_steal_pointer (&self);
 }
 
-/* Every point of a history that lies far enough from the last one. */
-static void
-add_moment (GArray *curve, QnVec2 point, double apart)
-{
-  if (curve->len == 0
-      || point.x - g_array_index (curve, QnVec2, curve->len - 1).x >= apart)
-    g_array_append_val (curve, point);
-}
-
 /* In the thread, at least once per iteration. */
 static bool
 on_solver_progress (const QnProgress *progress, void *user_data)
@@ -104,10 +95,14 @@ on_solver_progress (const QnProgress *progress, void *user_data)
   self->progress = *progress;
   self->fresh = TRUE;
   /* One point for every step that converged; in time for every one that lies apart. */
-  if (progress->end > 0)
-    add_moment (self->curve, qn_vec2 (progress->time, progress->displacement),
-                progress->end / LIVE_POINTS);
-  else
+  if (progress->end > 0) {
+    /* Every point of a history that lies far enough from the last one. */
+    QnVec2 point = qn_vec2 (progress->time, progress->displacement);
+    if (self->curve->len == 0
+        || point.x - g_array_index (self->curve, QnVec2, self->curve->len - 1).x
+             >= progress->end / LIVE_POINTS)
+      g_array_append_val (self->curve, point);
+  } else
     while (self->curve->len < (guint) MAX (progress->steps, 0)) {
       QnVec2 point = qn_vec2 (self->curve->len, progress->multiplier);
       g_array_append_val (self->curve, point);

@@ -121,24 +121,6 @@ tell (Changes *changes, const char *value)
 static void compare_values (Changes *changes, const cJSON *from, const cJSON *to);
 
 static void
-compare_keys (Changes *changes, const cJSON *from, const cJSON *to)
-{
-  const cJSON *item;
-  cJSON_ArrayForEach (item, to)
-  {
-    changes->key = item->string;
-    compare_values (changes, cJSON_GetObjectItemCaseSensitive (from, item->string), item);
-  }
-  cJSON_ArrayForEach (item, from)
-  {
-    if (cJSON_HasObjectItem (to, item->string))
-      continue;
-    changes->key = item->string;
-    tell (changes, _ ("none"));
-  }
-}
-
-static void
 compare_values (Changes *changes, const cJSON *from, const cJSON *to)
 {
   g_autofree char *value = dup_value (to);
@@ -146,10 +128,23 @@ compare_values (Changes *changes, const cJSON *from, const cJSON *to)
     return;
   if (value != NULL)
     tell (changes, value);
-  else if (cJSON_IsObject (from) && cJSON_IsObject (to))
-    compare_keys (changes, from, to);
-  else if (cJSON_IsArray (from) && cJSON_IsArray (to)
-           && cJSON_GetArraySize (from) == cJSON_GetArraySize (to)) {
+  else if (cJSON_IsObject (from) && cJSON_IsObject (to)) {
+    const cJSON *item;
+    cJSON_ArrayForEach (item, to)
+    {
+      changes->key = item->string;
+      compare_values (changes, cJSON_GetObjectItemCaseSensitive (from, item->string),
+                      item);
+    }
+    cJSON_ArrayForEach (item, from)
+    {
+      if (cJSON_HasObjectItem (to, item->string))
+        continue;
+      changes->key = item->string;
+      tell (changes, _ ("none"));
+    }
+  } else if (cJSON_IsArray (from) && cJSON_IsArray (to)
+             && cJSON_GetArraySize (from) == cJSON_GetArraySize (to)) {
     const char *key = changes->key, *of = changes->of;
     const cJSON *old = from->child;
     gboolean several = cJSON_GetArraySize (to) > 1;

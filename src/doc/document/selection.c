@@ -72,35 +72,27 @@ qn_selection_clear (QnSelection *self)
   qn_selection_set (self, QN_PICK_BLOCK, NULL, 0);
 }
 
-/* Ascending, each once. */
-static void
-sort_ids (GArray *ids)
-{
-  g_array_sort (ids, qn_compare_ids);
-  guint kept = 0;
-  for (guint i = 0; i < ids->len; i++) {
-    QnId id = g_array_index (ids, QnId, i);
-    if (kept == 0 || g_array_index (ids, QnId, kept - 1) != id)
-      g_array_index (ids, QnId, kept++) = id;
-  }
-  g_array_set_size (ids, kept);
-}
-
-static gboolean
-same_ids (const GArray *a, const GArray *b)
-{
-  return a->len == b->len
-         && (a->len == 0 || memcmp (a->data, b->data, a->len * sizeof (QnId)) == 0);
-}
-
 /* Takes over the lists. */
 static void
 replace_all (QnSelection *self, GArray *const lists[LIST_COUNT], QnId object, int opening)
 {
   gboolean same = object == self->object && opening == self->opening;
   for (int i = 0; i < LIST_COUNT; i++) {
-    sort_ids (lists[i]);
-    same = same_ids (lists[i], self->ids[i]) && same;
+    /* Ascending, each once. */
+    GArray *ids = lists[i];
+    g_array_sort (ids, qn_compare_ids);
+    guint kept = 0;
+    for (guint k = 0; k < ids->len; k++) {
+      QnId id = g_array_index (ids, QnId, k);
+      if (kept == 0 || g_array_index (ids, QnId, kept - 1) != id)
+        g_array_index (ids, QnId, kept++) = id;
+    }
+    g_array_set_size (ids, kept);
+    const GArray *b = self->ids[i];
+    same =
+      (ids->len == b->len
+       && (ids->len == 0 || memcmp (ids->data, b->data, ids->len * sizeof (QnId)) == 0))
+      && same;
     g_array_unref (self->ids[i]);
     self->ids[i] = lists[i];
   }

@@ -181,19 +181,6 @@ is_translation (QnTransform t)
   return t.xx == 1.0 && t.yy == 1.0 && t.xy == 0.0 && t.yx == 0.0;
 }
 
-static void
-move_points (QnModel *model, const gboolean *flags, QnTransform transform)
-{
-  qn_edit_transform_attached (model, flags, transform);
-  for (gsize i = 0; i < model->block_count; i++) {
-    if (!flags[i])
-      continue;
-    QnVec2 *v = model->vertices + model->blocks[i].first_vertex;
-    for (QnId k = 0; k < model->blocks[i].vertex_count; k++)
-      v[k] = qn_transform_apply (transform, v[k]);
-  }
-}
-
 gboolean
 qn_edit_transform_blocks (QnModel *model, QnBlockSet set, QnTransform transform,
                           GError **error)
@@ -213,7 +200,14 @@ qn_edit_transform_blocks (QnModel *model, QnBlockSet set, QnTransform transform,
     if (walls[w] && !broken[w])
       model->walls[w].origin = qn_transform_apply (transform, model->walls[w].origin);
   }
-  move_points (model, flags, transform);
+  qn_edit_transform_attached (model, flags, transform);
+  for (gsize i = 0; i < model->block_count; i++) {
+    if (!flags[i])
+      continue;
+    QnVec2 *v = model->vertices + model->blocks[i].first_vertex;
+    for (QnId k = 0; k < model->blocks[i].vertex_count; k++)
+      v[k] = qn_transform_apply (transform, v[k]);
+  }
   detach_walls (model, broken);
   return TRUE;
 }

@@ -93,16 +93,6 @@ qn_edit_add_beam (QnModel *model, QnVec2 from, QnVec2 to, QnBeamStyle style,
 
 /* ---- removing ---- */
 
-/* A riding node of these beams that carries no other goes with them as a free one would. */
-static void
-let_go (QnModel *model, QnId node)
-{
-  if (qn_model_node_beams (model, node) == 0) {
-    model->nodes[node].seat = QN_SEAT_FREE;
-    model->nodes[node].block = QN_NONE;
-  }
-}
-
 gboolean
 qn_edit_delete_all (QnModel *model, QnPartSet set, GError **error)
 {
@@ -112,8 +102,15 @@ qn_edit_delete_all (QnModel *model, QnPartSet set, GError **error)
     QnId ends[2] = { beam->nodes[0], beam->nodes[1] };
     beam->nodes[0] = beam->nodes[1] = QN_NONE;
     for (int end = 0; end < 2; end++)
-      if (ends[end] != QN_NONE)
-        let_go (model, ends[end]);
+      if (ends[end] != QN_NONE) {
+        /* A riding node of these beams that carries no other goes with them as a free one
+       * would. */
+        QnId node = ends[end];
+        if (qn_model_node_beams (model, node) == 0) {
+          model->nodes[node].seat = QN_SEAT_FREE;
+          model->nodes[node].block = QN_NONE;
+        }
+      }
   }
   if (set.blocks.count == 0 && set.beams.count > 0)
     return TRUE;
@@ -326,17 +323,11 @@ qn_edit_copy_all (QnProject *draft, QnPartSet set, QnTransform transform, int co
 #define FIRST_SIZE        0.2
 #define FIRST_UNIT_WEIGHT 24e3
 
-static gboolean
-is_rectangle (const QnSection *section)
-{
-  return section->height > 0.0;
-}
-
 gboolean
 qn_edit_set_section_shape (QnModel *model, QnId id, gboolean rectangle, GError **error)
 {
   QnSection *section = &model->sections[id];
-  if (rectangle == is_rectangle (section))
+  if (rectangle == (section->height > 0.0))
     return TRUE;
   if (rectangle) { /* of the same area and inertia */
     section->height = sqrt (12.0 * section->inertia / section->area);

@@ -201,16 +201,6 @@ dup_rest (const QnModel *model, QnBlockSet set, const gboolean *whole)
   return (QnBlockSet){ ids, count };
 }
 
-/* What is fixed to the blocks of objects that move. */
-static void
-move_attached (QnModel *model, const gboolean *whole, QnTransform transform)
-{
-  g_autofree gboolean *moved = g_new0 (gboolean, model->block_count + 1);
-  for (gsize i = 0; i < model->block_count; i++)
-    moved[i] = model->blocks[i].masonry != QN_NONE && whole[model->blocks[i].masonry];
-  qn_edit_transform_attached (model, moved, transform);
-}
-
 /* Which objects a transform of the set carries along as a whole, one flag per object; NULL where
  * there are none. */
 static gboolean *
@@ -234,7 +224,11 @@ qn_edit_transform (QnProject *draft, QnBlockSet set, QnTransform transform,
     return qn_edit_transform_blocks (model, set, transform, error);
 
   QnBlockSet rest = dup_rest (model, set, whole);
-  move_attached (model, whole, transform);
+  /* What is fixed to the blocks of objects that move. */
+  g_autofree gboolean *moved = g_new0 (gboolean, model->block_count + 1);
+  for (gsize i = 0; i < model->block_count; i++)
+    moved[i] = model->blocks[i].masonry != QN_NONE && whole[model->blocks[i].masonry];
+  qn_edit_transform_attached (model, moved, transform);
   gboolean done =
     rest.count == 0 || qn_edit_transform_blocks (model, rest, transform, error);
   g_free ((gpointer) rest.ids);

@@ -236,37 +236,6 @@ close_ends (QnModel *model)
   }
 }
 
-/* The analysis as a whole becomes its first stage. */
-static void
-begin_stages (QnModel *model, QnStage *stage)
-{
-  QnAnalysisSettings *a = &model->analysis;
-  if (a->procedure == QN_PROCEDURE_LIMIT)
-    a->procedure = QN_PROCEDURE_LOAD;
-  stage->sets = 1;
-  stage->procedure = a->procedure;
-  if (a->procedure == QN_PROCEDURE_DISPLACEMENT) {
-    stage->control = a->control;
-  }
-  stage->has_target =
-    isfinite (a->max_multiplier) && !qn_control_is_given (&stage->control);
-  stage->target = stage->has_target ? a->max_multiplier : 0.0;
-  a->max_multiplier = INFINITY;
-}
-
-/* Sets of a further stage: one that has loads and waits, or what the stage before drives. */
-static uint32_t
-next_sets (const QnModel *model)
-{
-  uint32_t waiting = 0;
-  for (gsize i = 0; i < model->live_load_count; i++)
-    waiting |= UINT32_C (1) << model->live_loads[i].set;
-  for (gsize i = 0; i + 1 < model->stage_count; i++)
-    waiting &= ~model->stages[i].sets;
-  return waiting != 0 ? waiting & (~waiting + 1) /* the first of them */
-                      : model->stages[model->stage_count - 2].sets;
-}
-
 gboolean
 qn_edit_add_stage (QnModel *model, GError **error)
 {
@@ -275,10 +244,30 @@ qn_edit_add_stage (QnModel *model, GError **error)
     return qn_edit_no_memory (error);
   stage->procedure = QN_PROCEDURE_LOAD;
   if (model->stage_count == 1) {
-    begin_stages (model, stage);
+    /* The analysis as a whole becomes its first stage. */
+    QnAnalysisSettings *a = &model->analysis;
+    if (a->procedure == QN_PROCEDURE_LIMIT)
+      a->procedure = QN_PROCEDURE_LOAD;
+    stage->sets = 1;
+    stage->procedure = a->procedure;
+    if (a->procedure == QN_PROCEDURE_DISPLACEMENT) {
+      stage->control = a->control;
+    }
+    stage->has_target =
+      isfinite (a->max_multiplier) && !qn_control_is_given (&stage->control);
+    stage->target = stage->has_target ? a->max_multiplier : 0.0;
+    a->max_multiplier = INFINITY;
     return TRUE;
   }
-  stage->sets = next_sets (model);
+  /* Sets of a further stage: one that has loads and waits, or what the stage before
+   * drives. */
+  uint32_t waiting = 0;
+  for (gsize i = 0; i < model->live_load_count; i++)
+    waiting |= UINT32_C (1) << model->live_loads[i].set;
+  for (gsize i = 0; i + 1 < model->stage_count; i++)
+    waiting &= ~model->stages[i].sets;
+  stage->sets = waiting != 0 ? waiting & (~waiting + 1) /* the first of them */
+                             : model->stages[model->stage_count - 2].sets;
   close_ends (model);
   /* Settlements that went to 1 come back. */
   const QnStage *before = stage - 1;

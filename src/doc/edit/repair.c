@@ -49,15 +49,6 @@ choose (const QnModel *model, const QnFinding *finding, QnId *mover, QnId *keepe
   }
 }
 
-static double
-common_area (const QnModel *model, QnId a, QnId b)
-{
-  g_auto (QnRing) p = qn_block_to_ring (model, a), q = qn_block_to_ring (model, b);
-  g_auto (QnRings) common = { 0 };
-  qn_polygon_intersection (&p, &q, &common, NULL);
-  return qn_rings_area (&common);
-}
-
 /* ---- choices ---- */
 
 static guint
@@ -66,7 +57,11 @@ overlap_choices (const QnModel *model, const QnFinding *finding, QnRepair *choic
   QnId mover, keeper;
   guint count = 0;
   choose (model, finding, &mover, &keeper);
-  if (common_area (model, mover, keeper) >= SAME_BLOCK * model->blocks[mover].area) {
+  g_auto (QnRing) p = qn_block_to_ring (model, mover),
+                  q = qn_block_to_ring (model, keeper);
+  g_auto (QnRings) common = { 0 };
+  qn_polygon_intersection (&p, &q, &common, NULL);
+  if (qn_rings_area (&common) >= SAME_BLOCK * model->blocks[mover].area) {
     choices[count++] = QN_REPAIR_DELETE;
   } else {
     choices[count++] = QN_REPAIR_TRIM;

@@ -54,22 +54,6 @@ read_courses (const QnWall *wall)
   return courses;
 }
 
-static gboolean
-write_courses (const Courses *courses, QnWall *listed)
-{
-  for (guint i = 0; i < courses->len; i++) {
-    const GArray *pieces = g_ptr_array_index (courses, i);
-    g_autofree double *lengths = g_new (double, pieces->len + 1);
-    for (guint k = 0; k < pieces->len; k++) {
-      const Piece *piece = &g_array_index (pieces, Piece, k);
-      lengths[k] = (piece->gap ? -1.0 : 1.0) * (piece->right - piece->left);
-    }
-    if (!qn_wall_add_course (listed, lengths, pieces->len))
-      return FALSE;
-  }
-  return TRUE;
-}
-
 static const GArray *
 course_at (const Courses *courses, guint index)
 {
@@ -198,31 +182,6 @@ fill_hole (Courses *courses, Hole *hole)
   return TRUE;
 }
 
-/* The hole that begins with a gap of a course. */
-static Hole
-hole_above (const Courses *courses, guint course, const Piece *gap)
-{
-  Hole hole = { gap->left, gap->right, course, course + 1, 0.0 };
-  while (hole.top < courses->len
-         && has_gap (course_at (courses, hole.top), hole.left, hole.right))
-    hole.top++;
-  return hole;
-}
-
-static void
-add_opening (QnMasonry *masonry, const Hole *hole, QnVec2 unit)
-{
-  QnOpening *opening = qn_masonry_add_opening (masonry);
-  opening->at = qn_vec2 (hole->left * unit.x, hole->bottom * unit.y);
-  opening->width = (hole->right - hole->left) * unit.x;
-  opening->height = (hole->top - hole->bottom) * unit.y;
-  if (hole->bearing > 0.0) {
-    opening->span = QN_SPAN_LINTEL;
-    opening->depth = unit.y;
-    opening->bearing = hole->bearing * unit.x;
-  }
-}
-
 /* Makes openings of the holes that can be filled; the others stay gaps of their courses. */
 static void
 take_openings (Courses *courses, QnMasonry *masonry, QnVec2 unit)
@@ -232,10 +191,22 @@ take_openings (Courses *courses, QnMasonry *masonry, QnVec2 unit)
       const Piece *piece = &g_array_index (course_at (courses, course), Piece, i);
       if (!piece->gap)
         continue;
-      Hole hole = hole_above (courses, course, piece);
+      /* The hole that begins with a gap of a course. */
+      Hole hole = { piece->left, piece->right, course, course + 1, 0.0 };
+      while (hole.top < courses->len
+             && has_gap (course_at (courses, hole.top), hole.left, hole.right))
+        hole.top++;
       if (!fill_hole (courses, &hole))
         continue;
-      add_opening (masonry, &hole, unit);
+      QnOpening *opening = qn_masonry_add_opening (masonry);
+      opening->at = qn_vec2 (hole.left * unit.x, hole.bottom * unit.y);
+      opening->width = (hole.right - hole.left) * unit.x;
+      opening->height = (hole.top - hole.bottom) * unit.y;
+      if (hole.bearing > 0.0) {
+        opening->span = QN_SPAN_LINTEL;
+        opening->depth = unit.y;
+        opening->bearing = hole.bearing * unit.x;
+      }
       /* The course is another one now: from its beginning. */
       i = G_MAXUINT;
     }
@@ -255,7 +226,17 @@ make_masonry (const QnWall *wall, QnMasonry *masonry)
   masonry->wall.leaves[0].unit = wall->unit;
   g_autoptr (GPtrArray) courses = read_courses (wall);
   take_openings (courses, masonry, wall->unit);
-  return write_courses (courses, &masonry->wall.courses);
+  for (guint i = 0; i < courses->len; i++) {
+    const GArray *pieces = g_ptr_array_index (courses, i);
+    g_autofree double *lengths = g_new (double, pieces->len + 1);
+    for (guint k = 0; k < pieces->len; k++) {
+      const Piece *piece = &g_array_index (pieces, Piece, k);
+      lengths[k] = (piece->gap ? -1.0 : 1.0) * (piece->right - piece->left);
+    }
+    if (!qn_wall_add_course (&masonry->wall.courses, lengths, pieces->len))
+      return FALSE;
+  }
+  return TRUE;
 }
 
 gboolean

@@ -87,17 +87,6 @@ count_courses (const QnMasonryStyle *style, double height)
   return count_parts (height, style->unit.y);
 }
 
-static void
-plan_portal (QnPortal *portal, const QnMasonryStyle *style, QnVec2 size)
-{
-  portal->bays = 1;
-  portal->pier_width = 0.2 * size.x;
-  portal->span = 0.6 * size.x;
-  portal->lintel_height = MIN (style->unit.y, 0.5 * size.y);
-  portal->pier_height = size.y - portal->lintel_height;
-  portal->courses = count_courses (style, portal->pier_height);
-}
-
 void
 qn_plan_in_box (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from, QnVec2 to)
 {
@@ -111,9 +100,14 @@ qn_plan_in_box (QnMasonry *masonry, const QnMasonryStyle *style, QnVec2 from, Qn
       qn_vec2 (count_parts (size.x, style->unit.x), count_courses (style, size.y)));
   else if (style->kind == QN_MASONRY_VORONOI)
     qn_masonry_set_voronoi (&masonry->rubble, size, style->unit.x);
-  else if (style->kind == QN_MASONRY_PORTAL)
-    plan_portal (&masonry->portal, style, size);
-  else if (style->kind == QN_MASONRY_BUTTRESS) {
+  else if (style->kind == QN_MASONRY_PORTAL) {
+    masonry->portal.bays = 1;
+    masonry->portal.pier_width = 0.2 * size.x;
+    masonry->portal.span = 0.6 * size.x;
+    masonry->portal.lintel_height = MIN (style->unit.y, 0.5 * size.y);
+    masonry->portal.pier_height = size.y - masonry->portal.lintel_height;
+    masonry->portal.courses = count_courses (style, masonry->portal.pier_height);
+  } else if (style->kind == QN_MASONRY_BUTTRESS) {
     masonry->origin.x = from.x;
     masonry->buttress = (QnButtress){ .height = size.y,
                                       .bottom = size.x,

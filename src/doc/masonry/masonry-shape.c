@@ -312,18 +312,6 @@ drag_arch (QnMasonry *masonry, QnHandleKind handle, QnVec2 to, QnVec2 p)
   }
 }
 
-static void
-drag_column (QnColumn *column, QnHandleKind handle, QnVec2 p)
-{
-  double plinth = column->plinth_height;
-  if (handle == QN_HANDLE_TOP)
-    column->height = MAX (p.y - plinth, LEAST_SIZE);
-  else if (handle == QN_HANDLE_TOP_RIGHT)
-    column->top = MAX (2.0 * p.x, LEAST_SIZE);
-  else if (handle == QN_HANDLE_BOTTOM_RIGHT)
-    column->bottom = MAX (2.0 * p.x, LEAST_SIZE);
-}
-
 void
 qn_masonry_drag (QnMasonry *masonry, int opening, QnHandleKind handle, QnVec2 from,
                  QnVec2 to, gboolean snap)
@@ -342,35 +330,37 @@ qn_masonry_drag (QnMasonry *masonry, int opening, QnHandleKind handle, QnVec2 fr
     masonry->rubble.height = MAX (p.y, LEAST_SIZE);
   else if (masonry->kind == QN_MASONRY_ARCH)
     drag_arch (masonry, handle, to, p);
-  else if (masonry->kind == QN_MASONRY_COLUMN)
-    drag_column (&masonry->column, handle, p);
+  else if (masonry->kind == QN_MASONRY_COLUMN) {
+    double plinth = masonry->column.plinth_height;
+    if (handle == QN_HANDLE_TOP)
+      masonry->column.height = MAX (p.y - plinth, LEAST_SIZE);
+    else if (handle == QN_HANDLE_TOP_RIGHT)
+      masonry->column.top = MAX (2.0 * p.x, LEAST_SIZE);
+    else if (handle == QN_HANDLE_BOTTOM_RIGHT)
+      masonry->column.bottom = MAX (2.0 * p.x, LEAST_SIZE);
+  }
   qn_masonry_keep_cells (masonry, &cells);
 }
 
 /* ---- handles ---- */
-
-static guint
-opening_handles (const QnOpening *o, QnHandle *handles)
-{
-  double x0 = o->at.x, x1 = x0 + o->width, xm = 0.5 * (x0 + x1);
-  double y0 = o->at.y, y1 = y0 + o->height, ym = 0.5 * (y0 + y1);
-  const QnHandle local[] = {
-    { QN_HANDLE_BOTTOM_LEFT, { x0, y0 } },  { QN_HANDLE_BOTTOM, { xm, y0 } },
-    { QN_HANDLE_BOTTOM_RIGHT, { x1, y0 } }, { QN_HANDLE_RIGHT, { x1, ym } },
-    { QN_HANDLE_TOP_RIGHT, { x1, y1 } },    { QN_HANDLE_TOP, { xm, y1 } },
-    { QN_HANDLE_TOP_LEFT, { x0, y1 } },     { QN_HANDLE_LEFT, { x0, ym } },
-    { QN_HANDLE_MIDDLE, { xm, ym } },       { QN_HANDLE_RISE, { x1, y1 - o->rise } },
-  };
-  memcpy (handles, local, sizeof local);
-  return G_N_ELEMENTS (local) - (o->head != QN_HEAD_SEGMENTAL);
-}
 
 guint
 qn_masonry_get_handles (const QnMasonry *masonry, int opening, QnHandle *handles)
 {
   guint count = 0;
   if (opening != QN_NO_OPENING) {
-    count = opening_handles (&masonry->wall.openings[opening], handles);
+    const QnOpening *o = &masonry->wall.openings[opening];
+    double x0 = o->at.x, x1 = x0 + o->width, xm = 0.5 * (x0 + x1);
+    double y0 = o->at.y, y1 = y0 + o->height, ym = 0.5 * (y0 + y1);
+    const QnHandle local[] = {
+      { QN_HANDLE_BOTTOM_LEFT, { x0, y0 } },  { QN_HANDLE_BOTTOM, { xm, y0 } },
+      { QN_HANDLE_BOTTOM_RIGHT, { x1, y0 } }, { QN_HANDLE_RIGHT, { x1, ym } },
+      { QN_HANDLE_TOP_RIGHT, { x1, y1 } },    { QN_HANDLE_TOP, { xm, y1 } },
+      { QN_HANDLE_TOP_LEFT, { x0, y1 } },     { QN_HANDLE_LEFT, { x0, ym } },
+      { QN_HANDLE_MIDDLE, { xm, ym } },       { QN_HANDLE_RISE, { x1, y1 - o->rise } },
+    };
+    memcpy (handles, local, sizeof local);
+    count = G_N_ELEMENTS (local) - (o->head != QN_HEAD_SEGMENTAL);
   } else if (masonry->kind == QN_MASONRY_WALL) {
     /* The lengths of a listed wall are in its courses. */
     if (masonry->wall.leaves[0].bond == QN_BOND_CUSTOM)

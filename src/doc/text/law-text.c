@@ -95,21 +95,6 @@ typedef struct Uses {
   gsize joints, blocks, bars;
 } Uses;
 
-static Uses
-count_uses (const QnModel *model, const QnContacts *contacts, QnId law)
-{
-  Uses uses = { 0 };
-  for (gsize i = 0; i < contacts->face_count; i++)
-    uses.joints += contacts->faces[i].law_a == law || contacts->faces[i].law_b == law;
-  for (gsize i = 0; i < model->block_count; i++) {
-    QnId own = model->blocks[i].law;
-    uses.blocks += (own != QN_NONE ? own : model->contact.law) == law;
-  }
-  for (gsize i = 0; i < model->bar_count; i++)
-    uses.bars += model->bars[i].law == law;
-  return uses;
-}
-
 static void
 append_number (GString *text, const char *key, const char *symbol, double value,
                QnBasis basis, QnUnits units)
@@ -129,7 +114,15 @@ qn_law_dup_text (const QnModel *model, const QnContacts *contacts, QnId id, QnUn
   GString *text = g_string_new (law->name);
   g_string_append_printf (text, "\n%s, %s · ", _ (qn_law_kind_words[law->kind]),
                           _ (qn_basis_words[law->basis]));
-  Uses uses = count_uses (model, contacts, id);
+  Uses uses = { 0 };
+  for (gsize i = 0; i < contacts->face_count; i++)
+    uses.joints += contacts->faces[i].law_a == id || contacts->faces[i].law_b == id;
+  for (gsize i = 0; i < model->block_count; i++) {
+    QnId own = model->blocks[i].law;
+    uses.blocks += (own != QN_NONE ? own : model->contact.law) == id;
+  }
+  for (gsize i = 0; i < model->bar_count; i++)
+    uses.bars += model->bars[i].law == id;
   g_string_append_printf (text, ngettext ("%u joint", "%u joints", (gulong) uses.joints),
                           (guint) uses.joints);
   g_string_append (text, " · ");

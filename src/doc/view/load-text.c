@@ -22,16 +22,6 @@ in_full (QnUnits units, QnQuantity quantity, double value)
   return qn_units_format_full (units, quantity, value, 4);
 }
 
-/* "2 to 5 kN/m", or one number where both are the same. */
-static char *
-dup_range (QnUnits units, QnQuantity quantity, const double ends[2])
-{
-  g_autofree char *from = qn_units_format (units, quantity, ends[0], 4);
-  g_autofree char *to = in_full (units, quantity, ends[1]);
-  return ends[0] == ends[1] ? g_steal_pointer (&to)
-                            : g_strdup_printf (_ ("%s to %s"), from, to);
-}
-
 static char *
 dup_edge_text (const QnModel *model, const QnLoad *load, QnUnits units)
 {
@@ -42,7 +32,13 @@ dup_edge_text (const QnModel *model, const QnLoad *load, QnUnits units)
     [QN_BLOCK_SIDE_TOP] = N_ ("top"),
   };
   const char *block = model->blocks[load->block].name;
-  g_autofree char *intensity = dup_range (units, QN_QUANTITY_STIFFNESS, load->intensity);
+  /* "2 to 5 kN/m", or one number where both are the same. */
+  g_autofree char *from =
+    qn_units_format (units, QN_QUANTITY_STIFFNESS, load->intensity[0], 4);
+  g_autofree char *to = in_full (units, QN_QUANTITY_STIFFNESS, load->intensity[1]);
+  g_autofree char *intensity = load->intensity[0] == load->intensity[1]
+                                 ? g_steal_pointer (&to)
+                                 : g_strdup_printf (_ ("%s to %s"), from, to);
   g_autofree char *where =
     load->has_side ? g_strdup (_ (sides[load->side]))
     : load->edge_count == 1
@@ -181,21 +177,6 @@ qn_load_dup_text (const QnModel *model, const QnLoad *load, QnUnits units)
   return g_strdup ("");
 }
 
-/* Names of the load sets that a stage drives, with commas. */
-static char *
-dup_set_names (const QnModel *model, const QnStage *stage)
-{
-  GString *names = g_string_new (NULL);
-  for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++) {
-    if ((stage->sets >> set & 1) == 0)
-      continue;
-    g_string_append_printf (names, "%s%s", names->len > 0 ? ", " : "",
-                            set == 0 ? _ ("growing loads")
-                                     : qn_model_load_set_name (model, set));
-  }
-  return g_string_free (names, FALSE);
-}
-
 static QnQuantity
 end_quantity (const QnStage *stage)
 {
@@ -230,7 +211,16 @@ qn_stage_dup_text (const QnModel *model, gsize index, QnUnits units)
 {
   const QnStage *stage = &model->stages[index];
   g_autofree char *name = qn_stage_dup_name (model, (int32_t) index + 1);
-  g_autofree char *sets = dup_set_names (model, stage);
+  /* Names of the load sets that a stage drives, with commas. */
+  GString *names = g_string_new (NULL);
+  for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++) {
+    if ((stage->sets >> set & 1) == 0)
+      continue;
+    g_string_append_printf (names, "%s%s", names->len > 0 ? ", " : "",
+                            set == 0 ? _ ("growing loads")
+                                     : qn_model_load_set_name (model, set));
+  }
+  g_autofree char *sets = g_string_free (names, FALSE);
   g_autofree char *target = NULL;
   if (stage->leg > 1)
     return g_strdup ("");

@@ -18,39 +18,6 @@ offer (Best *best, QnMagnetKind kind, QnVec2 from, QnVec2 point, QnVec2 a, QnVec
   }
 }
 
-static QnVec2
-nearest_on_segment (QnVec2 p, QnVec2 a, QnVec2 b)
-{
-  QnVec2 d = qn_vec2_sub (b, a);
-  double square = qn_vec2_dot (d, d);
-  double s = square > 0.0 ? qn_vec2_dot (qn_vec2_sub (p, a), d) / square : 0.0;
-  return qn_vec2_lerp (a, b, s < 0.0 ? 0.0 : s > 1.0 ? 1.0 : s);
-}
-
-static void
-offer_block (const QnModel *model, QnId block, QnVec2 p, Best *best)
-{
-  const QnVec2 *v = qn_model_block_vertices (model, block);
-  QnId count = model->blocks[block].vertex_count;
-  for (QnId i = 0; i < count; i++) {
-    QnVec2 a = v[i], b = v[(i + 1) % count];
-    offer (best, QN_MAGNET_CORNER, p, a, a, a);
-    offer (best, QN_MAGNET_MIDDLE, p, qn_vec2_lerp (a, b, 0.5), a, b);
-    offer (best, QN_MAGNET_EDGE, p, nearest_on_segment (p, a, b), a, b);
-  }
-}
-
-static void
-offer_courses (const QnWall *wall, QnVec2 p, Best *best)
-{
-  double row = round ((p.y - wall->origin.y) / wall->unit.y);
-  if (row < 0.0 || row > wall->course_count)
-    return;
-  double y = wall->origin.y + row * wall->unit.y;
-  offer (best, QN_MAGNET_COURSE, p, qn_vec2 (p.x, y), qn_vec2 (wall->origin.x, y),
-         qn_vec2 (p.x, y));
-}
-
 QnMagnetHit
 qn_magnet_find (const QnMagnet *magnet, const QnModel *model, QnVec2 p, const int *skip)
 {
@@ -69,11 +36,35 @@ qn_magnet_find (const QnMagnet *magnet, const QnModel *model, QnVec2 p, const in
       offer (&best, QN_MAGNET_NODE, p, at, at, at);
   }
   for (size_t i = 0; i < model->block_count; i++) {
-    if (skip == NULL || !skip[i])
-      offer_block (model, (QnId) i, p, &best);
+    if (skip == NULL || !skip[i]) {
+      QnId block = (QnId) i;
+      const QnVec2 *v = qn_model_block_vertices (model, block);
+      QnId count = model->blocks[block].vertex_count;
+      for (QnId k = 0; k < count; k++) {
+        QnVec2 a = v[k], b = v[(k + 1) % count];
+        offer (&best, QN_MAGNET_CORNER, p, a, a, a);
+        offer (&best, QN_MAGNET_MIDDLE, p, qn_vec2_lerp (a, b, 0.5), a, b);
+        QnVec2 d = qn_vec2_sub (b, a);
+        double square = qn_vec2_dot (d, d);
+        double s = square > 0.0 ? qn_vec2_dot (qn_vec2_sub (p, a), d) / square : 0.0;
+        offer (&best, QN_MAGNET_EDGE, p,
+               qn_vec2_lerp (a, b,
+                             s < 0.0   ? 0.0
+                             : s > 1.0 ? 1.0
+                                       : s),
+               a, b);
+      }
+    }
   }
-  for (size_t i = 0; i < model->wall_count; i++)
-    offer_courses (&model->walls[i], p, &best);
+  for (size_t i = 0; i < model->wall_count; i++) {
+    const QnWall *wall = &model->walls[i];
+    double row = round ((p.y - wall->origin.y) / wall->unit.y);
+    if (row < 0.0 || row > wall->course_count)
+      continue;
+    double y = wall->origin.y + row * wall->unit.y;
+    offer (&best, QN_MAGNET_COURSE, p, qn_vec2 (p.x, y), qn_vec2 (wall->origin.x, y),
+           qn_vec2 (p.x, y));
+  }
   if (magnet->grid > 0.0) {
     QnVec2 crossing = qn_vec2 (round (p.x / magnet->grid) * magnet->grid,
                                round (p.y / magnet->grid) * magnet->grid);

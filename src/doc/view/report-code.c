@@ -13,23 +13,6 @@
 
 /* ---- the mechanism ---- */
 
-/* The bodies, in picture and words. */
-static bool
-write_bodies (QnPages *pages, const QnReportRun *run, GError **error)
-{
-  const QnModel *model = &run->project->model;
-  QnFigure figure;
-  g_autofree char *words = qn_explain_mechanism (model, run->contacts, &run->file.result);
-  qn_figure_init (&figure, model, run->contacts, &run->file.result, QN_VIEW_MECHANISM);
-  figure.options.field = QN_FIELD_BODIES;
-  figure.title = _ ("Bodies of the mechanism");
-  if (words != NULL)
-    qn_pages_paragraph (pages, words);
-  qn_report_say (pages, _ ("%s: figure\u00a0%d."), figure.title,
-                 qn_pages_next_figure (pages));
-  return qn_pages_figures (pages, &figure, 1, 1, 0.3, error);
-}
-
 static void
 write_checks (QnPages *pages, const QnCapacityAnswer *answer, QnUnits units)
 {
@@ -78,7 +61,18 @@ qn_report_write_mechanism (QnPages *pages, const QnReportRun *run, QnUnits units
     qn_capacity_answer_check (&answer);
     answer.block = g_strdup (model->blocks[answer.capacity.block].name);
     g_autofree char *facts = qn_capacity_answer_dup_facts (&answer, units);
-    done = write_bodies (pages, run, error);
+    /* The bodies, in picture and words. */
+    QnFigure figure;
+    g_autofree char *words =
+      qn_explain_mechanism (model, run->contacts, &run->file.result);
+    qn_figure_init (&figure, model, run->contacts, &run->file.result, QN_VIEW_MECHANISM);
+    figure.options.field = QN_FIELD_BODIES;
+    figure.title = _ ("Bodies of the mechanism");
+    if (words != NULL)
+      qn_pages_paragraph (pages, words);
+    qn_report_say (pages, _ ("%s: figure\u00a0%d."), figure.title,
+                   qn_pages_next_figure (pages));
+    done = qn_pages_figures (pages, &figure, 1, 1, 0.3, error);
     qn_pages_paragraph (pages, facts);
     write_checks (pages, &answer, units);
     qn_pages_paragraph (
@@ -154,25 +148,6 @@ dup_code_title (const char *code)
   return g_strdup_printf (code[letters] != '\0' ? "%s %s" : "%s%s", body, code + letters);
 }
 
-/* The multiplier over the number of the combination. */
-static void
-plot_multipliers (QnPages *pages, const double *multipliers, gsize count)
-{
-  g_autoptr (QnPlot) plot = qn_plot_new (_ ("Combination"), _ ("Collapse multiplier λ"));
-  double *x = qn_plot_keep (plot, g_new (double, 2 * count)), *y = x + count;
-  gsize shown = 0;
-  for (gsize i = 0; i < count; i++) {
-    x[shown] = (double) i + 1;
-    y[shown] = multipliers[i];
-    shown += isfinite (multipliers[i]);
-  }
-  plot->title = _ ("Multipliers of the combinations");
-  plot->y.from_zero = true;
-  qn_plot_mark (plot, QN_MARKS_POINTS, NULL, 1, x, y, shown);
-  if (shown > 0)
-    qn_pages_plot (pages, plot, 0.25);
-}
-
 bool
 qn_report_write_combinations (QnPages *pages, const QnReport *report, GError **error)
 {
@@ -221,7 +196,20 @@ qn_report_write_combinations (QnPages *pages, const QnReport *report, GError **e
        "figure\u00a0%d."),
     list->len, code, ((const QnCombination *) list->pdata[worst])->label, least,
     qn_pages_next_figure (pages));
-  plot_multipliers (pages, multipliers, list->len);
+  /* The multiplier over the number of the combination. */
+  g_autoptr (QnPlot) plot = qn_plot_new (_ ("Combination"), _ ("Collapse multiplier λ"));
+  double *x = qn_plot_keep (plot, g_new (double, 2 * list->len)), *y = x + list->len;
+  gsize shown = 0;
+  for (gsize i = 0; i < list->len; i++) {
+    x[shown] = (double) i + 1;
+    y[shown] = multipliers[i];
+    shown += isfinite (multipliers[i]);
+  }
+  plot->title = _ ("Multipliers of the combinations");
+  plot->y.from_zero = true;
+  qn_plot_mark (plot, QN_MARKS_POINTS, NULL, 1, x, y, shown);
+  if (shown > 0)
+    qn_pages_plot (pages, plot, 0.25);
   qn_report_table (pages, cells, COLUMNS);
   return true;
 }

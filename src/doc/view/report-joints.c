@@ -51,25 +51,6 @@ qn_report_dup_between (const QnModel *model, QnId a, QnId b)
   return g_strdup_printf ("%s – %s", model->blocks[a].name, model->blocks[b].name);
 }
 
-/* Joints of a project that nothing was computed of. */
-static void
-write_faces (QnPages *pages, const QnReport *report)
-{
-  const QnContacts *contacts = report->contacts;
-  const size_t rows = count_rows (report, contacts->face_count);
-  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
-  qn_report_row (cells, report->units, "wwu", _ ("Joint"), _ ("Between"),
-                 _ ("Length (%s)"), QN_QUANTITY_LENGTH);
-  for (size_t r = 0; r < rows; r++) {
-    const QnContactFace *face = &contacts->faces[r];
-    qn_report_row (cells, report->units, "zoq", r,
-                   qn_report_dup_between (&report->project->model, face->a, face->b),
-                   QN_QUANTITY_LENGTH, face->length, 4);
-  }
-  qn_report_table (pages, cells, 3);
-  tell_rest (pages, contacts->face_count, rows);
-}
-
 bool
 qn_report_has_forces (const QnReportRun *run)
 {
@@ -247,7 +228,21 @@ qn_report_write_contacts (QnPages *pages, const QnReport *report, GError **error
                  qn_pages_next_figure (pages));
   if (!qn_pages_figures (pages, &figure, 1, 1, 0.45, error))
     return false;
-  if (report->run_count == 0)
-    write_faces (pages, report);
+  if (report->run_count == 0) {
+    /* Joints of a project that nothing was computed of. */
+    const QnContacts *contacts = report->contacts;
+    const size_t rows = count_rows (report, contacts->face_count);
+    g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+    qn_report_row (cells, report->units, "wwu", _ ("Joint"), _ ("Between"),
+                   _ ("Length (%s)"), QN_QUANTITY_LENGTH);
+    for (size_t r = 0; r < rows; r++) {
+      const QnContactFace *face = &contacts->faces[r];
+      qn_report_row (cells, report->units, "zoq", r,
+                     qn_report_dup_between (&report->project->model, face->a, face->b),
+                     QN_QUANTITY_LENGTH, face->length, 4);
+    }
+    qn_report_table (pages, cells, 3);
+    tell_rest (pages, contacts->face_count, rows);
+  }
   return true;
 }

@@ -16,21 +16,6 @@ dup_quantity (QnUnits units, QnQuantity quantity, double value, int digits)
   return qn_label_power (qn_units_format_full (units, quantity, value, digits));
 }
 
-/* Box around the blocks and the weight of those that are free. */
-static void
-measure (const QnModel *model, QnVec2 *size, double *weight)
-{
-  QnBox box = QN_BOX_EMPTY;
-  *weight = 0;
-  for (size_t i = 0; i < model->vertex_count; i++)
-    qn_box_add_point (&box, model->vertices[i]);
-  for (size_t i = 0; i < model->node_count; i++)
-    qn_box_add_point (&box, model->nodes[i].at);
-  for (size_t b = 0; b < model->block_count; b++)
-    *weight += model->blocks[b].support[QN_DOF_UY] ? 0 : model->blocks[b].weight;
-  *size = box.min.x <= box.max.x ? qn_vec2_sub (box.max, box.min) : qn_vec2 (0, 0);
-}
-
 bool
 qn_report_write_model (QnPages *pages, const QnReport *report, GError **error)
 {
@@ -39,7 +24,16 @@ qn_report_write_model (QnPages *pages, const QnReport *report, GError **error)
   QnVec2 size;
   double weight;
   qn_pages_heading (pages, _ ("Model"));
-  measure (model, &size, &weight);
+  /* Box around the blocks and the weight of those that are free. */
+  QnBox box = QN_BOX_EMPTY;
+  weight = 0;
+  for (size_t i = 0; i < model->vertex_count; i++)
+    qn_box_add_point (&box, model->vertices[i]);
+  for (size_t i = 0; i < model->node_count; i++)
+    qn_box_add_point (&box, model->nodes[i].at);
+  for (size_t b = 0; b < model->block_count; b++)
+    weight += model->blocks[b].support[QN_DOF_UY] ? 0 : model->blocks[b].weight;
+  size = box.min.x <= box.max.x ? qn_vec2_sub (box.max, box.min) : qn_vec2 (0, 0);
   const QnCount counts[] = { { QN_COUNTED_BLOCKS, model->block_count },
                              { QN_COUNTED_FACES, report->contacts->face_count },
                              { QN_COUNTED_PAIRS, report->contacts->pair_count },
@@ -129,23 +123,6 @@ dup_section_numbers (const QnSection *section)
   append_number (text, "Mp", QN_QUANTITY_MOMENT, qn_section_plastic_moment (section), "");
   append_number (text, "γ", QN_QUANTITY_UNIT_WEIGHT, section->unit_weight, "");
   return g_strdup (text->str);
-}
-
-static void
-write_sections (QnPages *pages, const QnModel *model)
-{
-  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
-  if (model->beam_count == 0)
-    return;
-  qn_report_row (cells, QN_UNITS_SI, "www", _ ("Section"), _ ("Beams"), _ ("Numbers"));
-  for (size_t i = 0; i < model->section_count; i++) {
-    size_t users = 0;
-    for (size_t k = 0; k < model->beam_count; k++)
-      users += model->beams[k].section == (QnId) i;
-    qn_report_row (cells, QN_UNITS_SI, "wzo", model->sections[i].name, users,
-                   dup_section_numbers (&model->sections[i]));
-  }
-  qn_report_table (pages, cells, 3);
 }
 
 static void
@@ -263,7 +240,18 @@ qn_report_write_materials (QnPages *pages, const QnReport *report)
   }
   if (model->block_count > 0)
     qn_report_table (pages, blocks, 4);
-  write_sections (pages, model);
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  if (model->beam_count != 0) {
+    qn_report_row (cells, QN_UNITS_SI, "www", _ ("Section"), _ ("Beams"), _ ("Numbers"));
+    for (size_t i = 0; i < model->section_count; i++) {
+      size_t users = 0;
+      for (size_t k = 0; k < model->beam_count; k++)
+        users += model->beams[k].section == (QnId) i;
+      qn_report_row (cells, QN_UNITS_SI, "wzo", model->sections[i].name, users,
+                     dup_section_numbers (&model->sections[i]));
+    }
+    qn_report_table (pages, cells, 3);
+  }
   write_bars (pages, report);
   write_ties (pages, report);
 }
@@ -312,48 +300,6 @@ write_initial_motion (QnPages *pages, const QnReport *report,
   }
 }
 
-static void
-write_dynamic (QnPages *pages, const QnReport *report)
-{
-  const QnModel *model = &report->project->model;
-  const QnDynamicSettings *dynamic = &model->analysis.dynamic;
-  for (size_t i = 0; i < model->initial_count; i++)
-    write_initial_motion (pages, report, &model->initial[i]);
-  double end = qn_model_duration (model);
-  g_autofree char *duration = qn_label_number ("%.4g", end);
-  g_autofree char *line = end > 0
-                            ? g_strdup_printf (_ ("Duration: %s s"), duration)
-                            : g_strdup (_ ("Duration: to the end of the ground motion"));
-  qn_pages_paragraph (pages, line);
-  g_autofree char *mass = qn_label_number ("%.4g", dynamic->mass_damping);
-  g_autofree char *joints = qn_label_number ("%.4g", dynamic->joint_damping);
-  qn_report_say (pages, _ ("Damping: %s 1/s times the mass, %s s times the stiffness"),
-                 mass, joints);
-  if (dynamic->of == QN_DAMPING_IMPACT)
-    qn_report_say (pages, "%s",
-                   _ ("Joints lose what the impact of a rocking block does"));
-}
-
-/* "Live load, traffic × 1.5: Backfill on the left: …" */
-static void
-append_load (GString *list, const QnReport *report, const QnLoad *load, bool dead)
-{
-  const QnModel *model = &report->project->model;
-  g_autofree char *text = qn_load_dup_text (model, load, report->units);
-  g_autofree char *where =
-    dead             ? g_strdup (_ ("Dead load"))
-    : load->set == 0 ? g_strdup (_ ("Live load"))
-                     : g_strdup_printf (_ ("Set “%s”"), model->load_sets[load->set - 1]);
-  g_autofree char *factor = qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER,
-                                             qn_model_load_factor (model, load), 6);
-  g_string_append (list, list->len > 0 ? "\n" : "");
-  if (load->load_case > 0)
-    g_string_append_printf (list, _ ("%s, %s × %s: %s"), where,
-                            model->load_cases[load->load_case - 1].name, factor, text);
-  else
-    g_string_append_printf (list, _ ("%s: %s"), where, text);
-}
-
 void
 qn_report_write_loads (QnPages *pages, const QnReport *report)
 {
@@ -362,8 +308,24 @@ qn_report_write_loads (QnPages *pages, const QnReport *report)
   qn_report_say (pages, _ ("Procedure: %s, in %s geometry."), qn_report_procedure (model),
                  qn_report_geometry (model));
   g_autoptr (GString) list = g_string_new (NULL);
-  for (size_t i = 0; i < qn_model_load_count (model); i++)
-    append_load (list, report, qn_model_load (model, i), i < model->dead_load_count);
+  for (size_t i = 0; i < qn_model_load_count (model); i++) {
+    /* "Live load, traffic × 1.5: Backfill on the left: …" */
+    const QnLoad *load = qn_model_load (model, i);
+    g_autofree char *text = qn_load_dup_text (model, load, report->units);
+    g_autofree char *where =
+      (i < model->dead_load_count) ? g_strdup (_ ("Dead load"))
+      : load->set == 0
+        ? g_strdup (_ ("Live load"))
+        : g_strdup_printf (_ ("Set “%s”"), model->load_sets[load->set - 1]);
+    g_autofree char *factor = qn_units_format (QN_UNITS_SI, QN_QUANTITY_NUMBER,
+                                               qn_model_load_factor (model, load), 6);
+    g_string_append (list, list->len > 0 ? "\n" : "");
+    if (load->load_case > 0)
+      g_string_append_printf (list, _ ("%s, %s × %s: %s"), where,
+                              model->load_cases[load->load_case - 1].name, factor, text);
+    else
+      g_string_append_printf (list, _ ("%s: %s"), where, text);
+  }
   if (list->len > 0)
     qn_pages_paragraph (pages, list->str);
   for (size_t i = 0; i < model->stage_count; i++) {
@@ -373,8 +335,24 @@ qn_report_write_loads (QnPages *pages, const QnReport *report)
   }
   for (size_t i = 0; i < model->ground_count; i++)
     qn_report_write_ground_motion (pages, &model->ground[i]);
-  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
-    write_dynamic (pages, report);
+  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC) {
+    const QnDynamicSettings *dynamic = &model->analysis.dynamic;
+    for (size_t i = 0; i < model->initial_count; i++)
+      write_initial_motion (pages, report, &model->initial[i]);
+    double end = qn_model_duration (model);
+    g_autofree char *duration = qn_label_number ("%.4g", end);
+    g_autofree char *line =
+      end > 0 ? g_strdup_printf (_ ("Duration: %s s"), duration)
+              : g_strdup (_ ("Duration: to the end of the ground motion"));
+    qn_pages_paragraph (pages, line);
+    g_autofree char *mass = qn_label_number ("%.4g", dynamic->mass_damping);
+    g_autofree char *joints = qn_label_number ("%.4g", dynamic->joint_damping);
+    qn_report_say (pages, _ ("Damping: %s 1/s times the mass, %s s times the stiffness"),
+                   mass, joints);
+    if (dynamic->of == QN_DAMPING_IMPACT)
+      qn_report_say (pages, "%s",
+                     _ ("Joints lose what the impact of a rocking block does"));
+  }
 }
 
 void

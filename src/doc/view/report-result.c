@@ -132,20 +132,6 @@ tell_crack (QnPages *pages, const QnReportRun *run, QnCrack crack, const char *w
 /* Part of its collapse multiplier up to which a structure in linear geometry has not begun to move on. */
 #define BEFORE_COLLAPSE 0.97
 
-/* The last step of which displacements are not how far a mechanism was followed. */
-static size_t
-last_determined (const QnModel *model, const QnResult *result)
-{
-  size_t step = result->step_count - 1;
-  if (model->analysis.geometry == QN_GEOMETRY_LINEAR
-      && result->outcome == QN_OUTCOME_COLLAPSE && result->has_collapse_multiplier)
-    while (step > 0
-           && result->steps[step].multiplier
-                > BEFORE_COLLAPSE * result->collapse_multiplier)
-      step--;
-  return step;
-}
-
 /* Of a settlement: what its support takes, and the widest crack, over all steps; of long paths at even
  * distances. */
 static void
@@ -226,7 +212,14 @@ write_cracks (QnPages *pages, const QnReportRun *run, QnUnits given)
   if (result->step_count == 0 || result->limit.given)
     return;
   g_autofree QnCrack *cracks = g_new (QnCrack, result->step_count);
-  const size_t end = last_determined (&run->project->model, result);
+  /* The last step of which displacements are not how far a mechanism was followed. */
+  size_t end = result->step_count - 1;
+  if (run->project->model.analysis.geometry == QN_GEOMETRY_LINEAR
+      && result->outcome == QN_OUTCOME_COLLAPSE && result->has_collapse_multiplier)
+    while (end > 0
+           && result->steps[end].multiplier
+                > BEFORE_COLLAPSE * result->collapse_multiplier)
+      end--;
   QnCrack widest = { 0 }, *last = &cracks[end];
   for (size_t s = 0; s < result->step_count; s++) {
     cracks[s] = find_crack (run, s);
@@ -437,29 +430,6 @@ qn_report_write_certificate (QnPages *pages, const QnReport *report)
   }
 }
 
-/* Those that share axes in one plot, where there are several. */
-static void
-write_curves (QnPages *pages, const QnCurve *curves, size_t count)
-{
-  g_autofree QnCurve *alike = g_new0 (QnCurve, count + 1);
-  for (size_t first = 0; first < count; first++) {
-    size_t found = 0;
-    bool told = false;
-    for (size_t i = 0; i < count; i++)
-      if (qn_curve_shares_axes (&curves[i], &curves[first])) {
-        told |= i < first;
-        alike[found++] = curves[i];
-      }
-    if (found < 2 || told)
-      continue;
-    g_autoptr (QnPlot) plot = qn_curve_plot (alike, found, NULL, 0);
-    plot->title = curves[first].in_time   ? _ ("Displacement in time")
-                  : curves[first].settles ? _ ("Reactions over settlement")
-                                          : _ ("Load–displacement curves");
-    qn_pages_plot (pages, plot, 0.45);
-  }
-}
-
 bool
 qn_report_write_comparison (QnPages *pages, const QnReport *report, GError **error)
 {
@@ -484,7 +454,24 @@ qn_report_write_comparison (QnPages *pages, const QnReport *report, GError **err
   qn_report_table (pages, cells, 2 + 5);
   qn_report_say (pages, _ ("Pictures: from figure\u00a0%d on."),
                  qn_pages_next_figure (pages));
-  write_curves (pages, curves, count);
+  /* Those that share axes in one plot, where there are several. */
+  g_autofree QnCurve *alike = g_new0 (QnCurve, count + 1);
+  for (size_t first = 0; first < count; first++) {
+    size_t found = 0;
+    bool told = false;
+    for (size_t i = 0; i < count; i++)
+      if (qn_curve_shares_axes (&curves[i], &curves[first])) {
+        told |= i < first;
+        alike[found++] = curves[i];
+      }
+    if (found < 2 || told)
+      continue;
+    g_autoptr (QnPlot) plot = qn_curve_plot (alike, found, NULL, 0);
+    plot->title = curves[first].in_time   ? _ ("Displacement in time")
+                  : curves[first].settles ? _ ("Reactions over settlement")
+                                          : _ ("Load–displacement curves");
+    qn_pages_plot (pages, plot, 0.45);
+  }
   for (size_t i = 0; i < count; i++)
     qn_curve_clear (&curves[i]);
 

@@ -77,17 +77,6 @@ qn_report_table (QnPages *pages, GPtrArray *cells, size_t columns)
                   columns);
 }
 
-/* The day, of SOURCE_DATE_EPOCH where it is set: then equal input gives equal bytes on all days. */
-static char *
-dup_date (void)
-{
-  const char *epoch = g_getenv ("SOURCE_DATE_EPOCH");
-  g_autoptr (GDateTime) now =
-    epoch != NULL ? g_date_time_new_from_unix_utc (g_ascii_strtoll (epoch, NULL, 10))
-                  : g_date_time_new_now_local ();
-  return now != NULL ? g_date_time_format (now, "%Y-%m-%d") : g_strdup ("–");
-}
-
 /* Whether two runs are one, computed twice: the same project and settings, and the same last step. */
 static gboolean
 same_run (const QnReportRun *a, const QnReportRun *b)
@@ -216,24 +205,6 @@ dup_verdict (const QnReportRun *run, double demand)
     wanted, carried, ratio);
 }
 
-/* The answer of a run, with the range that it lies in, and the verdict where a demand is given. */
-static void
-write_answer (QnPages *pages, const QnReportRun *run, double demand, bool named)
-{
-  const QnResult *result = &run->file.result;
-  g_autofree char *text = qn_explain_outcome (&run->project->model, result);
-  g_autofree char *line = named ? g_strdup_printf ("%s: %s", run->name, text) : NULL;
-  g_autofree char *interval = qn_outcome_dup_interval (&run->project->model, result);
-  g_autofree char *basis = dup_basis (run);
-  g_autofree char *verdict = demand > 0 ? dup_verdict (run, demand) : NULL;
-  qn_pages_paragraph (pages, named ? line : text);
-  if (interval != NULL)
-    qn_pages_paragraph (pages, interval);
-  if (verdict != NULL)
-    qn_pages_paragraph (pages, verdict);
-  qn_pages_paragraph (pages, basis);
-}
-
 /* A page of its own: title, author, question and picture, the answers, and of what, by what and when it was
  * made. */
 static bool
@@ -264,35 +235,41 @@ write_title (QnPages *pages, const QnReport *report, GError **error)
   }
   if (!qn_pages_figures (pages, &figure, 1, 1, share, error))
     return false;
-  for (size_t i = 0; i < report->run_count; i++)
-    write_answer (pages, &report->runs[i], report->plan.demand, report->run_count > 1);
+  for (size_t i = 0; i < report->run_count; i++) {
+    /* The answer of a run, with the range that it lies in, and the verdict where a demand
+     * is given. */
+    const QnReportRun *run = &report->runs[i];
+    double demand = report->plan.demand;
+    bool named = report->run_count > 1;
+    const QnResult *result = &run->file.result;
+    g_autofree char *text = qn_explain_outcome (&run->project->model, result);
+    g_autofree char *line = named ? g_strdup_printf ("%s: %s", run->name, text) : NULL;
+    g_autofree char *interval = qn_outcome_dup_interval (&run->project->model, result);
+    g_autofree char *basis = dup_basis (run);
+    g_autofree char *verdict = demand > 0 ? dup_verdict (run, demand) : NULL;
+    qn_pages_paragraph (pages, named ? line : text);
+    if (interval != NULL)
+      qn_pages_paragraph (pages, interval);
+    if (verdict != NULL)
+      qn_pages_paragraph (pages, verdict);
+    qn_pages_paragraph (pages, basis);
+  }
   if (alone)
     qn_report_write_assumptions (pages, report, foot);
   g_autofree char *name = g_path_get_basename (report->project->name);
-  g_autofree char *date = dup_date ();
+  /* The day, of SOURCE_DATE_EPOCH where it is set: then equal input gives equal bytes on
+   * all days. */
+  const char *epoch = g_getenv ("SOURCE_DATE_EPOCH");
+  g_autoptr (GDateTime) now =
+    epoch != NULL ? g_date_time_new_from_unix_utc (g_ascii_strtoll (epoch, NULL, 10))
+                  : g_date_time_new_now_local ();
+  g_autofree char *date =
+    now != NULL ? g_date_time_format (now, "%Y-%m-%d") : g_strdup ("–");
   g_string_append_printf (foot, _ ("%s, made by %s on %s"), name, QN_GENERATOR, date);
   if (report->project->sha256 != NULL)
     g_string_append_printf (foot, "\nSHA-256 %s", report->project->sha256);
   qn_pages_foot (pages, foot->str);
   return true;
-}
-
-static void
-write_files (QnPages *pages, const QnReport *report)
-{
-  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
-  g_autofree char *project = g_path_get_basename (report->project->name);
-  qn_pages_heading (pages, _ ("Files and Versions"));
-  qn_report_row (cells, report->units, "wwwwww", _ ("File"), _ ("Made by"),
-                 _ ("SHA-256 of the project"), project, "–",
-                 report->project->sha256 != NULL ? report->project->sha256 : "–");
-  for (size_t i = 0; i < report->run_count; i++) {
-    const QnResultFile *file = &report->runs[i].file;
-    qn_report_row (cells, report->units, "www", report->runs[i].name,
-                   file->generator != NULL ? file->generator : "–",
-                   file->model_sha256 != NULL ? file->model_sha256 : "–");
-  }
-  qn_report_table (pages, cells, 3);
 }
 
 static bool
@@ -333,8 +310,21 @@ write_all (QnPages *pages, const QnReport *report, GError **error)
   if (wanted[QN_REPORT_COMPARISON] && report->run_count > 1
       && !qn_report_write_comparison (pages, report, error))
     return false;
-  if (wanted[QN_REPORT_FILES])
-    write_files (pages, report);
+  if (wanted[QN_REPORT_FILES]) {
+    g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+    g_autofree char *project = g_path_get_basename (report->project->name);
+    qn_pages_heading (pages, _ ("Files and Versions"));
+    qn_report_row (cells, report->units, "wwwwww", _ ("File"), _ ("Made by"),
+                   _ ("SHA-256 of the project"), project, "–",
+                   report->project->sha256 != NULL ? report->project->sha256 : "–");
+    for (size_t i = 0; i < report->run_count; i++) {
+      const QnResultFile *file = &report->runs[i].file;
+      qn_report_row (cells, report->units, "www", report->runs[i].name,
+                     file->generator != NULL ? file->generator : "–",
+                     file->model_sha256 != NULL ? file->model_sha256 : "–");
+    }
+    qn_report_table (pages, cells, 3);
+  }
   return true;
 }
 

@@ -107,17 +107,6 @@ read_curve (QnCurve *curve, const QnSheetRun *run, const QnCurveSheet *sheet,
   return TRUE;
 }
 
-/* Runs of one project are distinguished by their own names. */
-static char *
-dup_label (const QnSheetRun *runs, gsize count, gsize i)
-{
-  const char *title = qn_project_title (runs[i].project);
-  gsize alike = 0;
-  for (gsize k = 0; k < count; k++)
-    alike += strcmp (title, qn_project_title (runs[k].project)) == 0;
-  return alike > 1 ? g_strdup_printf ("%s (%s)", title, runs[i].name) : g_strdup (title);
-}
-
 static gboolean
 draw_curves (const QnCurveSheet *sheet, const QnSheetRun *runs, const QnCurve *curves,
              gsize count, const char *path, const QnOutput *output, GError **error)
@@ -140,7 +129,13 @@ qn_curve_sheet_export (const QnCurveSheet *sheet, const QnSheetRun *runs, gsize 
   gboolean table = qn_is_table (path), done = TRUE;
   for (gsize i = 0; i < count && done; i++) {
     done = read_curve (&curves[i], &runs[i], sheet, table, error);
-    g_ptr_array_add (labels, dup_label (runs, count, i));
+    /* Runs of one project are distinguished by their own names. */
+    const char *title = qn_project_title (runs[i].project);
+    gsize alike = 0;
+    for (gsize k = 0; k < count; k++)
+      alike += strcmp (title, qn_project_title (runs[k].project)) == 0;
+    g_ptr_array_add (labels, alike > 1 ? g_strdup_printf ("%s (%s)", title, runs[i].name)
+                                       : g_strdup (title));
     curves[i].label = labels->pdata[i];
     if (done && !qn_curve_shares_axes (&curves[i], &curves[0]))
       done =
