@@ -146,8 +146,7 @@ follow_rates (QnIpKkt *kkt, const QnIpVector *right, const double *ry, double si
     e[r] = right->v[r] - (kkt->bordered ? p->load[r] * out->lambda : 0.0)
            + kkt->ip->inverse.regularization * out->v[r];
   qn_ip_add_forces (p, out->y, -1, e);
-  /* Largest relative residual of the second and third block row; residual_v holds what
-   * subtract_forces() has left. */
+  /* The largest relative residual; residual_v holds what the forces have left. */
   double error = 0.0;
   double scale = fmax (qn_ip_largest (right->v, p->row_count), fabs (out->lambda));
   scale = fmax (scale, 1e-3 * qn_ip_largest (out->y, 2 * p->cell_count));

@@ -178,7 +178,7 @@ qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, double *b)
         trial.left = fabs (left[i]);
     /* |trial - A x| / (|A| |x| + |trial|), Rigal & Gaches 1967 */
     if (pivots > QN_TOLERANCE_SINGULAR
-        && (trial.left / (trial.matrix * trial.solution + trial.right))
+        && trial.left / (trial.matrix * trial.solution + trial.right)
              < QN_TOLERANCE_BACKWARD)
       return system->status = QN_SOLVE_CONVERGED;
     /* Whether A maps x to nothing, for |A x| is at most |trial| + |trial - A x|: then A

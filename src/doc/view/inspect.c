@@ -216,8 +216,6 @@ tell_joint (Lines *lines, const QnStepView *view, QnId id, QnUnits units, gboole
   add_text (lines, _ ("Law"), laws);
 }
 
-/* ---- contacts found on the way ---- */
-
 /* ---- blocks ---- */
 
 static void
