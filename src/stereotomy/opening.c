@@ -204,24 +204,6 @@ check_apart (const Cutter *a, const Cutter *b, QnDiag *diag)
   return status;
 }
 
-/* Adds what is left of a unit: itself, nothing, one part of the same name or several lettered. */
-static void
-add_remainder (const QnPiece *unit, const QnRings *parts, QnPieces *pieces)
-{
-  for (size_t i = 0; i < parts->count; i++) {
-    const QnRing *part = &parts->items[i];
-    QnPiece *piece =
-      parts->count == 1
-        ? qn_pieces_add (pieces, qn_ring_of (part->points, part->count), "%s", unit->name)
-      : i < 26 ? qn_pieces_add (pieces, qn_ring_of (part->points, part->count), "%s%c",
-                                unit->name, 'a' + (int) i)
-               : qn_pieces_add (pieces, qn_ring_of (part->points, part->count), "%s-%zu",
-                                unit->name, i + 1);
-    qn_piece_inherit (piece, unit);
-    piece->cut = true;
-  }
-}
-
 /* Moves `unit` into `pieces`, cut by those cutters that reach it; takes their parts from `left_parts`,
  * how many may still be cut with. */
 static QnStatus
@@ -248,9 +230,22 @@ cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, size_t *lef
     status = qn_polygon_difference (&unit->ring, &near, &parts, diag);
     left = qn_rings_area (&parts);
   }
-  if (status == QN_OK && left < whole * (1 - OPENING_TOLERANCE * 1e-3))
-    add_remainder (unit, &parts, pieces);
-  else if (status == QN_OK)
+  if (status == QN_OK && left < whole * (1 - OPENING_TOLERANCE * 1e-3)) {
+    /* Adds what is left of a unit: itself, nothing, one part of the same name or several
+     * lettered. */
+    for (size_t i = 0; i < parts.count; i++) {
+      const QnRing *rest = &parts.items[i];
+      QnPiece *piece =
+        parts.count == 1 ? qn_pieces_add (pieces, qn_ring_of (rest->points, rest->count),
+                                          "%s", unit->name)
+        : i < 26 ? qn_pieces_add (pieces, qn_ring_of (rest->points, rest->count), "%s%c",
+                                  unit->name, 'a' + (int) i)
+                 : qn_pieces_add (pieces, qn_ring_of (rest->points, rest->count),
+                                  "%s-%zu", unit->name, i + 1);
+      qn_piece_inherit (piece, unit);
+      piece->cut = true;
+    }
+  } else if (status == QN_OK)
     qn_pieces_take (pieces, unit);
   return status;
 }

@@ -107,26 +107,6 @@ dup_caption (const SheetLayout *s, size_t index)
 
 /* ---- layout ----------------------------------------------------------------------------- */
 
-/* Entries of all scenes, each text once. */
-static QnScene *
-merge_legends (GPtrArray *scenes)
-{
-  QnScene *merged = qn_scene_new ();
-  g_autoptr (GHashTable) known = g_hash_table_new (g_str_hash, g_str_equal);
-  for (guint i = 0; i < scenes->len; i++) {
-    const QnScene *scene = g_ptr_array_index (scenes, i);
-    merged->monochrome = scene->monochrome;
-    for (guint k = 0; k < scene->legend->len; k++) {
-      QnLegendEntry entry = g_array_index (scene->legend, QnLegendEntry, k);
-      if (!g_hash_table_add (known, entry.text))
-        continue;
-      entry.text = g_strdup (entry.text);
-      g_array_append_val (merged->legend, entry);
-    }
-  }
-  return merged;
-}
-
 /* Height of the tallest structure in a row, m. */
 static double
 tallest_in_row (const SheetLayout *s, int columns, int row)
@@ -288,7 +268,20 @@ draw_sheet_page (cairo_t *cr, const QnPage *page, void *data, GError **error)
     }
     g_ptr_array_add (scenes, scene);
   }
-  g_autoptr (QnScene) legend = merge_legends (scenes);
+  /* Entries of all scenes, each text once. */
+  g_autoptr (QnScene) legend = qn_scene_new ();
+  g_autoptr (GHashTable) known = g_hash_table_new (g_str_hash, g_str_equal);
+  for (guint i = 0; i < scenes->len; i++) {
+    const QnScene *one = g_ptr_array_index (scenes, i);
+    legend->monochrome = one->monochrome;
+    for (guint k = 0; k < one->legend->len; k++) {
+      QnLegendEntry entry = g_array_index (one->legend, QnLegendEntry, k);
+      if (!g_hash_table_add (known, entry.text))
+        continue;
+      entry.text = g_strdup (entry.text);
+      g_array_append_val (legend->legend, entry);
+    }
+  }
   g_autofree QnId *groups = g_new (QnId, sheet->count);
   if (!qn_compare_sheet_groups (sheet->figures, sheet->count, groups)) {
     g_set_error_literal (error, G_IO_ERROR, G_IO_ERROR_FAILED, _ ("not enough memory"));

@@ -99,23 +99,6 @@ add_cones (QnPlot *plot, const double *normal, const Strength *strengths, size_t
   }
 }
 
-/* Normal forces as bars, shear as crosses to the same scale. */
-static void
-add_joint_bars (QnPlot *plot, size_t count, const double *along, const double *normal,
-                const double *shear)
-{
-  double *x = qn_plot_keep (plot, g_new (double, 6 * count)), *y = x + 3 * count;
-  for (size_t i = 0; i < count; i++) {
-    x[3 * i] = x[3 * i + 1] = x[3 * i + 2] = along[i];
-    y[3 * i] = 0;
-    y[3 * i + 1] = normal[i];
-    y[3 * i + 2] = NAN;
-  }
-  qn_plot_mark (plot, QN_MARKS_LINE, NULL, 0, x, y, 3 * count);
-  qn_plot_points (plot, NULL, QN_SERIES_INK, along, shear, count, QN_MARKER_CROSS,
-                  JOINT_MARK);
-}
-
 void
 qn_joint_plots_init (QnPlot *plots[2], const QnModel *model, const QnContacts *contacts,
                      const QnPairResult *pairs, QnId face)
@@ -136,7 +119,18 @@ qn_joint_plots_init (QnPlot *plots[2], const QnModel *model, const QnContacts *c
   }
   add_cones (cone, normal, strengths, count);
   add_joint_points (cone, pairs + first, count, normal, shear);
-  add_joint_bars (along, count, x, normal, shear);
+  /* Normal forces as bars, shear as crosses to the same scale. */
+  double *across = qn_plot_keep (along, g_new (double, 6 * count)),
+         *up = across + 3 * count;
+  for (size_t i = 0; i < count; i++) {
+    across[3 * i] = across[3 * i + 1] = across[3 * i + 2] = x[i];
+    up[3 * i] = 0;
+    up[3 * i + 1] = normal[i];
+    up[3 * i + 2] = NAN;
+  }
+  qn_plot_mark (along, QN_MARKS_LINE, NULL, 0, across, up, 3 * count);
+  qn_plot_points (along, NULL, QN_SERIES_INK, x, shear, count, QN_MARKER_CROSS,
+                  JOINT_MARK);
   add_joint_points (along, pairs + first, count, x, normal);
 }
 

@@ -162,23 +162,6 @@ add_yield_marks (QnSceneBuilder *b, const GArray *crossings)
     qn_scene_legend (b->scene, QN_COMMAND_MARKER, 4, ink, "%s", _ ("bar yields"));
 }
 
-/* One bar, or many from the thinnest to the thickest. */
-static char *
-dup_label (const QnModel *model)
-{
-  double least = INFINITY, most = 0.0;
-  for (size_t i = 0; i < model->bar_count; i++) {
-    const double diameter = 1e3 * qn_bar_get_diameter (model->bars[i].area);
-    least = fmin (least, diameter);
-    most = fmax (most, diameter);
-  }
-  g_autofree char *thin = qn_label_number ("%.3g", least);
-  g_autofree char *thick = qn_label_number ("%.3g", most);
-  return g_str_equal (thin, thick)
-           ? g_strdup_printf (_ ("reinforcing bar, Ø %s mm"), thin)
-           : g_strdup_printf (_ ("reinforcing bars, Ø %s–%s mm"), thin, thick);
-}
-
 void
 qn_build_bars (QnSceneBuilder *b)
 {
@@ -210,7 +193,19 @@ qn_build_bars (QnSceneBuilder *b)
               qn_color_bar_color (&range, stress, b->options->monochrome));
   }
   if (!range.shown) {
-    g_autofree char *label = dup_label (b->model);
+    /* One bar, or many from the thinnest to the thickest. */
+    double finest = INFINITY, widest = 0.0;
+    for (size_t i = 0; i < b->model->bar_count; i++) {
+      const double diameter = 1e3 * qn_bar_get_diameter (b->model->bars[i].area);
+      finest = fmin (finest, diameter);
+      widest = fmax (widest, diameter);
+    }
+    g_autofree char *thin = qn_label_number ("%.3g", finest);
+    g_autofree char *thick = qn_label_number ("%.3g", widest);
+    g_autofree char *label =
+      g_str_equal (thin, thick)
+        ? g_strdup_printf (_ ("reinforcing bar, Ø %s mm"), thin)
+        : g_strdup_printf (_ ("reinforcing bars, Ø %s–%s mm"), thin, thick);
     qn_scene_legend (b->scene, QN_COMMAND_STROKE, WIDTH_BAR,
                      qn_builder_ink (b, QN_INK_BAR), "%s", label);
     return;

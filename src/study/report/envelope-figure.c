@@ -18,18 +18,6 @@
 #define WHEEL_SHARE 0.08
 #define LABEL_ROOM  9.0
 
-/* The structure with the surface of its fill, m. */
-static QnBox
-find_box (const QnModel *model)
-{
-  QnBox box = qn_box_of_points (model->vertices, model->vertex_count);
-  for (size_t i = 0; i < model->dead_load_count; i++)
-    for (int32_t k = 0; k < model->dead_loads[i].surface_count; k++)
-      qn_box_add_point (&box, qn_vec2 (box.min.x, model->dead_loads[i].surface[k].y));
-  box.max.y += WHEEL_SHARE * (box.max.x - box.min.x);
-  return box;
-}
-
 /* Where the multiplier of a position stands, which lasts as long as the plot. */
 static const double *
 multiplier_at (const QnEnvelope *e, QnEnvelopePlace at)
@@ -116,7 +104,13 @@ qn_envelope_draw (cairo_t *cr, const QnPage *page, void *data, GError **error)
 {
   QnEnvelopeFigure *figure = data;
   const QnFrame whole = qn_page_frame (page, MARGIN);
-  const QnBox box = find_box (figure->moved);
+  /* The structure with the surface of its fill, m. */
+  QnBox box = qn_box_of_points (figure->moved->vertices, figure->moved->vertex_count);
+  for (size_t i = 0; i < figure->moved->dead_load_count; i++)
+    for (int32_t k = 0; k < figure->moved->dead_loads[i].surface_count; k++)
+      qn_box_add_point (&box,
+                        qn_vec2 (box.min.x, figure->moved->dead_loads[i].surface[k].y));
+  box.max.y += WHEEL_SHARE * (box.max.x - box.min.x);
   g_autoptr (QnPlot) plot = make_plot (figure, &box);
   QnFrame below = whole;
   double scale = AXIS_SHARE * whole.width / (plot->x.high - plot->x.low);
