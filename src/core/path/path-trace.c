@@ -114,6 +114,15 @@ choose_next_step (QnPathTrace *trace, double step, bool easy)
 
 /* --- One step ---------------------------------------------------------------------------- */
 
+static void
+exchange_highest (QnPathTrace *trace)
+{
+  QnEquilibriumState before = trace->before;
+
+  trace->before = trace->highest;
+  trace->highest = before;
+}
+
 /* Accepts the current state. Load control records the equilibria that it meets, which lie above all
  * multipliers before. */
 bool
@@ -137,6 +146,7 @@ qn_path_trace_accept (QnPathTrace *trace)
   if (!qn_path_accept (path, multiplier, snap ? QN_EVENT_SNAP : QN_EVENT_NONE))
     return false;
   if (trace->load_control) {
+    exchange_highest (trace);
     qn_equilibrium_save (eq, &trace->highest);
     if (!trace->doubt)
       qn_equilibrium_save (eq, &trace->sure);
@@ -420,9 +430,10 @@ conclude (QnPathTrace *trace)
 }
 
 /* Load control, after the path has turned down or no step converges; in linear geometry, where it has ended on a
- * plateau below its peak. Relaxes the structure under a load slightly above the highest multiplier. If it comes
- * to rest, load control goes on from there; if it falls, that is collapse; if neither is certain, the path is
- * followed to its end. */
+ * plateau below its peak. Relaxes the structure under a load slightly above the highest multiplier; in linear
+ * geometry from the equilibrium before, since a long step may lead beyond a higher peak. If it comes to rest, load
+ * control goes on from there; if it falls, that is collapse; if neither is certain, the path is followed to its
+ * end. */
 static bool
 hold_load (QnPathTrace *trace)
 {
@@ -436,8 +447,8 @@ hold_load (QnPathTrace *trace)
     qn_target_multiplier (fmin (trace->events.highest + more, trace->end));
 
   qn_equilibrium_save (eq, &trace->lower);
-  qn_equilibrium_set_state (eq, &trace->highest);
-  qn_equilibrium_commit (eq);
+  qn_equilibrium_set_state (eq, linear ? &trace->before : &trace->highest);
+  qn_equilibrium_record (eq);
   QnSolveStatus status = qn_equilibrium_relax (
     eq, trace->central, &target, far, &trace->fall, linear ? QN_TRIED : QN_RELAX_BUDGET);
 
@@ -446,6 +457,8 @@ hold_load (QnPathTrace *trace)
   if (status == QN_SOLVE_CONVERGED && !qn_path_events_climbs (&trace->events))
     status = QN_SOLVE_FAILED;
   if (status == QN_SOLVE_FAILED) {
+    qn_equilibrium_set_state (eq, &trace->highest);
+    qn_equilibrium_record (eq);
     qn_equilibrium_set_state (eq, &trace->lower);
     qn_equilibrium_commit (eq);
     return true;
@@ -459,6 +472,11 @@ hold_load (QnPathTrace *trace)
   trace->means = QN_FOUND_BY_RELAXATION;
   trace->jumped = true;
   trace->above = fmin (2 * trace->above, QN_PATH_MOST_ABOVE);
+  if (linear && trace->before.multiplier < trace->highest.multiplier) {
+    /* A structure that is loaded slowly does not come to the highest state. */
+    qn_result_keep_steps (path->result, path->result->step_count - 1);
+    exchange_highest (trace);
+  }
   if (!qn_path_trace_accept (trace))
     return false;
   qn_path_measure_keep_last (&trace->measure);
@@ -511,6 +529,7 @@ renew_highest (QnPathTrace *trace)
 
   qn_pool_clear (&trace->states);
   qn_equilibrium_state_init (&trace->highest, &eq->assembly, &trace->states);
+  qn_equilibrium_state_init (&trace->before, &eq->assembly, &trace->states);
   qn_equilibrium_state_init (&trace->lower, &eq->assembly, &trace->states);
   qn_equilibrium_state_init (&trace->sure, &eq->assembly, &trace->states);
   qn_equilibrium_state_init (&trace->ahead, &eq->assembly, &trace->states);
@@ -518,6 +537,7 @@ renew_highest (QnPathTrace *trace)
     return false;
   qn_equilibrium_save (eq, &trace->sure);
   qn_equilibrium_save (eq, &trace->highest);
+  qn_equilibrium_save (eq, &trace->before);
   trace->lower.multiplier = INFINITY;
   return true;
 }

@@ -48,14 +48,14 @@ typedef struct QnPathTrace {
   double last_multiplier; /* before the last accepted step */
   double plateau_multiplier, plateau_motion; /* at the begin of the present plateau */
   QnStop stop;                               /* UNKNOWN while the path goes on */
-  /* Load control: the state with the highest multiplier, and the lower one that the path had come to when the
-   * load was held. */
-  QnEquilibriumState highest, lower;
+  /* Load control: the state with the highest multiplier, the highest one before that, and the lower one that the
+   * path had come to when the load was held. */
+  QnEquilibriumState highest, before, lower;
   /* The highest equilibrium reached under a slowly growing load; the last step while the load is held. */
   QnEquilibriumState sure, ahead;
   bool doubt;    /* doubtful whether equilibria since `sure` are reached so */
   int32_t aside; /* factorisations with the load held, not counted for the path */
-  QnPool states; /* memory of these four */
+  QnPool states; /* memory of these five */
 } QnPathTrace;
 
 static inline bool

@@ -325,6 +325,34 @@ test_creeping_to_a_target (void)
   g_assert_cmpfloat (result.steps[result.step_count - 1].multiplier, ==, 0.49);
 }
 
+/* A long step may lead beyond a peak of the path; a load that is held slightly above it rests where the step
+ * began. So load control ends no lower than procedures that prescribe the motion. */
+static void
+test_peak_within_a_step (void)
+{
+  static const QnProcedure procedures[] = { QN_PROCEDURE_LOAD, QN_PROCEDURE_WORK,
+                                            QN_PROCEDURE_ARC_LENGTH };
+  static const guint32 seeds[] = { 23103, 41031 };
+
+  for (size_t i = 0; i < G_N_ELEMENTS (seeds); i++) {
+    double by_load = 0;
+    for (size_t k = 0; k < G_N_ELEMENTS (procedures); k++) {
+      QnModel model;
+      g_auto (QnResult) result;
+      test_wall_draw_sized (&model, seeds[i], 60, 300);
+      model.analysis.geometry = QN_GEOMETRY_LINEAR;
+      model.analysis.procedure = procedures[k];
+      run (&model, NULL, NULL, &result);
+      g_assert_cmpint (result.outcome, ==, QN_OUTCOME_COLLAPSE);
+      by_load = k == 0 ? result.collapse_multiplier : by_load;
+      g_test_message ("seed %u: %.5f", seeds[i], result.collapse_multiplier);
+      g_assert_cmpfloat (by_load, >=, 0.9999 * result.collapse_multiplier);
+      for (size_t s = 1; k == 0 && s < result.step_count; s++)
+        g_assert_cmpfloat (result.steps[s].multiplier, >, result.steps[s - 1].multiplier);
+    }
+  }
+}
+
 static void
 test_repeatable (void)
 {
@@ -496,6 +524,7 @@ QN_TESTS
   g_test_add_func ("/path-load/cancel/what-is-sought", test_cancel_what_is_sought);
   g_test_add_func ("/path-load/creeping/ends", test_creeping_ends);
   g_test_add_func ("/path-load/creeping/to-a-target", test_creeping_to_a_target);
+  g_test_add_func ("/path-load/peak-within-a-step", test_peak_within_a_step);
   g_test_add_func ("/path-load/repeatable", test_repeatable);
   g_test_add_func ("/path-load/strength-that-is-lost", test_strength_that_is_lost);
   g_test_add_func ("/path-load/forces-of-every-step", test_forces_of_every_step);
