@@ -2,8 +2,6 @@
 
 #include <string.h>
 
-#define LONGEST_WAIT_US (60 * G_USEC_PER_SEC)
-
 QnDocument *
 open_example (const char *name)
 {
@@ -167,11 +165,8 @@ refuse (QnDocument *document, ModelEdit func, gconstpointer data)
 void
 wait_for_job (QnDocument *document)
 {
-  gint64 end = g_get_monotonic_time () + LONGEST_WAIT_US;
-  while (document->job != NULL) {
-    g_assert_cmpint (g_get_monotonic_time (), <, end);
+  while (document->job != NULL)
     g_main_context_iteration (NULL, TRUE);
-  }
 }
 
 QnRun *

@@ -1,11 +1,11 @@
 #include "long-analysis.h"
 #include "support/edit-model.h"
 
-/* Nobody waits for its end: a day of slow motion of the ground, in steps of a hundredth of a second. */
+/* Nobody waits for its end: a day of slow motion of the ground, in so many steps. */
 static gboolean
 shake (QnModel *model, gpointer data, GError **error)
 {
-  enum { DAY = 86400 };
+  enum { DAY = 86400, STEPS = 400000 };
   (void) data;
   (void) error;
   QnGroundMotion *motion = qn_model_add_ground_motion (model);
@@ -17,8 +17,8 @@ shake (QnModel *model, gpointer data, GError **error)
   model->analysis.geometry = QN_GEOMETRY_NONLINEAR;
   model->analysis.max_factorizations = INT32_MAX;
   model->analysis.dynamic.duration = DAY;
-  model->analysis.dynamic.time_step = 1e-2;
-  model->analysis.dynamic.output_interval = 1e-1;
+  model->analysis.dynamic.time_step = (double) DAY / STEPS;
+  model->analysis.dynamic.output_interval = 10.0 * DAY / STEPS;
   model->analysis.dynamic.adaptive = FALSE;
   return TRUE;
 }

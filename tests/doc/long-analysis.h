@@ -1,8 +1,7 @@
-/* An analysis that takes seconds on any machine, for tests of what can be done meanwhile. */
+/* An analysis in time that takes long on any machine, for tests of what can be done meanwhile. */
 #pragma once
 
 #include "doc/document/document.h"
 
-/* Asks for a hundred thousand increments per unit of the multiplier, none of which is to grow, as
- * one step of editing. */
+/* Asks for it, as one step of editing. Its live curve has a point every 200 steps. */
 void long_analysis_ask (QnDocument *document);

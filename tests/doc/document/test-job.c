@@ -28,11 +28,8 @@ on_done (GObject *source, GAsyncResult *result, gpointer data)
 static void
 wait_for (Outcome *outcome)
 {
-  gint64 end = g_get_monotonic_time () + 60 * G_USEC_PER_SEC;
-  while (!outcome->done) {
-    g_assert_cmpint (g_get_monotonic_time (), <, end);
+  while (!outcome->done)
     g_main_context_iteration (NULL, TRUE);
-  }
 }
 
 static void
@@ -119,10 +116,8 @@ test_pause (void)
   g_assert_false (outcome.done);
 
   qn_job_set_paused (job, FALSE);
-  gint64 end = g_get_monotonic_time () + 60 * G_USEC_PER_SEC;
   gsize count = 0;
   while (count < 3 && !outcome.done) {
-    g_assert_cmpint (g_get_monotonic_time (), <, end);
     g_main_context_iteration (NULL, TRUE);
     qn_job_get_curve (job, &count);
   }
@@ -158,9 +153,7 @@ test_history (void)
   g_assert_cmpfloat (qn_job_get_followed (job, &block, &dof), ==, duration);
   g_assert_cmpint (block, !=, QN_NONE);
   qn_job_start (job, on_done, &outcome);
-  gint64 end = g_get_monotonic_time () + 60 * G_USEC_PER_SEC;
   while ((count < 3 || qn_job_get_remaining (job) < 0.0) && !outcome.done) {
-    g_assert_cmpint (g_get_monotonic_time (), <, end);
     g_main_context_iteration (NULL, TRUE);
     qn_job_get_curve (job, &count);
   }
