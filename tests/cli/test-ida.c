@@ -53,6 +53,29 @@ test_long_record (void)
   cli_fails (3, "without ground motion", "check", follows, NULL);
 }
 
+/* Samples that a record lacks are told, with their line, whatever its peak is scaled to. */
+static void
+test_gap (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *model = cli_write (folder, "block.quoin", block);
+  g_autofree char *gap = cli_write (folder, "gap.csv",
+                                    "time [s],acceleration [m/s2]\n0,0\n1,.01\n2,0\n"
+                                    "3,0\n6,0\n");
+  g_autofree char *results = g_build_filename (folder, "results", NULL);
+  const char *ground = "analysis.dynamic.ground=[{\"direction\": [1, 0], \"record\": "
+                       "\"gap.csv\", \"peak\": 0.02}]";
+  const char *told = "gap.csv:6: samples are missing from 3 s to 6 s: 2 (2 in the whole";
+  cli_says (told, "check", model, "--set", ground, NULL);
+  g_auto (CliRun) solve = cli_run ("solve", model, "--set", ground, NULL);
+  g_auto (CliRun) ida =
+    cli_run ("ida", model, "--record", gap, "--scale", "1:2:1", "-o", results, NULL);
+  cli_assert_done (&solve);
+  cli_assert_done (&ida);
+  g_assert_nonnull (strstr (solve.err, told));
+  g_assert_nonnull (strstr (ida.err, told));
+}
+
 static void
 test_curves (void)
 {
@@ -132,5 +155,6 @@ QN_TESTS
 {
   g_test_add_func ("/ida/curves", test_curves);
   g_test_add_func ("/ida/long-record", test_long_record);
+  g_test_add_func ("/ida/gap", test_gap);
   g_test_add_func ("/ida/refused", test_refused);
 }

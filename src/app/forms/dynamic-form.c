@@ -60,12 +60,13 @@ typedef struct Form {
   FIELD (REMOVE, "remove", N_ ("Remove Ground Motion"))
 QN_FORM_FIELDS;
 
-/* Whether a record's unit may be wrong. */
+/* Whether a record's unit may be wrong, or samples are missing. */
 static char *
 dup_doubt (const QnGroundMotion *motion)
 {
-  return qn_record_dup_doubt (
-    &(QnRecord){ .points = motion->points, .count = motion->point_count });
+  const QnRecord record = { .points = motion->points, .count = motion->point_count };
+  char *doubt = qn_record_dup_doubt (&record);
+  return doubt != NULL ? doubt : qn_record_dup_gap (&record, NULL);
 }
 
 /* Records are read from their files where no analysis has done so yet, however long they are. */

@@ -144,6 +144,9 @@ make_study (const Ida *ida, gsize index, Curve *curve, QnStudy *study)
   g_autofree char *doubt = qn_record_dup_doubt (&record);
   if (doubt != NULL)
     qn_cli_warning ("%s: %s", path, doubt);
+  g_autofree char *gap = qn_record_dup_gap (&record, path);
+  if (gap != NULL)
+    qn_cli_warning ("%s", gap);
   curve->name = g_path_get_basename (path);
   curve->peak = facts.peak;
   qn_cli_must (qn_record_write (record_path, &record, QN_TROUBLE));

@@ -551,6 +551,16 @@ read_any (Reading *r)
   return read_samples (r) && check_count (r);
 }
 
+/* The line of a sample of a table. */
+static gsize
+line_of (const Reading *r, gsize sample)
+{
+  gsize i = r->first;
+  while (is_passed_over (r->lines[i]) || sample-- > 0)
+    i++;
+  return i + 1;
+}
+
 gboolean
 qn_record_parse (const char *text, gsize size, const char *name, const char *unit,
                  double time_step, gboolean spectrum, QnRecord *record, GError **error)
@@ -583,6 +593,9 @@ qn_record_parse (const char *text, gsize size, const char *name, const char *uni
   record->unit = reading.own_unit;
   record->count = done ? reading.points->len : 0;
   record->points = (QnVec2 *) (void *) g_array_free (reading.points, !done);
+  double missing[2];
+  gsize gap = qn_record_find_gap (record, missing);
+  record->gap_line = gap > 0 ? line_of (&reading, gap) : 0;
   return done;
 }
 

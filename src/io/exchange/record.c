@@ -18,6 +18,10 @@
 /* Times of samples are written with few digits: steps that differ by less than this part are equal. */
 #define EVEN 0.05
 
+/* Longer ones are gaps, where even steps are so many times as many. */
+#define GAP       1.5
+#define MOST_EVEN 3
+
 void
 qn_record_clear (QnRecord *record)
 {
@@ -73,6 +77,50 @@ qn_record_dup_doubt (const QnRecord *record)
   if (record->offset != 0)
     return g_strdup_printf (_ ("an offset of %.4g m/s2 was taken off"), record->offset);
   return NULL;
+}
+
+gsize
+qn_record_find_gap (const QnRecord *record, double missing[2])
+{
+  const QnVec2 *points = record->points;
+  double least = HUGE_VAL, sum = 0;
+  gsize even = 0, gaps = 0, first = 0;
+  missing[0] = missing[1] = 0;
+  for (gsize i = 1; i < record->count; i++)
+    least = fmin (least, points[i].x - points[i - 1].x);
+  for (gsize i = 1; i < record->count; i++)
+    if (points[i].x - points[i - 1].x <= least * (1 + EVEN)) {
+      sum += points[i].x - points[i - 1].x;
+      even++;
+    }
+  for (gsize i = 1; i < record->count; i++) {
+    double steps = (points[i].x - points[i - 1].x) * (double) even / sum;
+    if (points[i].x - points[i - 1].x <= least * (1 + EVEN))
+      continue;
+    if (!(steps > GAP)) /* uneven, as it is meant to be */
+      return 0;
+    first = gaps++ == 0 ? i : first;
+    missing[0] = first == i ? round (steps) - 1 : missing[0];
+    missing[1] += round (steps) - 1;
+  }
+  return MOST_EVEN * gaps <= even ? first : 0;
+}
+
+char *
+qn_record_dup_gap (const QnRecord *record, const char *file)
+{
+  double missing[2];
+  gsize at = qn_record_find_gap (record, missing);
+  if (at == 0)
+    return NULL;
+  char *text = g_strdup_printf (
+    _ ("samples are missing from %.6g s to %.6g s: %.0f (%.0f in the whole record); "
+       "straight lines take their place"),
+    record->points[at - 1].x, record->points[at].x, missing[0], missing[1]);
+  if (file == NULL)
+    return text;
+  g_autofree char *bare = text;
+  return g_strdup_printf ("%s:%zu: %s", file, record->gap_line, bare);
 }
 
 gboolean
@@ -146,6 +194,19 @@ check_cut (const QnProject *project, gsize index, GError **error)
   return FALSE;
 }
 
+/* Says once what is odd about a record. */
+static void
+warn_at_key (QnProject *project, gsize index, const char *text)
+{
+  g_autofree char *warning =
+    g_strdup_printf ("%s: analysis.dynamic.ground[%" G_GSIZE_FORMAT "].record: %s",
+                     project->name, index, text);
+  if (text != NULL
+      && !g_ptr_array_find_with_equal_func (project->warnings, warning, g_str_equal,
+                                            NULL))
+    g_ptr_array_add (project->warnings, g_steal_pointer (&warning));
+}
+
 static gboolean
 take_record (QnProject *project, gsize index, const QnRecord *record, GError **error)
 {
@@ -153,13 +214,9 @@ take_record (QnProject *project, gsize index, const QnRecord *record, GError **e
   double peak = qn_record_facts (record).peak;
   double scale = motion->peak > 0 && peak > 0 ? motion->peak / peak : 1;
   g_autofree char *doubt = motion->peak > 0 ? NULL : qn_record_dup_doubt (record);
-  g_autofree char *warning =
-    g_strdup_printf ("%s: analysis.dynamic.ground[%" G_GSIZE_FORMAT "].record: %s",
-                     project->name, index, doubt);
-  if (doubt != NULL
-      && !g_ptr_array_find_with_equal_func (project->warnings, warning, g_str_equal,
-                                            NULL))
-    g_ptr_array_add (project->warnings, g_steal_pointer (&warning));
+  g_autofree char *gap = qn_record_dup_gap (record, motion->record);
+  warn_at_key (project, index, doubt);
+  warn_at_key (project, index, gap);
   motion->point_count = 0;
   motion->record_unit = record->unit;
   for (gsize i = 0; i < record->count; i++)

@@ -26,6 +26,7 @@ typedef struct QnRecord {
   gsize count;
   const char *unit; /* of the file's numbers; not to be freed */
   double offset;    /* m/s2, taken off raw data */
+  gsize gap_line;   /* of the file: the sample behind the first gap; 0: none */
 } QnRecord;
 
 /* Reads a record, or if `spectrum` accelerations by periods, s. `unit` (nullable) and `time_step` (s; 0:
@@ -55,6 +56,13 @@ QnRecordFacts qn_record_facts (const QnRecord *record);
 
 /* Warnings: a peak above 3 g, many samples far apart, an offset; NULL: none. Free with g_free(). */
 char *qn_record_dup_doubt (const QnRecord *record);
+
+/* The samples that are missing in an otherwise even column of times. Returns the index of the one behind
+ * the first gap, 0 without gaps; `missing`: in that gap and in all. */
+gsize qn_record_find_gap (const QnRecord *record, double missing[2]);
+
+/* The warning of that, behind file (NULL: without) and line; NULL: none. Free with g_free(). */
+char *qn_record_dup_gap (const QnRecord *record, const char *file);
 
 /* Writes time and acceleration as CSV that says its unit. */
 gboolean qn_record_write (const char *path, const QnRecord *record, GError **error);

@@ -334,6 +334,32 @@ test_doubts (void)
   qn_record_clear (&weak);
 }
 
+/* NULL: no warning is expected. */
+static void
+assert_gap (const char *text, const char *warning)
+{
+  QnRecord record = parse (text, "m/s2", 0);
+  g_autofree char *gap = qn_record_dup_gap (&record, "r.csv");
+  g_assert_cmpstr (gap, ==, warning);
+  qn_record_clear (&record);
+}
+
+/* Missing samples are told with the line behind the first gap. A column that is uneven by design has none. */
+static void
+test_gaps (void)
+{
+  assert_gap ("t\tacc\n# one\n0 0\n0.01 1\n0.02 2\n0.03 1\n# two\n0.06 0\n0.07 1\n",
+              "r.csv:8: samples are missing from 0.03 s to 0.06 s: 2 (2 in the whole "
+              "record); straight lines take their place");
+  assert_gap ("0 0\n1 1\n2 2\n3.001 1\n5 0\n6 1\n7 0\n8 0\n12.4 0\n",
+              "r.csv:5: samples are missing from 3.001 s to 5 s: 1 (4 in the whole "
+              "record); straight lines take their place");
+  assert_gap ("0 0\n0.01 1\n0.02 2\n0.0301 1\n0.04 0\n", NULL);
+  assert_gap ("0 0\n1 1\n2 2\n3 1\n4.3 0\n5 1\n7 0\n", NULL);
+  assert_gap ("0 0\n1 1\n3 2\n4 1\n7 0\n", NULL);
+  assert_gap ("0 0\n0.01 1\n0.03 2\n0.07 1\n0.2 0\n0.5 1\n", NULL);
+}
+
 static void
 test_refused (void)
 {
@@ -373,6 +399,7 @@ QN_TESTS
   g_test_add_func ("/record/headings", test_headings);
   g_test_add_func ("/record/quantities", test_quantities);
   g_test_add_func ("/record/doubts", test_doubts);
+  g_test_add_func ("/record/gaps", test_gaps);
   g_test_add_func ("/record/refused", test_refused);
   g_test_add_func ("/record/facts", test_facts);
 }
