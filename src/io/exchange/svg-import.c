@@ -472,6 +472,62 @@ walk_children (Importer *importer, const xmlNode *node, const State *state)
   return TRUE;
 }
 
+/* Elements that are drawn: shapes, what holds others, and what is left out. */
+static const char *const svg_shapes[] = { "path",   "polygon", "polyline", "rect",
+                                          "circle", "ellipse", "line",     NULL };
+static const char *const svg_groups[] = { "svg", "g", "a", "switch", "use", NULL };
+static const char *const svg_others[] = { "text", "image", "foreignObject", NULL };
+
+/* Whether the user reads a language, "de-CH": by its beginning, too. */
+static gboolean
+user_reads (const char *language)
+{
+  const char *const *all = g_get_language_names ();
+  for (guint i = 0; all[i] != NULL; i++) {
+    g_autofree char *own =
+      g_strdup (i == 0 && !g_ascii_islower (all[i][0]) ? "en" : all[i]);
+    gsize length = strlen (g_strdelimit (own, "_", '-'));
+    if (g_ascii_strncasecmp (language, own, length) == 0
+        && strchr ("-", language[length]) != NULL)
+      return TRUE;
+  }
+  return FALSE;
+}
+
+/* Whether an element in a switch may be the one that is drawn (SVG 1.1, 5.8). Extensions are not known, and
+ * what is of another kind than SVG is not drawn. */
+static gboolean
+is_applicable (const xmlNode *node)
+{
+  g_autofree char *extensions = qn_svg_dup_attribute (node, "requiredExtensions");
+  g_autofree char *features = qn_svg_dup_attribute (node, "requiredFeatures");
+  g_autofree char *languages = qn_svg_dup_attribute (node, "systemLanguage");
+  g_auto (GStrv) tags = g_strsplit_set (languages != NULL ? languages : "", ", ", -1);
+  gboolean any = languages == NULL;
+  for (char **tag = tags; *tag != NULL; tag++)
+    any = any || (**tag != '\0' && user_reads (*tag));
+  return any && extensions == NULL
+         && (features == NULL
+             || (strstr (features, "w3") != NULL
+                 && strstr (features, "#Extensibility") == NULL));
+}
+
+/* The first of its children that applies. */
+static gboolean
+walk_switch (Importer *importer, const xmlNode *node, const State *state)
+{
+  for (const xmlNode *child = node->children; child != NULL; child = child->next) {
+    const char *name = child->type == XML_ELEMENT_NODE ? qn_svg_name (child) : "";
+    if ((g_strv_contains (svg_shapes, name) || g_strv_contains (svg_groups, name)
+         || g_strv_contains (svg_others, name))
+        && strcmp (name, "foreignObject") != 0 && is_applicable (child))
+      return walk (importer, child, *state);
+  }
+  g_autofree char *text = g_strdup_printf (_ ("%s elements left out"), "switch");
+  note (importer, node, text);
+  return TRUE;
+}
+
 static gboolean
 walk_use (Importer *importer, const xmlNode *use, State state)
 {
@@ -497,15 +553,11 @@ walk_use (Importer *importer, const xmlNode *use, State state)
 static gboolean
 walk (Importer *importer, const xmlNode *node, State state)
 {
-  static const char *const shapes[] = { "path",   "polygon", "polyline", "rect",
-                                        "circle", "ellipse", "line",     NULL };
-  static const char *const groups[] = { "svg", "g", "a", "switch", NULL };
-  static const char *const others[] = { "text", "image", "foreignObject", NULL };
   const char *name = qn_svg_name (node);
   if (state.uses > 0 && importer->budget-- == 0)
     return qn_io_fail (importer->error, QN_IO_ERROR_INVALID,
                        _ ("%s:1: more than %d outlines"), importer->name, MAX_USED);
-  if (g_strv_contains (shapes, name)) {
+  if (g_strv_contains (svg_shapes, name)) {
     enter (importer, node, &state);
     return add_shape (importer, node, &state);
   }
@@ -513,15 +565,16 @@ walk (Importer *importer, const xmlNode *node, State state)
     enter (importer, node, &state);
     return walk_use (importer, node, state);
   }
-  if (g_strv_contains (groups, name)) {
+  if (g_strv_contains (svg_groups, name)) {
     enter (importer, node, &state);
     if (node->parent != NULL && node->parent->type != XML_ELEMENT_NODE)
       enter_drawing (importer, node, &state);
     else if (is (node, "svg"))
       enter_view_port (importer, node, NULL, &state);
-    return walk_children (importer, node, &state);
+    return is (node, "switch") ? walk_switch (importer, node, &state)
+                               : walk_children (importer, node, &state);
   }
-  if (g_strv_contains (others, name)) {
+  if (g_strv_contains (svg_others, name)) {
     g_autofree char *text = g_strdup_printf (_ ("%s elements left out"), name);
     qn_drawing_note (importer->drawing, text, (guint) xmlGetLineNo (node))->minor = TRUE;
   }

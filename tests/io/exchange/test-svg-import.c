@@ -499,8 +499,55 @@ test_lengths (void)
   }
 }
 
+/* Of a switch the first child that applies is read, and nothing else. */
+static void
+test_switches (void)
+{
+#define RECT(attributes, width) "<rect " attributes " width='" width "' height='1'/>"
+#define SVG11                   "requiredFeatures='http://www.w3.org/TR/SVG11/feature#"
+  static const struct {
+    const char *children;
+    double width; /* of the one that is read; 0: none, which is told */
+  } cases[] = {
+    { RECT ("", "1") RECT ("", "2"), 1 },
+    { RECT ("requiredExtensions='http://ns.adobe.com/AdobeIllustrator/10.0/'", "1")
+        RECT ("", "2") RECT ("", "3"),
+      2 },
+    { RECT (SVG11 "Extensibility'", "1") RECT (SVG11 "Shape'", "2") RECT ("", "3"), 2 },
+    { RECT ("requiredFeatures='urn:x'", "1") RECT ("", "2"), 2 },
+    { RECT ("systemLanguage='fr, en'", "1") RECT ("systemLanguage='it, de-AT'", "2")
+        RECT ("", "3"),
+      2 },
+    { RECT ("systemLanguage='d'", "1") RECT ("systemLanguage='DE'", "2"), 2 },
+    { RECT ("systemLanguage=''", "1") RECT ("systemLanguage='deu'", "2"), 0 },
+    { "<title>x</title>\n<defs/><foreignObject/>" RECT ("", "1") RECT ("", "2"), 1 },
+    { "<switch>" RECT ("systemLanguage='de'", "1")
+        RECT ("", "2") "</switch>" RECT ("", "3"),
+      1 },
+  };
+  g_setenv ("LANGUAGE", "de_CH:de", TRUE);
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_autofree char *text =
+      g_strdup_printf ("<svg><switch>%s</switch></svg>", cases[i].children);
+    g_auto (QnDrawing) drawing;
+    parse (text, &drawing);
+    gboolean read = cases[i].width > 0;
+    g_assert_cmpuint (drawing.paths->len, ==, read);
+    g_assert_cmpuint (drawing.notes->len, ==, !read);
+    if (read)
+      assert_point (path_at (&drawing, 0)->points[1], cases[i].width, 0);
+    else
+      g_assert_cmpstr (((QnDrawingNote *) drawing.notes->pdata[0])->text, ==,
+                       "switch elements left out");
+  }
+  g_unsetenv ("LANGUAGE");
+#undef RECT
+#undef SVG11
+}
+
 QN_TESTS
 {
+  g_test_add_func ("/svg-import/switches", test_switches);
   g_test_add_func ("/svg-import/told", test_told);
   g_test_add_func ("/svg-import/no-transformations", test_no_transformations);
   g_test_add_func ("/svg-import/lengths", test_lengths);
