@@ -100,6 +100,18 @@ read_stiffness (const QnJsonValue *place, QnLaw *law)
   return TRUE;
 }
 
+/* A joint that opens has no energy of its own, and none of slip. */
+static void
+warn_of_brittle (const QnJsonValue *place, const QnLaw *law)
+{
+  QnJsonValue shear = qn_json_value_member (place, "fracture_energy_shear");
+  if (law->fracture_energy_shear > 0 && !(law->fracture_energy_tension > 0)
+      && law->tension > 0 && (law->cohesion > 0 || law->friction == 0))
+    qn_json_value_warn (&shear,
+                        _ ("counts in compression alone: a joint that opens loses "
+                           "its bond at once without fracture_energy_tension"));
+}
+
 static const QnMember law_members[] = {
   QN_STRING ("source", OPTIONAL, QnLaw, source),
   QN_CHOICE ("kind", REQUIRED, qn_law_kind_names, QnLaw, kind),
@@ -111,11 +123,14 @@ static gboolean
 read_law (const QnJsonValue *place, QnModel *model, gpointer entity)
 {
   QnLaw *law = entity;
-  return qn_members_take (place, law_members, model, law) && check_keys (place, law->kind)
-         && read_stiffness (place, law)
-         && qn_member_number (place, "shear_factor", QN_OPTIONAL, QN_RANGE_POSITIVE,
-                              &law->shear_factor)
-         && read_parameters (place, law);
+  if (!qn_members_take (place, law_members, model, law) || !check_keys (place, law->kind)
+      || !read_stiffness (place, law)
+      || !qn_member_number (place, "shear_factor", QN_OPTIONAL, QN_RANGE_POSITIVE,
+                            &law->shear_factor)
+      || !read_parameters (place, law))
+    return FALSE;
+  warn_of_brittle (place, law);
+  return TRUE;
 }
 
 /* Parameters that are left out by default are left out where they have no effect. */

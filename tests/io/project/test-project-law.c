@@ -143,6 +143,34 @@ test_warnings (void)
                       "laws[0].yeld: unknown key; the nearest known one is \"yield\""));
 }
 
+/* An energy of slip without that of opening is told where the joint has a strength to lose by it. */
+static void
+test_brittle (void)
+{
+  static const struct {
+    const char *parameters;
+    guint warnings;
+  } cases[] = {
+    { "\"tension\": 1, \"cohesion\": 1", 1 },
+    { "\"tension\": 1, \"cohesion\": 1, \"fracture_energy_tension\": 1", 0 },
+    { "\"cohesion\": 1", 0 },
+    { "\"tension\": 1", 0 },
+  };
+  for (gsize i = 0; i < G_N_ELEMENTS (cases); i++) {
+    g_auto (QnProject) project;
+    g_autofree char *law = g_strdup_printf (
+      "{ \"name\": \"joint\", \"kind\": \"coulomb\", \"kn\": 1, \"ks\": 1, \"friction\": "
+      "0.5, \"fracture_energy_shear\": 2, %s }",
+      cases[i].parameters);
+    g_autofree char *text = with_laws (law);
+    test_parse (text, &project);
+    g_assert_cmpuint (project.warnings->len, ==, cases[i].warnings);
+    if (cases[i].warnings > 0)
+      g_assert_nonnull (strstr (g_ptr_array_index (project.warnings, 0),
+                                "laws[0].fracture_energy_shear: counts in compression"));
+  }
+}
+
 static void
 assert_error (const char *text, const char *end)
 {
@@ -322,6 +350,7 @@ QN_TESTS
   g_test_add_func ("/project-law/elasticity", test_elasticity);
   g_test_add_func ("/project-law/values", test_values);
   g_test_add_func ("/project-law/warnings", test_warnings);
+  g_test_add_func ("/project-law/brittle", test_brittle);
   g_test_add_func ("/project-law/refused", test_refused);
   g_test_add_func ("/project-law/pair-rules", test_pair_rules);
   g_test_add_func ("/project-law/bars-and-pairs", test_bars_and_pairs);
