@@ -556,7 +556,7 @@ static gsize
 line_of (const Reading *r, gsize sample)
 {
   gsize i = r->first;
-  while (is_passed_over (r->lines[i]) || sample-- > 0)
+  while (r->lines[i + 1] != NULL && (is_passed_over (r->lines[i]) || sample-- > 0))
     i++;
   return i + 1;
 }
