@@ -1,5 +1,7 @@
 #include "stereotomy/weld.h"
 
+#include "core/base/polygon.h"
+
 #include <stdlib.h>
 
 /* Misses below this part of the tolerance are left alone: rounding, not gaps. */
@@ -52,10 +54,7 @@ compare_claims (const void *left, const void *right)
 static double
 distance_to_segment (QnVec2 p, QnVec2 a, QnVec2 b, QnVec2 *foot)
 {
-  QnVec2 ab = qn_vec2_sub (b, a);
-  double square = qn_vec2_dot (ab, ab);
-  double s = square > 0 ? qn_vec2_dot (qn_vec2_sub (p, a), ab) / square : 0;
-  *foot = s <= 0 ? a : s >= 1 ? b : qn_vec2_lerp (a, b, s);
+  *foot = qn_segment_nearest (a, b, p);
   return qn_vec2_length (qn_vec2_sub (p, *foot));
 }
 

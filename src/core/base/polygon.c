@@ -35,15 +35,28 @@ qn_polygon_reverse (QnVec2 *vertices, size_t count)
   }
 }
 
+/* Of the segment pq, how much of it lies before what is nearest to the point. */
+static double
+share_before (QnVec2 p, QnVec2 q, QnVec2 point)
+{
+  QnVec2 along = qn_vec2_sub (q, p);
+  double square = qn_vec2_dot (along, along);
+  double share = square > 0 ? qn_vec2_dot (qn_vec2_sub (point, p), along) / square : 0;
+  return share < 0 ? 0 : share > 1 ? 1 : share;
+}
+
 double
 qn_segment_distance (QnVec2 p, QnVec2 q, QnVec2 point)
 {
-  QnVec2 along = qn_vec2_sub (q, p);
-  QnVec2 to = qn_vec2_sub (point, p);
-  double square = qn_vec2_dot (along, along);
-  double share = square > 0 ? qn_vec2_dot (to, along) / square : 0;
-  share = share < 0 ? 0 : share > 1 ? 1 : share;
-  return qn_vec2_length (qn_vec2_add_scaled (to, -share, along));
+  return qn_vec2_length (qn_vec2_add_scaled (
+    qn_vec2_sub (point, p), -share_before (p, q, point), qn_vec2_sub (q, p)));
+}
+
+QnVec2
+qn_segment_nearest (QnVec2 p, QnVec2 q, QnVec2 point)
+{
+  double share = share_before (p, q, point);
+  return share < 1 ? qn_vec2_lerp (p, q, share) : q;
 }
 
 double

@@ -23,8 +23,9 @@ QnPolygonProperties qn_polygon_properties (const QnVec2 *vertices, size_t count)
 /* Reverses the order; the first vertex stays the first. */
 void qn_polygon_reverse (QnVec2 *vertices, size_t count);
 
-/* Distance of a point from the segment pq, m. */
+/* Distance of a point from the segment pq, m, and what of the segment is nearest to it. */
 double qn_segment_distance (QnVec2 p, QnVec2 q, QnVec2 point);
+QnVec2 qn_segment_nearest (QnVec2 p, QnVec2 q, QnVec2 point);
 
 /* Least extent of a polygon across one of its own sides, m. */
 double qn_polygon_width (const QnVec2 *vertices, size_t count);

@@ -1,5 +1,7 @@
 #include "doc/view/magnet.h"
 
+#include "core/base/polygon.h"
+
 #define KINDS (QN_MAGNET_GRID + 1)
 
 /* The nearest hit of every kind so far, in their order, and how far it is. */
@@ -15,6 +17,19 @@ offer (Best *best, QnMagnetKind kind, QnVec2 from, QnVec2 point, QnVec2 a, QnVec
   if (distance <= best->distance[kind]) {
     best->distance[kind] = distance;
     best->hit[kind] = (QnMagnetHit){ kind, point, a, b };
+  }
+}
+
+static void
+offer_block (const QnModel *model, QnId block, QnVec2 p, Best *best)
+{
+  const QnVec2 *v = qn_model_block_vertices (model, block);
+  QnId count = model->blocks[block].vertex_count;
+  for (QnId i = 0; i < count; i++) {
+    QnVec2 a = v[i], b = v[(i + 1) % count];
+    offer (best, QN_MAGNET_CORNER, p, a, a, a);
+    offer (best, QN_MAGNET_MIDDLE, p, qn_vec2_lerp (a, b, 0.5), a, b);
+    offer (best, QN_MAGNET_EDGE, p, qn_segment_nearest (a, b, p), a, b);
   }
 }
 
@@ -36,25 +51,8 @@ qn_magnet_find (const QnMagnet *magnet, const QnModel *model, QnVec2 p, const in
       offer (&best, QN_MAGNET_NODE, p, at, at, at);
   }
   for (size_t i = 0; i < model->block_count; i++) {
-    if (skip == NULL || !skip[i]) {
-      QnId block = (QnId) i;
-      const QnVec2 *v = qn_model_block_vertices (model, block);
-      QnId count = model->blocks[block].vertex_count;
-      for (QnId k = 0; k < count; k++) {
-        QnVec2 a = v[k], b = v[(k + 1) % count];
-        offer (&best, QN_MAGNET_CORNER, p, a, a, a);
-        offer (&best, QN_MAGNET_MIDDLE, p, qn_vec2_lerp (a, b, 0.5), a, b);
-        QnVec2 d = qn_vec2_sub (b, a);
-        double square = qn_vec2_dot (d, d);
-        double s = square > 0.0 ? qn_vec2_dot (qn_vec2_sub (p, a), d) / square : 0.0;
-        offer (&best, QN_MAGNET_EDGE, p,
-               qn_vec2_lerp (a, b,
-                             s < 0.0   ? 0.0
-                             : s > 1.0 ? 1.0
-                                       : s),
-               a, b);
-      }
-    }
+    if (skip == NULL || !skip[i])
+      offer_block (model, (QnId) i, p, &best);
   }
   for (size_t i = 0; i < model->wall_count; i++) {
     const QnWall *wall = &model->walls[i];
