@@ -96,7 +96,6 @@ on_solver_progress (const QnProgress *progress, void *user_data)
   self->fresh = TRUE;
   /* One point for every step that converged; in time for every one that lies apart. */
   if (progress->end > 0) {
-    /* Every point of a history that lies far enough from the last one. */
     QnVec2 point = qn_vec2 (progress->time, progress->displacement);
     if (self->curve->len == 0
         || point.x - g_array_index (self->curve, QnVec2, self->curve->len - 1).x

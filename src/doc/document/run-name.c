@@ -118,8 +118,6 @@ tell (Changes *changes, const char *value)
                                      : g_steal_pointer (&said));
 }
 
-static void compare_values (Changes *changes, const cJSON *from, const cJSON *to);
-
 static void
 compare_values (Changes *changes, const cJSON *from, const cJSON *to)
 {

@@ -88,13 +88,11 @@ replace_all (QnSelection *self, GArray *const lists[LIST_COUNT], QnId object, in
         g_array_index (ids, QnId, kept++) = id;
     }
     g_array_set_size (ids, kept);
-    const GArray *b = self->ids[i];
-    same =
-      (ids->len == b->len
-       && (ids->len == 0 || memcmp (ids->data, b->data, ids->len * sizeof (QnId)) == 0))
-      && same;
-    g_array_unref (self->ids[i]);
-    self->ids[i] = lists[i];
+    GArray *old = self->ids[i];
+    same = same && kept == old->len
+           && (kept == 0 || memcmp (ids->data, old->data, kept * sizeof (QnId)) == 0);
+    g_array_unref (old);
+    self->ids[i] = ids;
   }
   self->object = object;
   self->opening = opening;

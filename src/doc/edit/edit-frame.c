@@ -93,6 +93,16 @@ qn_edit_add_beam (QnModel *model, QnVec2 from, QnVec2 to, QnBeamStyle style,
 
 /* ---- removing ---- */
 
+/* A riding node of these beams that carries no other goes with them as a free one would. */
+static void
+let_go (QnModel *model, QnId node)
+{
+  if (qn_model_node_beams (model, node) == 0) {
+    model->nodes[node].seat = QN_SEAT_FREE;
+    model->nodes[node].block = QN_NONE;
+  }
+}
+
 gboolean
 qn_edit_delete_all (QnModel *model, QnPartSet set, GError **error)
 {
@@ -102,15 +112,8 @@ qn_edit_delete_all (QnModel *model, QnPartSet set, GError **error)
     QnId ends[2] = { beam->nodes[0], beam->nodes[1] };
     beam->nodes[0] = beam->nodes[1] = QN_NONE;
     for (int end = 0; end < 2; end++)
-      if (ends[end] != QN_NONE) {
-        /* A riding node of these beams that carries no other goes with them as a free one
-       * would. */
-        QnId node = ends[end];
-        if (qn_model_node_beams (model, node) == 0) {
-          model->nodes[node].seat = QN_SEAT_FREE;
-          model->nodes[node].block = QN_NONE;
-        }
-      }
+      if (ends[end] != QN_NONE)
+        let_go (model, ends[end]);
   }
   if (set.blocks.count == 0 && set.beams.count > 0)
     return TRUE;

@@ -178,10 +178,9 @@ has_ends (const QnBeam *beam)
 static gboolean
 copy_nodes (Rebuild *r)
 {
-  g_autofree gboolean *stays = g_new0 (gboolean, r->from->node_count + 1);
-  /* Marks the nodes that stay: riding ones whose block is there, free ones with a beam
-   * that stays. */
   const QnModel *from = r->from;
+  /* Riding nodes stay whose block is there, free ones with a beam that stays. */
+  g_autofree gboolean *stays = g_new0 (gboolean, from->node_count + 1);
   for (gsize i = 0; i < from->node_count; i++)
     stays[i] = from->nodes[i].block == QN_NONE
                || follow_block (r, from->nodes[i].block) != QN_NONE;
@@ -193,8 +192,8 @@ copy_nodes (Rebuild *r)
   }
   for (gsize i = 0; i < from->node_count; i++)
     stays[i] = stays[i] && (used[i] || from->nodes[i].block != QN_NONE);
-  for (gsize i = 0; i < r->from->node_count; i++) {
-    const QnNode *old = &r->from->nodes[i];
+  for (gsize i = 0; i < from->node_count; i++) {
+    const QnNode *old = &from->nodes[i];
     if (old->beam != QN_NONE || !stays[i])
       continue;
     QnNode *node = qn_model_add_node (r->to, old->name);
@@ -228,6 +227,31 @@ copy_beams (Rebuild *r)
     r->beams[i] = (QnId) r->to->beam_count - 1;
   }
   return TRUE;
+}
+
+/* Nodes that cut a beam become those nearest to their places, for it may be cut into another
+ * number of elements. */
+static void
+follow_inner_nodes (Rebuild *r)
+{
+  g_autofree guint *counts = g_new0 (guint, r->from->beam_count + 1);
+  g_autofree guint *seen = g_new0 (guint, r->from->beam_count + 1);
+  for (gsize i = 0; i < r->from->node_count; i++)
+    if (r->from->nodes[i].beam != QN_NONE)
+      counts[r->from->nodes[i].beam]++;
+  for (gsize i = 0; i < r->from->node_count; i++) {
+    QnId old = r->from->nodes[i].beam;
+    if (old == QN_NONE || r->beams[old] == QN_NONE)
+      continue;
+    const QnBeam *beam = &r->to->beams[r->beams[old]];
+    int32_t last = beam->element_count;
+    int32_t number = (int32_t) qn_to_integer (
+      round ((double) ++seen[old] / (counts[old] + 1) * last), 0, last);
+    r->nodes[i] = number <= 0 ? beam->nodes[0]
+                  : number >= last
+                    ? beam->nodes[1]
+                    : r->to->elements[beam->first_element + number].nodes[0];
+  }
 }
 
 /* FALSE where what the load acts on is gone. */
@@ -409,26 +433,7 @@ qn_edit_rebuild (QnModel *model, const QnMasonries *masonry, GError **error)
                   && qn_model_expand_walls (&fresh, &diag) == QN_OK && copy_nodes (&r)
                   && copy_beams (&r) && qn_model_expand_beams (&fresh, &diag) == QN_OK;
   if (done) {
-    /* Nodes that cut a beam become those nearest to their places, for it may be cut into
-     * another number of elements. */
-    g_autofree guint *counts = g_new0 (guint, r.from->beam_count + 1);
-    g_autofree guint *seen = g_new0 (guint, r.from->beam_count + 1);
-    for (gsize i = 0; i < r.from->node_count; i++)
-      if (r.from->nodes[i].beam != QN_NONE)
-        counts[r.from->nodes[i].beam]++;
-    for (gsize i = 0; i < r.from->node_count; i++) {
-      QnId old = r.from->nodes[i].beam;
-      if (old == QN_NONE || r.beams[old] == QN_NONE)
-        continue;
-      const QnBeam *beam = &r.to->beams[r.beams[old]];
-      int32_t last = beam->element_count;
-      int32_t number = (int32_t) qn_to_integer (
-        round ((double) ++seen[old] / (counts[old] + 1) * last), 0, last);
-      r.nodes[i] = number <= 0 ? beam->nodes[0]
-                   : number >= last
-                     ? beam->nodes[1]
-                     : r.to->elements[beam->first_element + number].nodes[0];
-    }
+    follow_inner_nodes (&r);
     keep_loads (&r, fresh.dead_loads, &fresh.dead_load_count);
     keep_loads (&r, fresh.live_loads, &fresh.live_load_count);
     keep_items (&r, fresh.overrides, sizeof *fresh.overrides, &fresh.override_count,

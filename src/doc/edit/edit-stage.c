@@ -250,17 +250,15 @@ qn_edit_add_stage (QnModel *model, GError **error)
       a->procedure = QN_PROCEDURE_LOAD;
     stage->sets = 1;
     stage->procedure = a->procedure;
-    if (a->procedure == QN_PROCEDURE_DISPLACEMENT) {
+    if (a->procedure == QN_PROCEDURE_DISPLACEMENT)
       stage->control = a->control;
-    }
     stage->has_target =
       isfinite (a->max_multiplier) && !qn_control_is_given (&stage->control);
     stage->target = stage->has_target ? a->max_multiplier : 0.0;
     a->max_multiplier = INFINITY;
     return TRUE;
   }
-  /* Sets of a further stage: one that has loads and waits, or what the stage before
-   * drives. */
+  /* A further one drives a set that has loads and waits, or what the stage before drives. */
   uint32_t waiting = 0;
   for (gsize i = 0; i < model->live_load_count; i++)
     waiting |= UINT32_C (1) << model->live_loads[i].set;
