@@ -158,6 +158,28 @@ add_eccentricity (Lines *lines, QnUnits units, const QnContactFace *face,
     add_text (lines, "", bounds);
 }
 
+/* Where a joint is one of a row, what passes through the whole row: the force of the line of thrust. */
+static void
+tell_row (Lines *lines, const QnStepView *view, QnId id, QnUnits units)
+{
+  QnThrust thrust;
+  int alike = 0;
+  qn_thrust_find (&thrust, view->model, view->contacts, view->pairs, view->touches,
+                  view->touch_count);
+  const QnCut *cut = &thrust.cuts[thrust.cut_of[id]];
+  for (gsize f = 0; f < view->contacts->face_count; f++)
+    alike += thrust.cut_of[f] == thrust.cut_of[id];
+  if (alike > 1 && (cut->next[0] != QN_NONE || cut->next[1] != QN_NONE)) {
+    g_autofree char *force = qn_units_format_full (units, QN_QUANTITY_FORCE,
+                                                   qn_vec2_length (cut->force), DIGITS);
+    g_autofree char *e = qn_units_format_full (
+      qn_units_of_motion (units), QN_QUANTITY_LENGTH, cut->eccentricity, DIGITS);
+    g_autofree char *both = g_strdup_printf (_ ("%s, e = %s"), force, e);
+    add_text (lines, _ ("Whole row"), both);
+  }
+  qn_thrust_clear (&thrust);
+}
+
 static void
 tell_joint (Lines *lines, const QnStepView *view, QnId id, QnUnits units, gboolean brief)
 {
@@ -176,24 +198,7 @@ tell_joint (Lines *lines, const QnStepView *view, QnId id, QnUnits units, gboole
     add_eccentricity (lines, units, face, &reading, brief);
     add_value (lines, units, _ ("Greatest pressure"), QN_QUANTITY_STRESS,
                -reading.pressure);
-    /* Where a joint is one of a row, what passes through the whole row: the force of the
-     * line of thrust. */
-    QnThrust thrust;
-    int alike = 0;
-    qn_thrust_find (&thrust, view->model, view->contacts, view->pairs, view->touches,
-                    view->touch_count);
-    const QnCut *cut = &thrust.cuts[thrust.cut_of[id]];
-    for (gsize f = 0; f < view->contacts->face_count; f++)
-      alike += thrust.cut_of[f] == thrust.cut_of[id];
-    if (alike > 1 && (cut->next[0] != QN_NONE || cut->next[1] != QN_NONE)) {
-      g_autofree char *force = qn_units_format_full (units, QN_QUANTITY_FORCE,
-                                                     qn_vec2_length (cut->force), DIGITS);
-      g_autofree char *e = qn_units_format_full (
-        qn_units_of_motion (units), QN_QUANTITY_LENGTH, cut->eccentricity, DIGITS);
-      g_autofree char *both = g_strdup_printf (_ ("%s, e = %s"), force, e);
-      add_text (lines, _ ("Whole row"), both);
-    }
-    qn_thrust_clear (&thrust);
+    tell_row (lines, view, id, units);
     g_autofree char *state = qn_explain_pairs (reading.states);
     add_text (lines, _ ("State"), state);
   } else if (view->result != NULL)
@@ -214,6 +219,29 @@ tell_joint (Lines *lines, const QnStepView *view, QnId id, QnUnits units, gboole
                             ? g_strdup (law_a)
                             : g_strdup_printf ("%s, %s", law_a, law_b);
   add_text (lines, _ ("Law"), laws);
+}
+
+/* ---- contacts found on the way ---- */
+
+static void
+tell_found (Lines *lines, const QnStepView *view, QnId id, QnUnits units)
+{
+  gsize count;
+  const QnFoundForce *forces = qn_step_found (view->result, view->step, &count);
+  for (gsize i = 0; i < count; i++) {
+    if (forces[i].found != id)
+      continue;
+    add_value (lines, units, "N", QN_QUANTITY_FORCE, forces[i].normal);
+    add_value (lines, units, "T", QN_QUANTITY_FORCE, forces[i].shear);
+    add_text (lines, _ ("State"), qn_explain_pair_state (forces[i].state));
+  }
+  double at = view->result->found[id].time;
+  if (view->result->history.width > 0) {
+    add_value (lines, units, _ ("Found at"), QN_QUANTITY_TIME, at);
+  } else {
+    g_autofree char *step = g_strdup_printf ("%.0f", at);
+    add_text (lines, _ ("Found at step"), step);
+  }
 }
 
 /* ---- blocks ---- */
@@ -263,24 +291,9 @@ qn_inspect_dup_values (const QnStepView *view, QnPick what, QnUnits units, gbool
                     [QN_QUANTITY_LENGTH] = NOISE * view->length } };
   if (what.kind == QN_PICK_FACE)
     tell_joint (&lines, view, what.id, units, brief);
-  else if (what.kind == QN_PICK_FOUND) {
-    gsize count;
-    const QnFoundForce *forces = qn_step_found (view->result, view->step, &count);
-    for (gsize i = 0; i < count; i++) {
-      if (forces[i].found != what.id)
-        continue;
-      add_value (&lines, units, "N", QN_QUANTITY_FORCE, forces[i].normal);
-      add_value (&lines, units, "T", QN_QUANTITY_FORCE, forces[i].shear);
-      add_text (&lines, _ ("State"), qn_explain_pair_state (forces[i].state));
-    }
-    double at = view->result->found[what.id].time;
-    if (view->result->history.width > 0) {
-      add_value (&lines, units, _ ("Found at"), QN_QUANTITY_TIME, at);
-    } else {
-      g_autofree char *step = g_strdup_printf ("%.0f", at);
-      add_text (&lines, _ ("Found at step"), step);
-    }
-  } else
+  else if (what.kind == QN_PICK_FOUND)
+    tell_found (&lines, view, what.id, units);
+  else
     tell_block (&lines, view, what.id, units, brief);
   return g_string_free (lines.text, FALSE);
 }

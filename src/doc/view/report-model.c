@@ -21,19 +21,17 @@ qn_report_write_model (QnPages *pages, const QnReport *report, GError **error)
 {
   const QnModel *model = &report->project->model;
   QnFigure figure;
-  QnVec2 size;
-  double weight;
-  qn_pages_heading (pages, _ ("Model"));
-  /* Box around the blocks and the weight of those that are free. */
   QnBox box = QN_BOX_EMPTY;
-  weight = 0;
+  double weight = 0; /* of the blocks that are free */
+  qn_pages_heading (pages, _ ("Model"));
   for (size_t i = 0; i < model->vertex_count; i++)
     qn_box_add_point (&box, model->vertices[i]);
   for (size_t i = 0; i < model->node_count; i++)
     qn_box_add_point (&box, model->nodes[i].at);
   for (size_t b = 0; b < model->block_count; b++)
     weight += model->blocks[b].support[QN_DOF_UY] ? 0 : model->blocks[b].weight;
-  size = box.min.x <= box.max.x ? qn_vec2_sub (box.max, box.min) : qn_vec2 (0, 0);
+  const QnVec2 size =
+    box.min.x <= box.max.x ? qn_vec2_sub (box.max, box.min) : qn_vec2 (0, 0);
   const QnCount counts[] = { { QN_COUNTED_BLOCKS, model->block_count },
                              { QN_COUNTED_FACES, report->contacts->face_count },
                              { QN_COUNTED_PAIRS, report->contacts->pair_count },
@@ -123,6 +121,23 @@ dup_section_numbers (const QnSection *section)
   append_number (text, "Mp", QN_QUANTITY_MOMENT, qn_section_plastic_moment (section), "");
   append_number (text, "γ", QN_QUANTITY_UNIT_WEIGHT, section->unit_weight, "");
   return g_strdup (text->str);
+}
+
+static void
+write_sections (QnPages *pages, const QnModel *model)
+{
+  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
+  if (model->beam_count == 0)
+    return;
+  qn_report_row (cells, QN_UNITS_SI, "www", _ ("Section"), _ ("Beams"), _ ("Numbers"));
+  for (size_t i = 0; i < model->section_count; i++) {
+    size_t users = 0;
+    for (size_t k = 0; k < model->beam_count; k++)
+      users += model->beams[k].section == (QnId) i;
+    qn_report_row (cells, QN_UNITS_SI, "wzo", model->sections[i].name, users,
+                   dup_section_numbers (&model->sections[i]));
+  }
+  qn_report_table (pages, cells, 3);
 }
 
 static void
@@ -240,18 +255,7 @@ qn_report_write_materials (QnPages *pages, const QnReport *report)
   }
   if (model->block_count > 0)
     qn_report_table (pages, blocks, 4);
-  g_autoptr (GPtrArray) cells = g_ptr_array_new_with_free_func (g_free);
-  if (model->beam_count != 0) {
-    qn_report_row (cells, QN_UNITS_SI, "www", _ ("Section"), _ ("Beams"), _ ("Numbers"));
-    for (size_t i = 0; i < model->section_count; i++) {
-      size_t users = 0;
-      for (size_t k = 0; k < model->beam_count; k++)
-        users += model->beams[k].section == (QnId) i;
-      qn_report_row (cells, QN_UNITS_SI, "wzo", model->sections[i].name, users,
-                     dup_section_numbers (&model->sections[i]));
-    }
-    qn_report_table (pages, cells, 3);
-  }
+  write_sections (pages, model);
   write_bars (pages, report);
   write_ties (pages, report);
 }
@@ -300,6 +304,28 @@ write_initial_motion (QnPages *pages, const QnReport *report,
   }
 }
 
+static void
+write_dynamic (QnPages *pages, const QnReport *report)
+{
+  const QnModel *model = &report->project->model;
+  const QnDynamicSettings *dynamic = &model->analysis.dynamic;
+  for (size_t i = 0; i < model->initial_count; i++)
+    write_initial_motion (pages, report, &model->initial[i]);
+  double end = qn_model_duration (model);
+  g_autofree char *duration = qn_label_number ("%.4g", end);
+  g_autofree char *line = end > 0
+                            ? g_strdup_printf (_ ("Duration: %s s"), duration)
+                            : g_strdup (_ ("Duration: to the end of the ground motion"));
+  qn_pages_paragraph (pages, line);
+  g_autofree char *mass = qn_label_number ("%.4g", dynamic->mass_damping);
+  g_autofree char *joints = qn_label_number ("%.4g", dynamic->joint_damping);
+  qn_report_say (pages, _ ("Damping: %s 1/s times the mass, %s s times the stiffness"),
+                 mass, joints);
+  if (dynamic->of == QN_DAMPING_IMPACT)
+    qn_report_say (pages, "%s",
+                   _ ("Joints lose what the impact of a rocking block does"));
+}
+
 void
 qn_report_write_loads (QnPages *pages, const QnReport *report)
 {
@@ -313,7 +339,7 @@ qn_report_write_loads (QnPages *pages, const QnReport *report)
     const QnLoad *load = qn_model_load (model, i);
     g_autofree char *text = qn_load_dup_text (model, load, report->units);
     g_autofree char *where =
-      (i < model->dead_load_count) ? g_strdup (_ ("Dead load"))
+      i < model->dead_load_count ? g_strdup (_ ("Dead load"))
       : load->set == 0
         ? g_strdup (_ ("Live load"))
         : g_strdup_printf (_ ("Set “%s”"), model->load_sets[load->set - 1]);
@@ -335,24 +361,8 @@ qn_report_write_loads (QnPages *pages, const QnReport *report)
   }
   for (size_t i = 0; i < model->ground_count; i++)
     qn_report_write_ground_motion (pages, &model->ground[i]);
-  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC) {
-    const QnDynamicSettings *dynamic = &model->analysis.dynamic;
-    for (size_t i = 0; i < model->initial_count; i++)
-      write_initial_motion (pages, report, &model->initial[i]);
-    double end = qn_model_duration (model);
-    g_autofree char *duration = qn_label_number ("%.4g", end);
-    g_autofree char *line =
-      end > 0 ? g_strdup_printf (_ ("Duration: %s s"), duration)
-              : g_strdup (_ ("Duration: to the end of the ground motion"));
-    qn_pages_paragraph (pages, line);
-    g_autofree char *mass = qn_label_number ("%.4g", dynamic->mass_damping);
-    g_autofree char *joints = qn_label_number ("%.4g", dynamic->joint_damping);
-    qn_report_say (pages, _ ("Damping: %s 1/s times the mass, %s s times the stiffness"),
-                   mass, joints);
-    if (dynamic->of == QN_DAMPING_IMPACT)
-      qn_report_say (pages, "%s",
-                     _ ("Joints lose what the impact of a rocking block does"));
-  }
+  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    write_dynamic (pages, report);
 }
 
 void

@@ -205,6 +205,24 @@ dup_verdict (const QnReportRun *run, double demand)
     wanted, carried, ratio);
 }
 
+/* The answer of a run, with the range that it lies in, and the verdict where a demand is given. */
+static void
+write_answer (QnPages *pages, const QnReportRun *run, double demand, bool named)
+{
+  const QnResult *result = &run->file.result;
+  g_autofree char *text = qn_explain_outcome (&run->project->model, result);
+  g_autofree char *line = named ? g_strdup_printf ("%s: %s", run->name, text) : NULL;
+  g_autofree char *interval = qn_outcome_dup_interval (&run->project->model, result);
+  g_autofree char *basis = dup_basis (run);
+  g_autofree char *verdict = demand > 0 ? dup_verdict (run, demand) : NULL;
+  qn_pages_paragraph (pages, named ? line : text);
+  if (interval != NULL)
+    qn_pages_paragraph (pages, interval);
+  if (verdict != NULL)
+    qn_pages_paragraph (pages, verdict);
+  qn_pages_paragraph (pages, basis);
+}
+
 /* A page of its own: title, author, question and picture, the answers, and of what, by what and when it was
  * made. */
 static bool
@@ -235,30 +253,12 @@ write_title (QnPages *pages, const QnReport *report, GError **error)
   }
   if (!qn_pages_figures (pages, &figure, 1, 1, share, error))
     return false;
-  for (size_t i = 0; i < report->run_count; i++) {
-    /* The answer of a run, with the range that it lies in, and the verdict where a demand
-     * is given. */
-    const QnReportRun *run = &report->runs[i];
-    double demand = report->plan.demand;
-    bool named = report->run_count > 1;
-    const QnResult *result = &run->file.result;
-    g_autofree char *text = qn_explain_outcome (&run->project->model, result);
-    g_autofree char *line = named ? g_strdup_printf ("%s: %s", run->name, text) : NULL;
-    g_autofree char *interval = qn_outcome_dup_interval (&run->project->model, result);
-    g_autofree char *basis = dup_basis (run);
-    g_autofree char *verdict = demand > 0 ? dup_verdict (run, demand) : NULL;
-    qn_pages_paragraph (pages, named ? line : text);
-    if (interval != NULL)
-      qn_pages_paragraph (pages, interval);
-    if (verdict != NULL)
-      qn_pages_paragraph (pages, verdict);
-    qn_pages_paragraph (pages, basis);
-  }
+  for (size_t i = 0; i < report->run_count; i++)
+    write_answer (pages, &report->runs[i], report->plan.demand, report->run_count > 1);
   if (alone)
     qn_report_write_assumptions (pages, report, foot);
   g_autofree char *name = g_path_get_basename (report->project->name);
-  /* The day, of SOURCE_DATE_EPOCH where it is set: then equal input gives equal bytes on
-   * all days. */
+  /* Of SOURCE_DATE_EPOCH where it is set: then equal input gives equal bytes on all days. */
   const char *epoch = g_getenv ("SOURCE_DATE_EPOCH");
   g_autoptr (GDateTime) now =
     epoch != NULL ? g_date_time_new_from_unix_utc (g_ascii_strtoll (epoch, NULL, 10))
