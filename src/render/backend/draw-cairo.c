@@ -192,6 +192,21 @@ place_beside (const Labels *labels, cairo_rectangle_t *box)
   return false;
 }
 
+/* A line from the place of a label to where it stands; others keep clear of it. */
+static void
+lead_to (Labels *labels, const cairo_rectangle_t *box)
+{
+  QnVec2 end = { fmin (fmax (labels->at.x, box->x), box->x + box->width),
+                 fmin (fmax (labels->at.y, box->y), box->y + box->height) };
+  cairo_move_to (labels->cr, labels->at.x, labels->at.y);
+  cairo_line_to (labels->cr, end.x, end.y);
+  cairo_set_line_width (labels->cr, LEADER * labels->camera->unit);
+  qn_set_color (labels->cr, labels->color, 1);
+  cairo_stroke (labels->cr);
+  g_array_append_val (labels->lines, labels->at);
+  g_array_append_val (labels->lines, end);
+}
+
 /* The nearest free place around; where there is none the label stays where it belongs. */
 static bool
 place_around (Labels *labels, cairo_rectangle_t *box)
@@ -209,18 +224,8 @@ place_around (Labels *labels, cairo_rectangle_t *box)
       if (is_taken (labels, &apart) || (ring > 0 && !is_inside (labels->camera, &place)))
         continue;
       *box = place;
-      if (ring > 1) {
-        /* A line from the place of a label to where it stands; others keep clear of it. */
-        QnVec2 end = { fmin (fmax (labels->at.x, box->x), box->x + box->width),
-                       fmin (fmax (labels->at.y, box->y), box->y + box->height) };
-        cairo_move_to (labels->cr, labels->at.x, labels->at.y);
-        cairo_line_to (labels->cr, end.x, end.y);
-        cairo_set_line_width (labels->cr, LEADER * labels->camera->unit);
-        qn_set_color (labels->cr, labels->color, 1);
-        cairo_stroke (labels->cr);
-        g_array_append_val (labels->lines, labels->at);
-        g_array_append_val (labels->lines, end);
-      }
+      if (ring > 1)
+        lead_to (labels, box);
       g_array_append_val (labels->taken, *box);
       return true;
     }

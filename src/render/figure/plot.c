@@ -603,8 +603,7 @@ qn_plot_draw (const QnPlot *plot, cairo_t *cr, double u, const QnFrame *frame,
     axes_draw (&d.x, &d.y, cr, u, plot->monochrome);
     for (guint i = 0; i < plot->marks->len; i++)
       draw_marks (&d, &g_array_index (plot->marks, QnMarks, i));
-    /* Names of the axes: the vertical one at px `left`, the horizontal one above px
-     * `bottom`. */
+    /* Names of the axes, the vertical one on the left, the horizontal one above `bottom`. */
     QnColor ink = qn_ink (QN_INK_LINE, plot->monochrome);
     double across = fabs (d.x.end - d.x.start), upright = fabs (bottom - d.y.end);
     draw_name (cr, d.x.as->label, u, 0.5 * (d.x.start + d.x.end), bottom, 1, 0, across,

@@ -25,8 +25,7 @@ qn_beam_drawing_init (QnBeamDrawing *drawing, const QnSceneBuilder *b)
   *drawing = (QnBeamDrawing){ .builder = b,
                               .bent = b->motion.displacements != NULL
                                       && b->options->view != QN_VIEW_MECHANISM };
-  if (!(b->result != NULL && b->result->beam_forces != NULL && b->result->step_count > 0
-        && qn_view_needs_result (b->options->view)))
+  if (!qn_builder_shows_step (b) || b->result->beam_forces == NULL)
     return;
   drawing->forces = qn_result_step_beam_forces (b->result, b->step);
   drawing->loads = g_new0 (QnVec2, MAX (model->element_count, 1));

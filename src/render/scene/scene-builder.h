@@ -40,6 +40,14 @@ qn_builder_ink (const QnSceneBuilder *builder, QnInk ink)
   return qn_ink (ink, builder->options->monochrome);
 }
 
+/* Whether the view is of a result that has a step. */
+static inline bool
+qn_builder_shows_step (const QnSceneBuilder *builder)
+{
+  return builder->result != NULL && builder->result->step_count > 0
+         && qn_view_needs_result (builder->options->view);
+}
+
 /* The point of a block as drawn. */
 static inline QnVec2
 qn_builder_place (const QnSceneBuilder *builder, QnId block, QnVec2 p)

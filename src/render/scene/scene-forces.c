@@ -377,10 +377,10 @@ qn_build_forces (QnSceneBuilder *b)
 {
   const QnContacts *contacts = b->contacts;
   double largest = 0, longest = 0;
-  g_autofree FaceForce *resultants = g_new0 (FaceForce, MAX (b->contacts->face_count, 1));
-  for (size_t f = 0; f < b->contacts->face_count; f++) {
-    const QnContactFace *face = &b->contacts->faces[f];
-    QnJointReading reading = qn_joint_reading (b->contacts, (QnId) f, b->pairs);
+  g_autofree FaceForce *resultants = g_new0 (FaceForce, MAX (contacts->face_count, 1));
+  for (size_t f = 0; f < contacts->face_count; f++) {
+    const QnContactFace *face = &contacts->faces[f];
+    QnJointReading reading = qn_joint_reading (contacts, (QnId) f, b->pairs);
     resultants[f] = (FaceForce){ joint_force (b, face, reading.normal, reading.shear),
                                  qn_builder_place_joint (b, face, reading.at) };
     largest = fmax (largest, qn_vec2_length (resultants[f].force));

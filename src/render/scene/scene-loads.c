@@ -361,6 +361,23 @@ add_loads (QnSceneBuilder *b, const QnLoad *loads, size_t count, QnPickKind pick
       ->marker = QN_MARKER_ARROW_HEAD;
 }
 
+/* What shakes the ground has no place in the drawing: the legend names it. */
+static void
+name_ground_motion (QnSceneBuilder *b, const QnGroundMotion *motion)
+{
+  QnColor line = qn_builder_ink (b, QN_INK_LINE);
+  g_autofree char *peak =
+    qn_label_number ("%.4g", motion->scale * motion->pulse.amplitude);
+  if (motion->kind == QN_SIGNAL_PULSE)
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line,
+                     _ ("ground motion: pulse of %s m/s²"), peak);
+  else if (motion->record != NULL)
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line, _ ("ground motion: %s"),
+                     motion->record);
+  else
+    qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line, "%s", _ ("ground motion"));
+}
+
 void
 qn_build_loads (QnSceneBuilder *b)
 {
@@ -369,22 +386,9 @@ qn_build_loads (QnSceneBuilder *b)
              QN_INK_DEAD_LOAD, _ ("dead load"));
   add_loads (b, model->live_loads, model->live_load_count, QN_PICK_LIVE_LOAD,
              QN_INK_LIVE_LOAD, _ ("live load"));
-  for (size_t i = 0;
-       model->analysis.procedure == QN_PROCEDURE_DYNAMIC && i < model->ground_count;
-       i++) {
-    /* What shakes the ground has no place in the drawing: the legend names it. */
-    QnColor line = qn_builder_ink (b, QN_INK_LINE);
-    g_autofree char *peak =
-      qn_label_number ("%.4g", model->ground[i].scale * model->ground[i].pulse.amplitude);
-    if (model->ground[i].kind == QN_SIGNAL_PULSE)
-      qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line,
-                       _ ("ground motion: pulse of %s m/s²"), peak);
-    else if (model->ground[i].record != NULL)
-      qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line, _ ("ground motion: %s"),
-                       model->ground[i].record);
-    else
-      qn_scene_legend (b->scene, QN_COMMAND_TEXT, 0, line, "%s", _ ("ground motion"));
-  }
+  if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
+    for (size_t i = 0; i < model->ground_count; i++)
+      name_ground_motion (b, &model->ground[i]);
 }
 
 /* A dimension line from a to b, with ticks, extension lines from the object and its length on the

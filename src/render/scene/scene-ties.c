@@ -157,11 +157,9 @@ add_soil_forces (QnSceneBuilder *b, const QnTieResult *ties)
 void
 qn_build_ties (QnSceneBuilder *b)
 {
-  /* The ties at the step shown; NULL where the view is not one of a result, or they are
-   * not known. */
-  bool shown = b->result != NULL && b->result->step_count > 0
-               && qn_view_needs_result (b->options->view);
-  const QnTieResult *results = shown ? qn_result_step_ties (b->result, b->step) : NULL;
+  /* NULL where no step is shown, or its ties are not known. */
+  const QnTieResult *results =
+    qn_builder_shows_step (b) ? qn_result_step_ties (b->result, b->step) : NULL;
   bool met[QN_TIE_STATE_COUNT] = { false };
   for (size_t i = 0; i < b->model->tie_count; i++) {
     const QnTieResult *result = results != NULL ? &results[i] : NULL;

@@ -70,6 +70,19 @@ qn_view_switch (QnViewOptions *options, const char *name)
 }
 
 static bool
+parse_step (const char *text, int32_t *step)
+{
+  guint64 number;
+  *step = QN_STEP_LAST;
+  if (strcmp (text, "last") == 0)
+    return true;
+  if (!g_ascii_string_to_unsigned (text, 10, 0, G_MAXINT32, &number, NULL))
+    return false;
+  *step = (int32_t) number;
+  return true;
+}
+
+static bool
 parse_scale (const char *text, double *scale)
 {
   char *end;
@@ -92,16 +105,8 @@ qn_view_options_set (QnViewOptions *options, const char *name, const char *value
     return qn_find_word (value, qn_field_names, QN_FIELD_COUNT, &options->field);
   if (strcmp (name, "diagram") == 0)
     return qn_find_word (value, qn_diagram_names, QN_DIAGRAM_COUNT, &options->diagram);
-  if (strcmp (name, "step") == 0) {
-    guint64 number;
-    options->step = QN_STEP_LAST;
-    if (strcmp (value, "last") == 0)
-      return true;
-    if (!g_ascii_string_to_unsigned (value, 10, 0, G_MAXINT32, &number, NULL))
-      return false;
-    options->step = (int32_t) number;
-    return true;
-  }
+  if (strcmp (name, "step") == 0)
+    return parse_step (value, &options->step);
   return strcmp (name, "scale") == 0 && parse_scale (value, &options->scale);
 }
 
