@@ -93,16 +93,14 @@ allocate_pair (GtkWidget *widget, int width, int height, int baseline)
   Pair pair = measure_children (widget, width);
   const int upper =
     gtk_widget_get_hexpand (pair.child[1]) && pair.least[1] > pair.least[0];
-  const int below = pair.beside ? 0 : pair.height[upper] + SPACING;
-  GtkAllocation places[] = {
-    { 0, 0, pair.width[0], pair.beside ? height : pair.height[0] },
-    { width - pair.width[1], 0, pair.width[1], pair.beside ? height : pair.height[1] },
-  };
-  places[!upper].y = below;
-  if (!pair.beside)
-    places[!upper].height = MAX (height - below, 0);
-  for (int i = 0; i < 2; i++)
-    gtk_widget_size_allocate (pair.child[i], &places[i], -1);
+  for (int i = 0; i < 2; i++) {
+    const int below = pair.beside || i == upper ? 0 : pair.height[upper] + SPACING;
+    GtkAllocation place = { i * (width - pair.width[1]), below, pair.width[i],
+                            MAX (height - below, 0) };
+    if (!pair.beside && i == upper)
+      place.height = pair.height[i];
+    gtk_widget_size_allocate (pair.child[i], &place, -1);
+  }
 }
 
 static GtkSizeRequestMode
