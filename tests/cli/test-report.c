@@ -137,6 +137,34 @@ test_first_page_of_three (void)
   g_assert_true (g_str_has_prefix (pages[1], "Model"));
 }
 
+/* A report of this page alone says on it what was assumed; its picture still has a caption. */
+static void
+test_first_page_alone (void)
+{
+  test_autoscratch char *folder = test_scratch_new ();
+  g_autofree char *model = cli_example ("02-overturning-block.quoin");
+  g_autofree char *pdf = g_build_filename (folder, "four.pdf", NULL);
+  char *results[4];
+  for (int i = 0; i < 4; i++) {
+    g_autofree char *steps = g_strdup_printf ("analysis.increments=%d", 10 * (i + 1));
+    g_autofree char *name = g_strdup_printf ("%d.json", i);
+    results[i] = g_build_filename (folder, name, NULL);
+    cli_do ("solve", model, "-q", "--set", steps, "-o", results[i], NULL);
+  }
+  cli_do ("report", model, "-r", results[0], "-r", results[1], "-r", results[2], "-r",
+          results[3], "--sections", "title,results", "--demand", "0.1", "-o", pdf, NULL);
+  for (int i = 0; i < 4; i++)
+    g_free (results[i]);
+  g_auto (GStrv) pages = read_pages (pdf);
+  if (pages == NULL) {
+    g_test_skip ("pdftotext is not installed");
+    return;
+  }
+  g_assert_nonnull (strstr (pages[0], "Figure 1: 0.json"));
+  g_assert_nonnull (strstr (pages[0], "3.json: Collapse"));
+  g_assert_nonnull (strstr (pages[0], "SHA-256"));
+}
+
 /* Chosen sections and paper. */
 static void
 test_sections (void)
@@ -490,6 +518,7 @@ QN_TESTS
   g_test_add_func ("/cli/report/whole", test_whole);
   g_test_add_func ("/cli/report/pages", test_pages);
   g_test_add_func ("/cli/report/first-page-of-three", test_first_page_of_three);
+  g_test_add_func ("/cli/report/first-page-alone", test_first_page_alone);
   g_test_add_func ("/cli/report/sections", test_sections);
   g_test_add_func ("/cli/report/results", test_results);
   g_test_add_func ("/cli/report/cases", test_cases);

@@ -230,8 +230,9 @@ write_title (QnPages *pages, const QnReport *report, GError **error)
 {
   const bool alone = !report->plan.sections[QN_REPORT_ASSUMPTIONS];
   /* What is said of each run leaves less to the picture; all of it stays on this page. */
-  const double more = (double) CLAMP (report->run_count, 1, 4) - 1;
-  const double share = alone ? 0.4 - 0.12 * more : 0.5 - 0.08 * more;
+  const double told = (double) MIN (report->run_count, 4);
+  const double share =
+    alone ? fmax (0.52 - 0.12 * told, 0.13) : 0.5 - 0.08 * fmax (told - 1, 0);
   g_autoptr (GString) foot = g_string_new (NULL);
   QnFigure figure;
   qn_pages_title (pages, qn_project_title (report->project));
