@@ -16,7 +16,7 @@ qn_pair_series_flexibility (const QnPairSeries *series, double inverse[2][2])
   for (int i = 0; i < 2; i++)
     for (int j = 0; j < 2; j++)
       sum[i][j] = series->a.tangent[i][j] + series->b.tangent[i][j];
-  /* inverse * m = 1, with m regularised where both springs are without stiffness. */
+  /* inverse * sum = 1, with sum regularised where both springs are without stiffness. */
   double kn = series->springs->a.kn + series->springs->b.kn,
          ks = series->springs->a.ks + series->springs->b.ks;
   double a = sum[0][0] + QN_TOLERANCE_SERIES * kn,
@@ -86,7 +86,7 @@ qn_pair_series_step (QnPairSeries *series)
   const QnSpringMemory *ma = &series->committed->a, *mb = &series->committed->b;
   const double origin_a[2] = { ma->opening, ma->slip }, ka[2] = { s->a.kn, s->a.ks };
   const double origin_b[2] = { mb->opening, mb->slip }, kb[2] = { s->b.kn, s->b.ks };
-  bool done = false;
+  bool set_back = false;
   for (int i = 0; i < 2; i++) {
     double stiffness = fabs (series->a.tangent[i][i]) + fabs (series->b.tangent[i][i]);
     double fa = series->a.force[i], fb = series->b.force[i];
@@ -96,9 +96,9 @@ qn_pair_series_step (QnPairSeries *series)
       series->qa[i] = origin_a[i] + fb / ka[i];
     else
       series->qa[i] = series->q[i] - (origin_b[i] + fa / kb[i]);
-    done = true;
+    set_back = true;
   }
-  if (!done) {
+  if (!set_back) {
     qn_pair_series_flexibility (series, inverse);
     for (int i = 0; i < 2; i++)
       series->qa[i] -= inverse[i][0] * series->gap[0] + inverse[i][1] * series->gap[1];
@@ -115,36 +115,41 @@ gap_at (QnPairSeries *series, int i, double x)
   return series->gap[i];
 }
 
+/* Closes gap[i] along qa[i] alone, along which it grows: an interval that holds the root, then
+ * false position with halved weights (Illinois). */
+static void
+close_gap (QnPairSeries *series, int i)
+{
+  const QnPairSprings *s = series->springs;
+  double stiffness = i == 0 ? s->a.kn + s->b.kn : s->a.ks + s->b.ks;
+  double low = series->qa[i], high = low, g_low = series->gap[i], g_high = g_low;
+  double reach = fabs (g_low) / stiffness;
+
+  for (int k = 0; k < WIDENINGS && g_low > 0; k++, reach *= 2)
+    g_low = gap_at (series, i, low -= reach);
+  for (int k = 0; k < WIDENINGS && g_high < 0; k++, reach *= 2)
+    g_high = gap_at (series, i, high += reach);
+  for (int k = 0; k < NARROWINGS && g_low < 0 && g_high > 0; k++) {
+    double x = (low * g_high - high * g_low) / (g_high - g_low);
+    double g = gap_at (series, i, x);
+    if (fabs (g) <= QN_TOLERANCE_SERIES * (fabs (series->a.force[i]) + stiffness * reach))
+      return;
+    if (g > 0) {
+      high = x;
+      g_high = g;
+      g_low *= 0.5;
+    } else {
+      low = x;
+      g_low = g;
+      g_high *= 0.5;
+    }
+  }
+}
+
 void
 qn_pair_series_sweep (QnPairSeries *series)
 {
   for (int i = 0; i < 2; i++)
-    if (series->gap[i] != 0) {
-      /* Closes gap[i] along qa[i] alone, along which it grows: an interval that holds the
-     * root, then false position with halved weights (Illinois). */
-      const QnPairSprings *s = series->springs;
-      double stiffness = i == 0 ? s->a.kn + s->b.kn : s->a.ks + s->b.ks;
-      double low = series->qa[i], high = low, g_low = series->gap[i], g_high = g_low;
-      double reach = fabs (g_low) / stiffness;
-      for (int k = 0; k < WIDENINGS && g_low > 0; k++, reach *= 2)
-        g_low = gap_at (series, i, low -= reach);
-      for (int k = 0; k < WIDENINGS && g_high < 0; k++, reach *= 2)
-        g_high = gap_at (series, i, high += reach);
-      for (int k = 0; k < NARROWINGS && g_low < 0 && g_high > 0; k++) {
-        double x = (low * g_high - high * g_low) / (g_high - g_low);
-        double g = gap_at (series, i, x);
-        if (fabs (g)
-            <= QN_TOLERANCE_SERIES * (fabs (series->a.force[i]) + stiffness * reach))
-          continue;
-        if (g > 0) {
-          high = x;
-          g_high = g;
-          g_low *= 0.5;
-        } else {
-          low = x;
-          g_low = g;
-          g_high *= 0.5;
-        }
-      }
-    }
+    if (series->gap[i] != 0)
+      close_gap (series, i);
 }
