@@ -216,6 +216,22 @@ widen_scratch (const QnBlockLu *lu, int32_t f, size_t begin, size_t *end)
   *end = size > *end - begin ? begin + size : *end;
 }
 
+static void
+lay_out_scratch (QnBlockLu *lu)
+{
+  size_t end = 0;
+
+  for (Part *part = lu->parts; part < lu->parts + lu->part_count; part++) {
+    part->scratch = end;
+    for (int32_t f = part->first; f < part->end; f++)
+      widen_scratch (lu, f, part->scratch, &end);
+  }
+  lu->scratch_above = end;
+  for (int32_t t = 0; t < lu->top_count; t++)
+    widen_scratch (lu, lu->top[t], lu->scratch_above, &end);
+  lu->scratch = qn_pool_lines (&lu->pool, end, sizeof *lu->scratch);
+}
+
 /* Finds the places of all unknowns in the solution. */
 static void
 lay_out_solution (QnBlockLu *lu, QnPool *room)
@@ -242,8 +258,7 @@ lay_out_solution (QnBlockLu *lu, QnPool *room)
   for (int32_t i = 0; i < tree->n; i++)
     lu->unknown_places[i] = place[tree->position[i]];
   for (int32_t p = 0; p < lu->part_count; p++) {
-    /* Finds where the solution, or what is summed up beside it, holds the rests of a
-     * part's fronts. `place`: of every position; `where`: scratch of the same size. */
+    /* The rests of a part's fronts lie in the solution, or in what is summed up beside it. */
     const Part *part = &lu->parts[p];
     const QnFront *root = &tree->fronts[part->end - 1];
     for (int32_t r = 0; r < root->rest; r++) {
@@ -289,16 +304,7 @@ set_up (QnBlockLu *lu, int32_t n, const int32_t *ap, const int32_t *ai, QnPool *
   lay_out_parts (lu, room);
   if (room->failed || lu->pool.failed)
     return false;
-  size_t end = 0;
-  for (Part *part = lu->parts; part < lu->parts + lu->part_count; part++) {
-    part->scratch = end;
-    for (int32_t f = part->first; f < part->end; f++)
-      widen_scratch (lu, f, part->scratch, &end);
-  }
-  lu->scratch_above = end;
-  for (int32_t t = 0; t < lu->top_count; t++)
-    widen_scratch (lu, lu->top[t], lu->scratch_above, &end);
-  lu->scratch = qn_pool_lines (&lu->pool, end, sizeof *lu->scratch);
+  lay_out_scratch (lu);
   lay_out_solution (lu, room);
   list_all_entries (lu, ap, ai, room);
   return !room->failed && !lu->pool.failed;
@@ -362,6 +368,36 @@ has_new_values (const QnBlockLu *lu, int32_t f)
   return e < end;
 }
 
+/* Adds the rest of a child to its parent: to D, L and U before their elimination, to S after it. */
+static void
+add_rest (const QnBlockLu *lu, int32_t c, const QnDenseFront *front, bool eliminated)
+{
+  const QnFront *child = &lu->tree.fronts[c];
+  const int32_t *places = lu->tree.places + child->first_row, pivots = front->pivots;
+  const int32_t known = lu->matrices[c].pivots_of_parent;
+  const double *schur = dense_front (lu, c).schur;
+
+  for (int32_t j = eliminated ? known : 0; j < child->rest; j++) {
+    const double *column = schur + matrix_size (child->rest, j);
+    if (j < known) {
+      double *diagonal = front->diagonal + matrix_size (pivots, places[j]);
+      double *lower = front->lower + matrix_size (front->rest, places[j]);
+      for (int32_t r = 0; r < known; r++)
+        diagonal[places[r]] += column[r];
+      for (int32_t r = known; r < child->rest; r++)
+        lower[places[r] - pivots] += column[r];
+    } else if (!eliminated) {
+      double *upper = front->upper + (places[j] - pivots);
+      for (int32_t r = 0; r < known; r++)
+        upper[matrix_size (front->rest, places[r])] += column[r];
+    } else {
+      double *target = front->schur + matrix_size (front->rest, places[j] - pivots);
+      for (int32_t r = known; r < child->rest; r++)
+        target[places[r] - pivots] += column[r];
+    }
+  }
+}
+
 static bool
 factor_front (QnBlockLu *lu, int32_t f)
 {
@@ -369,49 +405,18 @@ factor_front (QnBlockLu *lu, int32_t f)
   QnDenseFront front = dense_front (lu, f);
 
   memset (front.diagonal, 0, (m->schur - m->diagonal) * sizeof (double));
-  /* Puts the values of A that come into a front there, and keeps them for comparison. */
+  /* The values of A that come into the front are kept for comparison. */
   const double *ax = lu->ax;
   int32_t e = lu->matrices[f].first_entry, end = lu->matrices[f + 1].first_entry;
   for (; e < end; e++)
     front.diagonal[lu->places[e]] = lu->values[e] = ax[lu->sources[e]];
-  for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE;
-       c = lu->tree.fronts[c].sibling) {
-    /* Adds what of a child's rest are pivots here, to D, L and U; */
-    const QnFront *child = &lu->tree.fronts[c];
-    const int32_t *places = lu->tree.places + child->first_row, pivots = front.pivots;
-    const int32_t known = lu->matrices[c].pivots_of_parent;
-    const double *column = dense_front (lu, c).schur;
-    for (int32_t j = 0; j < child->rest; j++, column += qn_front_height (child->rest)) {
-      const int32_t own = j < known ? places[j] : 0;
-      double *diagonal = front.diagonal + matrix_size (pivots, own);
-      double *lower = front.lower + matrix_size (front.rest, own);
-      for (int32_t r = 0; r < known && j < known; r++)
-        diagonal[places[r]] += column[r];
-      for (int32_t r = known; r < child->rest && j < known; r++)
-        lower[places[r] - pivots] += column[r];
-      for (int32_t r = 0; r < known && j >= known; r++)
-        front
-          .upper[matrix_size (front.rest, places[r]) + (size_t) (places[j] - pivots)] +=
-          column[r];
-    }
-  }
+  for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE; c = lu->tree.fronts[c].sibling)
+    add_rest (lu, c, &front, false);
   m->range = (QnPivotRange){ INFINITY, 0 };
   if (!lu->loops->eliminate (&front, &m->range))
     return false;
-  for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE;
-       c = lu->tree.fronts[c].sibling) {
-    /* and the other part of it to S. */
-    const QnFront *child = &lu->tree.fronts[c];
-    const int32_t *places = lu->tree.places + child->first_row, pivots = front.pivots;
-    const int32_t known = lu->matrices[c].pivots_of_parent;
-    const double *schur = dense_front (lu, c).schur;
-    for (int32_t j = known; j < child->rest; j++) {
-      double *target = front.schur + matrix_size (front.rest, places[j] - pivots);
-      const double *column = schur + matrix_size (child->rest, j);
-      for (int32_t r = known; r < child->rest; r++)
-        target[places[r] - pivots] += column[r];
-    }
-  }
+  for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE; c = lu->tree.fronts[c].sibling)
+    add_rest (lu, c, &front, true);
   return true;
 }
 

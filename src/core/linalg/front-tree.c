@@ -47,6 +47,43 @@ same_column (const Analysis *a, int32_t i, int32_t j)
               == 0;
 }
 
+static void
+gather_nodes (Analysis *a)
+{
+  a->count = 0;
+  for (int32_t i = 0, first = 0; i < a->n; i++) {
+    if (i == 0 || i - first == SIDE || !same_column (a, first, i)) {
+      first = i;
+      a->count++;
+    }
+    a->node[i] = a->count - 1;
+    a->width[a->count - 1]++;
+  }
+}
+
+static void
+fill_graph (Analysis *a)
+{
+  int32_t fill = 0;
+
+  memset (a->marks, -1, (size_t) a->count * sizeof *a->marks);
+  for (int32_t i = 0; i < a->n; i++) {
+    int32_t k = a->node[i];
+    if (i > 0 && a->node[i - 1] == k)
+      continue;
+    a->start[k] = fill;
+    a->marks[k] = k;
+    for (int32_t p = a->ap[i]; p < a->ap[i + 1]; p++) {
+      int32_t neighbour = a->node[a->ai[p]];
+      if (a->marks[neighbour] != k) {
+        a->marks[neighbour] = k;
+        a->next[fill++] = neighbour;
+      }
+    }
+  }
+  a->start[a->count] = fill;
+}
+
 /* The rows of column j of the factor: the later neighbours of node j, and the rows of the columns
  * that it is the parent of in the elimination tree, which `child` and `sibling` hold. */
 static int32_t
@@ -284,32 +321,8 @@ analyse (Analysis *a, QnFrontTree *tree)
   tree->fronts = qn_pool_alloc (&tree->pool, n, sizeof *tree->fronts);
   if (a->pool.failed || tree->pool.failed)
     return false;
-  a->count = 0;
-  for (int32_t i = 0, first = 0; i < a->n; i++) {
-    if (i == 0 || i - first == SIDE || !same_column (a, first, i)) {
-      first = i;
-      a->count++;
-    }
-    a->node[i] = a->count - 1;
-    a->width[a->count - 1]++;
-  }
-  int32_t fill = 0;
-  memset (a->marks, -1, (size_t) a->count * sizeof *a->marks);
-  for (int32_t i = 0; i < a->n; i++) {
-    int32_t k = a->node[i];
-    if (i > 0 && a->node[i - 1] == k)
-      continue;
-    a->start[k] = fill;
-    a->marks[k] = k;
-    for (int32_t p = a->ap[i]; p < a->ap[i + 1]; p++) {
-      int32_t neighbour = a->node[a->ai[p]];
-      if (a->marks[neighbour] != k) {
-        a->marks[neighbour] = k;
-        a->next[fill++] = neighbour;
-      }
-    }
-  }
-  a->start[a->count] = fill;
+  gather_nodes (a);
+  fill_graph (a);
   /* The order of elimination, by minimum degree, and the columns that belong to it. */
   a->pool.failed = amd_order (a->count, a->start, a->next, a->order, NULL, NULL) < AMD_OK;
   for (int32_t j = 0; j < a->count && !a->pool.failed; j++)

@@ -125,6 +125,32 @@ typedef struct {
   double left; /* of trial - A x */
 } Trial;
 
+static Trial
+try_blocks (QnLinsys *system, const double *ax, double *x)
+{
+  const int32_t *ap = system->ap, *ai = system->ai;
+  double *left = system->left;
+  Trial trial = { 0 };
+
+  for (int32_t i = 0; i < system->n; i++) {
+    x[i] = left[i] = system->trial[i];
+    trial.right = qn_max (fabs (left[i]), trial.right);
+  }
+  qn_block_lu_solve (system->blocks, x);
+  for (int32_t j = 0; j < system->n; j++) {
+    for (int32_t p = ap[j]; p < ap[j + 1]; p++) {
+      left[ai[p]] -= ax[p] * x[j];
+      trial.matrix = qn_max (fabs (ax[p]), trial.matrix);
+    }
+    trial.solution = qn_max (fabs (x[j]), trial.solution);
+  }
+  for (int32_t i = 0; i < system->n; i++)
+    if (!(fabs (left[i]) <= trial.left)
+        && !isnan (trial.left)) /* keeps what is no number */
+      trial.left = fabs (left[i]);
+  return trial;
+}
+
 double
 qn_linsys_work (const QnLinsys *system)
 {
@@ -156,33 +182,14 @@ qn_linsys_factor_and_solve (QnLinsys *system, const double *ax, double *b)
     system->trial[i] = zero ? 1 : b[i];
   system->pivoted = false;
   if (pivots > 0) {
-    double *x = zero ? system->solution : b;
-    const int32_t *ap = system->ap, *ai = system->ai;
-    double *left = system->left;
-    Trial trial = { 0 };
-    for (int32_t i = 0; i < system->n; i++) {
-      x[i] = left[i] = system->trial[i];
-      trial.right = qn_max (fabs (left[i]), trial.right);
-    }
-    qn_block_lu_solve (system->blocks, x);
-    for (int32_t j = 0; j < system->n; j++) {
-      for (int32_t p = ap[j]; p < ap[j + 1]; p++) {
-        left[ai[p]] -= ax[p] * x[j];
-        trial.matrix = qn_max (fabs (ax[p]), trial.matrix);
-      }
-      trial.solution = qn_max (fabs (x[j]), trial.solution);
-    }
-    for (int32_t i = 0; i < system->n; i++)
-      if (!(fabs (left[i]) <= trial.left)
-          && !isnan (trial.left)) /* keeps what is no number */
-        trial.left = fabs (left[i]);
+    Trial trial = try_blocks (system, ax, zero ? system->solution : b);
     /* |trial - A x| / (|A| |x| + |trial|), Rigal & Gaches 1967 */
     if (pivots > QN_TOLERANCE_SINGULAR
         && trial.left / (trial.matrix * trial.solution + trial.right)
              < QN_TOLERANCE_BACKWARD)
       return system->status = QN_SOLVE_CONVERGED;
-    /* Whether A maps x to nothing, for |A x| is at most |trial| + |trial - A x|: then A
-     * is that close to a matrix without an inverse. */
+    /* A maps x to nothing, for |A x| is at most |trial| + |trial - A x|: then A is that
+     * close to a matrix without an inverse. */
     if (isfinite (trial.solution)
         && trial.right + trial.left
              <= QN_TOLERANCE_SINGULAR * trial.matrix * trial.solution)
