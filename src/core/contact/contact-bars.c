@@ -76,8 +76,7 @@ qn_bar_search_cross (QnBarSearch *search, const QnModel *model, QnContacts *cont
                      QnId index)
 {
   QnContactFace *face = &contacts->faces[index];
-  /* How many lines lie near a face. The margin is rounding where one crosses an end of
-   * it. */
+  /* The lines near the face. The margin is rounding where one crosses an end of it. */
   QnBox box = qn_box_grow (qn_box_of_segment (face->start, face->end),
                            QN_TOLERANCE_CONVEX * face->length);
   QnBoxQuery query = qn_box_tree_query (&search->tree, box);

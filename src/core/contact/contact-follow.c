@@ -197,11 +197,10 @@ list_corners (QnContactFollow *follow, QnId a, QnId b, const double *displacemen
   bool joined = is_joined (follow, a, b, NULL, NULL);
 
   for (size_t i = 0; i < corners; i++) {
-    /* Whether the boundary of the block bulges at the end of side i of its `count` ones. */
-    if (!(qn_vec2_cross (own[i].direction, own[(i + 1) % corners].direction) > 0))
-      continue;
     const QnSide *next = &own[(i + 1) % corners];
     const QnSide *const both[2] = { &own[i], next };
+    if (!(qn_vec2_cross (own[i].direction, next->direction) > 0))
+      continue; /* the boundary of the block does not bulge there */
     if (joined && is_joined (follow, a, b, NULL, both))
       continue; /* it is held where it is */
     QnVec2 corner =

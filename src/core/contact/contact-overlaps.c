@@ -146,6 +146,17 @@ try_boundary (const QnContactSearch *search, QnId a, QnId b, QnContactCuts *cuts
     try_side (search, side, b, cuts, deepest);
 }
 
+/* Whether two blocks fill the same box, up to what may pass unnoticed on either. */
+static bool
+fill_same_box (const QnContactSearch *search, QnId a, QnId b)
+{
+  QnBox left = search->block_boxes[a], right = search->block_boxes[b];
+  double most =
+    fmax (fmax (fabs (left.min.x - right.min.x), fabs (left.min.y - right.min.y)),
+          fmax (fabs (left.max.x - right.max.x), fabs (left.max.y - right.max.y)));
+  return most <= 4 * search->lengths.tolerance;
+}
+
 void
 qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
                           QnContactCuts *cuts, QnFindings *findings)
@@ -171,22 +182,16 @@ qn_contact_check_overlap (const QnContactSearch *search, QnId a, QnId b,
   Deepest deepest = { 0, { 0, 0 }, 0 };
   try_boundary (search, a, b, cuts, &deepest);
   try_boundary (search, b, a, cuts, &deepest);
-  /* Whether two blocks fill the same box, up to what may pass unnoticed on either. */
-  QnBox left = search->block_boxes[a], right = search->block_boxes[b];
-  double most =
-    fmax (fmax (fabs (left.min.x - right.min.x), fabs (left.min.y - right.min.y)),
-          fmax (fabs (left.max.x - right.max.x), fabs (left.max.y - right.max.y)));
-  if (deepest.depth <= search->lengths.tolerance
-      && most <= 4 * search->lengths.tolerance) {
+  if (deepest.depth <= search->lengths.tolerance && fill_same_box (search, a, b)) {
     const QnModel *model = search->model;
     QnVec2 inner = qn_polygon_inner_point (qn_model_block_vertices (model, a),
                                            (size_t) model->blocks[a].vertex_count);
     Deepest own = { 0, inner, 0 }, other = { 0, inner, 0 };
     try_point (search, a, b, inner, 0, &own);
     try_point (search, b, a, inner, 0, &other);
-    double own_depth = fmin (own.depth, other.depth);
-    if (own_depth > deepest.depth)
-      deepest = (Deepest){ own_depth, inner, 0 };
+    double within = fmin (own.depth, other.depth);
+    if (within > deepest.depth)
+      deepest = (Deepest){ within, inner, 0 };
   }
   /* For two convex blocks the separating axes know the depth exactly. */
   if (!small || !search->convex[a] || !search->convex[b])

@@ -49,7 +49,7 @@ qn_contact_search_init (QnContactSearch *search, const QnModel *model,
   }
   qn_box_tree_init (&search->block_tree, search->block_boxes, model->block_count, room);
   /* The trees of the sides of blocks that have many. */
-  QnId blocks = (QnId) search->model->block_count;
+  QnId blocks = (QnId) model->block_count;
   size_t most = 0;
   for (QnId i = 0; i < blocks; i++)
     most = qn_side_count (search, i) > most ? qn_side_count (search, i) : most;

@@ -189,6 +189,38 @@ typedef struct FirstFace {
   QnId law;
 } FirstFace;
 
+/* How the blocks lie that laws join. It is a finding of the first block where a law of a chain joins blocks
+ * that have neighbours in two directions, or one of a grid blocks where none has; and where many blocks of
+ * a law that is elastic in shear have, which is more than the corners of frames. */
+static void
+judge_arrangements (const QnModel *model, QnContacts *contacts)
+{
+  FirstFace *first = qn_pool_alloc (&contacts->room, model->block_count, sizeof *first);
+  LawUse *uses = qn_pool_alloc (&contacts->room, model->law_count, sizeof *uses);
+
+  if (contacts->room.failed)
+    return;
+  for (size_t i = 0; i < 2 * contacts->face_count; i++) {
+    const QnContactFace *face = &contacts->faces[i / 2];
+    QnId block = i % 2 == 0 ? face->a : face->b;
+    QnId id = i % 2 == 0 ? face->law_a : face->law_b;
+    LawUse *use = &uses[id];
+    if (model->blocks[block].rigid || !is_of_one_basis (model, face))
+      continue;
+    if (use->sides++ == 0)
+      use->block = block;
+    if (qn_vec2_length (first[block].normal) == 0)
+      first[block] = (FirstFace){ face->normal, id };
+    else if (first[block].law == id
+             && fabs (qn_vec2_cross (first[block].normal, face->normal)) > SIDEWAYS
+             && use->sideways++ == 0
+             && model->laws[id].arrangement == QN_ARRANGEMENT_CHAIN)
+      use->block = block;
+  }
+  for (size_t i = 0; i < model->law_count; i++)
+    report_use (contacts, &model->laws[i], (QnId) i, &uses[i]);
+}
+
 QnStatus
 qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *diag)
 {
@@ -228,34 +260,7 @@ qn_contacts_place_pairs (const QnModel *model, QnContacts *contacts, QnDiag *dia
   for (size_t i = 0; i < QN_N_ELEMENTS (judged); i++)
     if (judged[i].block_a != QN_NONE)
       qn_contacts_report (contacts, judged[i]);
-  if (status == QN_OK) {
-    /* How the blocks lie that laws join. It is a finding of the first block where a law
-     * of a chain joins blocks that have neighbours in two directions, or one of a grid
-     * blocks where none has; and where many blocks of a law that is elastic in shear
-     * have, which is more than the corners of frames. */
-    FirstFace *first = qn_pool_alloc (&contacts->room, model->block_count, sizeof *first);
-    LawUse *uses = qn_pool_alloc (&contacts->room, model->law_count, sizeof *uses);
-    if (!contacts->room.failed) {
-      for (size_t i = 0; i < 2 * contacts->face_count; i++) {
-        const QnContactFace *face = &contacts->faces[i / 2];
-        QnId block = i % 2 == 0 ? face->a : face->b;
-        QnId id = i % 2 == 0 ? face->law_a : face->law_b;
-        LawUse *use = &uses[id];
-        if (model->blocks[block].rigid || !is_of_one_basis (model, face))
-          continue;
-        if (use->sides++ == 0)
-          use->block = block;
-        if (qn_vec2_length (first[block].normal) == 0)
-          first[block] = (FirstFace){ face->normal, id };
-        else if (first[block].law == id
-                 && fabs (qn_vec2_cross (first[block].normal, face->normal)) > SIDEWAYS
-                 && use->sideways++ == 0
-                 && model->laws[id].arrangement == QN_ARRANGEMENT_CHAIN)
-          use->block = block;
-      }
-      for (size_t i = 0; i < model->law_count; i++)
-        report_use (contacts, &model->laws[i], (QnId) i, &uses[i]);
-    }
-  }
+  if (status == QN_OK)
+    judge_arrangements (model, contacts);
   return status;
 }

@@ -220,6 +220,29 @@ examine_members (Doubts *d, QnEntity entity, size_t index, QnId block, const voi
     }
 }
 
+static void
+examine_laws (Doubts *d)
+{
+  for (size_t i = 0; i < d->model->law_count; i++) {
+    const QnLaw *law = &d->model->laws[i];
+    size_t count;
+    const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
+    examine (d, (Row) (KN + law->basis), i, QN_NONE, law->kn);
+    examine (d, (Row) (KS + law->basis), i, QN_NONE, law->ks);
+    if (qn_law_may_bond (law->kind) && law->tension * law->friction > 0)
+      examine (d, APEX, i, QN_NONE,
+               fmin (law->tension * law->friction / law->cohesion, 1e9));
+    for (size_t k = 0; k < count; k++) {
+      double value = qn_law_get (law, &parameters[k]);
+      /* A strength in N or an energy in J depends on the size of what it belongs to. */
+      for (Row row = FRICTION; row <= DILATION_END; row++)
+        if (strcmp (parameters[k].key, ranges[row].key) == 0
+            && (law->basis != QN_BASIS_CONTACT || row == FRICTION || row == DILATION_END))
+          examine (d, row, i, QN_NONE, value);
+    }
+  }
+}
+
 static double
 size_of (QnBox box)
 {
@@ -256,6 +279,37 @@ free_weight (const QnModel *model)
     if (!model->blocks[i].support[QN_DOF_UY])
       weight += model->blocks[i].weight;
   return weight;
+}
+
+static void
+examine_loads (Doubts *d, double extent)
+{
+  const QnModel *model = d->model;
+  double weight = free_weight (model);
+  for (size_t i = 0; i < model->dead_load_count && weight > 0; i++) {
+    const QnLoad *load = &model->dead_loads[i];
+    double size = qn_vec2_length (load->vector);
+    if (load->kind == QN_LOAD_FORCE)
+      examine (d, DEAD_FORCE, i, load->block, size / weight);
+    else if (load->kind == QN_LOAD_WEIGHT)
+      examine (d, DEAD_WEIGHT, i, QN_NONE, size);
+    else if (load->kind == QN_LOAD_EDGE)
+      examine (d, DEAD_INTENSITY, i, load->block,
+               fmax (fabs (load->intensity[0]), fabs (load->intensity[1])));
+  }
+  for (size_t i = 0; i < qn_model_load_count (model); i++) {
+    const QnLoad *load = qn_model_load (model, i);
+    int live = i >= model->dead_load_count;
+    examine_members (d, live ? QN_ENTITY_LIVE_LOAD : QN_ENTITY_DEAD_LOAD,
+                     i - (live ? model->dead_load_count : 0), QN_NONE, load);
+  }
+  for (size_t i = 0; i < model->live_load_count && extent > 0; i++) {
+    const QnLoad *load = &model->live_loads[i];
+    bool turns = load->dof == QN_DOF_RZ;
+    if (load->kind == QN_LOAD_SETTLEMENT)
+      examine (d, turns ? TURN : SETTLEMENT, i, load->block,
+               load->value / (turns ? 1 : extent));
+  }
 }
 
 static void
@@ -423,9 +477,9 @@ examine_sinking (Doubts *d)
       bearing.stiffness += stiffness[0] * n * n + stiffness[1] * t * t;
     }
     bearings[i] = bearing;
-    seats[bearings[i].upper].stiffness += bearings[i].stiffness;
-    if (bearings[i].stiffness > 0)
-      seats[bearings[i].upper].width += contacts->faces[i].length;
+    seats[bearing.upper].stiffness += bearing.stiffness;
+    if (bearing.stiffness > 0)
+      seats[bearing.upper].width += of->length;
   }
   qsort (bearings, contacts->face_count, sizeof *bearings, compare_bearings);
   for (size_t i = 0; i < contacts->face_count; i++) {
@@ -513,50 +567,9 @@ qn_contacts_report_doubts (const QnModel *model, QnContacts *contacts)
   Doubts d = { .contacts = contacts, .model = model };
   double extent = examine_blocks (&d);
   examine_members (&d, QN_ENTITY_MODEL, 0, QN_NONE, model);
-  for (size_t i = 0; i < model->law_count; i++) {
-    const QnLaw *law = &model->laws[i];
-    size_t count;
-    const QnLawParameter *parameters = qn_law_parameters (law->kind, &count);
-    examine (&d, (Row) (KN + law->basis), i, QN_NONE, law->kn);
-    examine (&d, (Row) (KS + law->basis), i, QN_NONE, law->ks);
-    if (qn_law_may_bond (law->kind) && law->tension * law->friction > 0)
-      examine (&d, APEX, i, QN_NONE,
-               fmin (law->tension * law->friction / law->cohesion, 1e9));
-    for (size_t k = 0; k < count; k++) {
-      double value = qn_law_get (law, &parameters[k]);
-      /* A strength in N or an energy in J depends on the size of what it belongs to. */
-      for (Row row = FRICTION; row <= DILATION_END; row++)
-        if (strcmp (parameters[k].key, ranges[row].key) == 0
-            && (law->basis != QN_BASIS_CONTACT || row == FRICTION || row == DILATION_END))
-          examine (&d, row, i, QN_NONE, value);
-    }
-  }
+  examine_laws (&d);
   examine_bars_and_beams (&d);
-  double weight = free_weight (model);
-  for (size_t i = 0; i < model->dead_load_count && weight > 0; i++) {
-    const QnLoad *load = &model->dead_loads[i];
-    double size = qn_vec2_length (load->vector);
-    if (load->kind == QN_LOAD_FORCE)
-      examine (&d, DEAD_FORCE, i, load->block, size / weight);
-    else if (load->kind == QN_LOAD_WEIGHT)
-      examine (&d, DEAD_WEIGHT, i, QN_NONE, size);
-    else if (load->kind == QN_LOAD_EDGE)
-      examine (&d, DEAD_INTENSITY, i, load->block,
-               fmax (fabs (load->intensity[0]), fabs (load->intensity[1])));
-  }
-  for (size_t i = 0; i < qn_model_load_count (model); i++) {
-    const QnLoad *load = qn_model_load (model, i);
-    int live = i >= model->dead_load_count;
-    examine_members (&d, live ? QN_ENTITY_LIVE_LOAD : QN_ENTITY_DEAD_LOAD,
-                     i - (live ? model->dead_load_count : 0), QN_NONE, load);
-  }
-  for (size_t i = 0; i < model->live_load_count && extent > 0; i++) {
-    const QnLoad *load = &model->live_loads[i];
-    bool turns = load->dof == QN_DOF_RZ;
-    if (load->kind == QN_LOAD_SETTLEMENT)
-      examine (&d, turns ? TURN : SETTLEMENT, i, load->block,
-               load->value / (turns ? 1 : extent));
-  }
+  examine_loads (&d, extent);
   examine_analysis (&d, extent);
   examine_dead_load (&d);
   examine_sinking (&d);
