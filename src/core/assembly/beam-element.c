@@ -90,6 +90,32 @@ bending_stiffness (const QnBeamProperties *p, double k[2][2])
 
 /* --- Yielding --------------------------------------------------------------------------- */
 
+/* Moments when the ends named by `sense` (+-1: at the limit, 0: elastic) yield; slip is how
+ * far their hinges turn on. */
+static void
+return_to (double k[2][2], const double trial[2], const double limit[2],
+           const int sense[2], double moment[2], double slip[2])
+{
+  double excess[2] = { 0, 0 };
+
+  for (int i = 0; i < 2; i++)
+    if (sense[i] != 0)
+      excess[i] = trial[i] - sense[i] * limit[i];
+  slip[0] = slip[1] = 0;
+  if (sense[0] != 0 && sense[1] != 0) {
+    double det = k[0][0] * k[1][1] - k[0][1] * k[1][0];
+    slip[0] = (k[1][1] * excess[0] - k[0][1] * excess[1]) / det;
+    slip[1] = (k[0][0] * excess[1] - k[1][0] * excess[0]) / det;
+  } else {
+    for (int i = 0; i < 2; i++)
+      if (sense[i] != 0)
+        slip[i] = excess[i] / k[i][i];
+  }
+  for (int i = 0; i < 2; i++)
+    moment[i] = sense[i] != 0 ? sense[i] * limit[i]
+                              : trial[i] - k[i][0] * slip[0] - k[i][1] * slip[1];
+}
+
 /* Whether ends that yield turn in the sense of their moments and the others keep their limits. */
 static bool
 is_admissible (const double limit[2], double stiffness, const int sense[2],
@@ -120,25 +146,7 @@ return_map (const QnBeamProperties *p, double k[2][2], const double trial[2],
         continue; /* hinges always turn */
       if ((isinf (p->moments[0]) && i != 0) || (isinf (p->moments[1]) && j != 0))
         continue;
-      /* Moments when the ends named by `sense` (+-1: at the limit, 0: elastic) yield;
-       * slip is how far their hinges turn on. */
-      double excess[2] = { 0, 0 };
-      for (int e = 0; e < 2; e++)
-        if (sense[e] != 0)
-          excess[e] = trial[e] - sense[e] * p->moments[e];
-      slip[0] = slip[1] = 0;
-      if (sense[0] != 0 && sense[1] != 0) {
-        double det = k[0][0] * k[1][1] - k[0][1] * k[1][0];
-        slip[0] = (k[1][1] * excess[0] - k[0][1] * excess[1]) / det;
-        slip[1] = (k[0][0] * excess[1] - k[1][0] * excess[0]) / det;
-      } else {
-        for (int e = 0; e < 2; e++)
-          if (sense[e] != 0)
-            slip[e] = excess[e] / k[e][e];
-      }
-      for (int e = 0; e < 2; e++)
-        moment[e] = sense[e] != 0 ? sense[e] * p->moments[e]
-                                  : trial[e] - k[e][0] * slip[0] - k[e][1] * slip[1];
+      return_to (k, trial, p->moments, sense, moment, slip);
       if (is_admissible (p->moments, k[0][0], sense, moment, slip))
         return;
     }

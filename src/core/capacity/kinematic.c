@@ -184,6 +184,28 @@ solve (Chain *c)
   }
 }
 
+/* Closes the hinges that a step has parted. False where they cannot be. */
+static bool
+close_hinges (Chain *c)
+{
+  double largest = 0;
+
+  for (int k = 0; k < 4; k++) {
+    place_rows (c);
+    largest = 0;
+    for (size_t i = 0; i < c->row_count; i++) {
+      c->right[i] = c->rows[i].gap;
+      largest = fmax (largest, fabs (c->rows[i].gap));
+    }
+    if (largest <= 1e-12 * c->size)
+      break;
+    solve (c);
+    for (size_t i = 0; i < c->n; i++)
+      c->u[i] -= c->x[i];
+  }
+  return largest <= PARTED * c->size;
+}
+
 /* Takes off the velocities what parts the hinges, and scales them: the fastest body has 1. Returns how
  * much was taken off, as a part of the fastest. */
 static double
@@ -443,22 +465,7 @@ follow (Chain *c, QnCapacity *capacity, double tie_strain, QnDiag *diag)
     /* A chain with one freedom is right wherever its hinges close again. */
     for (size_t i = 0; i < c->n; i++)
       c->u[i] += STEP * c->size * c->v[i];
-    /* Closes the hinges that a step has parted. False where they cannot be. */
-    double largest = 0;
-    for (int k = 0; k < 4; k++) {
-      place_rows (c);
-      largest = 0;
-      for (size_t i = 0; i < c->row_count; i++) {
-        c->right[i] = c->rows[i].gap;
-        largest = fmax (largest, fabs (c->rows[i].gap));
-      }
-      if (largest <= 1e-12 * c->size)
-        break;
-      solve (c);
-      for (size_t i = 0; i < c->n; i++)
-        c->u[i] -= c->x[i];
-    }
-    if (!(largest <= PARTED * c->size))
+    if (!close_hinges (c))
       break;
     project (c);
   }
@@ -497,8 +504,7 @@ analyse (Chain *c, QnCapacity *capacity, const QnContacts *contacts, QnId contro
     return refuse (QN_PROBLEM_CAPACITY_LOADS, diag);
   if (project (c) > DEVIATION)
     return refuse (QN_PROBLEM_MECHANISM_SLIDES, diag);
-  /* Control block, M*, e* and the ratio of displacements, of the velocities as built.
-   * False where the chain or the control block does not move with the load. */
+  /* Control block, M*, e* and the ratio of displacements, of the velocities as built. */
   QnMassSums sums = { 0 };
   double farthest = 0;
   capacity->block = control;

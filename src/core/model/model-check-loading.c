@@ -57,21 +57,18 @@ static bool
 check_fill (const QnLoad *load, QnSubject of)
 {
   const bool backfill = load->kind == QN_LOAD_BACKFILL;
-  const double angle = load->friction_angle;
+  const double *span = load->span, angle = load->friction_angle;
+  const char *from = backfill ? "bottom" : "from", *to = backfill ? "top" : "to";
 
   /* Infinite ends are those that are not given. */
-  const char *from = backfill ? "bottom" : "from";
   if (!qn_require_number (of, backfill ? "surcharge" : "pressure", load->pressure,
                           QN_RANGE_NOT_NEGATIVE)
       || !qn_require_number (of, "unit_weight", load->unit_weight, QN_RANGE_NOT_NEGATIVE)
       || !qn_require_number (of, "level", load->level, QN_RANGE_FINITE)
       || !qn_require_number (of, "coefficient", load->coefficient, QN_RANGE_NOT_NEGATIVE)
-      || !(qn_require (of, !isnan (load->span[0]), QN_PROBLEM_NOT_FINITE, from,
-                       load->span[0])
-           && qn_require (of, !isnan (load->span[1]), QN_PROBLEM_NOT_FINITE,
-                          backfill ? "top" : "to", load->span[1])
-           && qn_require (of, load->span[0] < load->span[1], QN_PROBLEM_LOADED_PART, from,
-                          load->span[0])))
+      || !qn_require (of, !isnan (span[0]), QN_PROBLEM_NOT_FINITE, from, span[0])
+      || !qn_require (of, !isnan (span[1]), QN_PROBLEM_NOT_FINITE, to, span[1])
+      || !qn_require (of, span[0] < span[1], QN_PROBLEM_LOADED_PART, from, span[0]))
     return false;
   return !backfill
          || (qn_require (

@@ -106,6 +106,18 @@ check_pairs (const QnPairRule *rule, QnSubject of)
          && (rule->placement != QN_PLACEMENT_EXPLICIT || check_explicit_pairs (rule, of));
 }
 
+static bool
+check_mesh (const QnBar *bar, QnSubject of)
+{
+  return qn_require (of,
+                     bar->start.x != bar->end.x && bar->start.y != bar->end.y
+                       && bar->via_count == 0,
+                     QN_PROBLEM_BAR_MESH, "end", 0)
+         && qn_require (of, qn_bar_line_count (bar) <= QN_MAX_MESH_BARS,
+                        QN_PROBLEM_BAR_TOO_MANY, "spacing",
+                        fmin (bar->spacing.x, bar->spacing.y));
+}
+
 /* No two of its corners are one. */
 static bool
 check_line (const QnBar *bar, QnSubject of)
@@ -138,15 +150,7 @@ check_bar (const QnModel *model, QnId index, QnDiag *diag)
          && qn_require_vector (of, "end", bar->end)
          && qn_require_number (of, "spacing", bar->spacing.x, QN_RANGE_NOT_NEGATIVE)
          && qn_require_number (of, "spacing", bar->spacing.y, QN_RANGE_NOT_NEGATIVE)
-         && (qn_bar_is_mesh (bar)
-               ? (qn_require (of,
-                              bar->start.x != bar->end.x && bar->start.y != bar->end.y
-                                && bar->via_count == 0,
-                              QN_PROBLEM_BAR_MESH, "end", 0)
-                  && qn_require (of, qn_bar_line_count (bar) <= QN_MAX_MESH_BARS,
-                                 QN_PROBLEM_BAR_TOO_MANY, "spacing",
-                                 fmin (bar->spacing.x, bar->spacing.y)))
-               : check_line (bar, of));
+         && (qn_bar_is_mesh (bar) ? check_mesh (bar, of) : check_line (bar, of));
 }
 
 static bool
