@@ -287,14 +287,12 @@ qn_check_course (QnCheck *check, QnDiag *diag)
         r->has_first_limit_multiplier ? r->first_limit_multiplier : NAN, first);
   }
   /* Results of earlier versions do not tell it. */
-  QnResult found = *check->result; /* whose arrays stay the result's */
+  QnResult found = *r; /* whose arrays stay the result's */
   qn_result_judge_linearity (check->model, &found);
-  if (check->result->linearity != QN_LINEARITY_UNKNOWN
-      && (check->result->linearity != found.linearity
-          || !same (check->result->beyond_linear_multiplier,
-                    found.beyond_linear_multiplier)))
-    qn_check_tell_model (check, QN_CLAIM_LINEARITY, QN_NONE,
-                         check->result->beyond_linear_multiplier,
+  if (r->linearity != QN_LINEARITY_UNKNOWN
+      && (r->linearity != found.linearity
+          || !same (r->beyond_linear_multiplier, found.beyond_linear_multiplier)))
+    qn_check_tell_model (check, QN_CLAIM_LINEARITY, QN_NONE, r->beyond_linear_multiplier,
                          found.beyond_linear_multiplier);
   return status;
 }

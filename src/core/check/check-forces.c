@@ -592,9 +592,8 @@ check_ties (QnCheck *check, size_t step)
     /* Tolerance of a tie's force: rounding of displacements, plus the tolerance of forces
      * of joints. */
     double tolerance = QN_CHECK_FORCES * check->scale
-                       + QN_CHECK_EXACT * check->largest * at->properties.axial,
-           force = stated[i].force;
-    double elongation = at->kinematics.deformation[0];
+                       + QN_CHECK_EXACT * check->largest * at->properties.axial;
+    double force = stated[i].force, elongation = at->kinematics.deformation[0];
     bool suits = true;
 
     if (rigid)

@@ -66,13 +66,13 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
 {
   const QnResult *r = check->result;
   const QnHistory *h = &r->history;
+  const QnAssembly *as = &check->assembly;
   const double *row = find_row (check, step);
   double largest = 0;
 
   if (r->velocities != NULL) {
     /* Unknowns from the velocities of bodies; supports have none, and nodes on blocks
      * ride with them. */
-    const QnAssembly *as = &check->assembly;
     size_t bodies = qn_result_body_count (r), count = bodies * QN_DOF_COUNT;
     const double *stated = r->velocities + step * count;
     memset (check->velocity, 0, (size_t) as->unknown_count * sizeof *check->velocity);
@@ -83,7 +83,7 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
     /* Slower than what is called rest, where the outcome says so. */
     const QnModel *model = check->model;
     double most = QN_REST_SPEED * sqrt (model->gravity * model->characteristic_length);
-    double fastest = qn_largest (check->velocity, (size_t) check->assembly.unknown_count);
+    double fastest = qn_largest (check->velocity, (size_t) as->unknown_count);
     if (r->outcome == QN_OUTCOME_REST && step + 1 == r->step_count
         && !(fastest <= most * (1 + QN_CHECK_EXACT)))
       qn_check_tell (check, QN_CLAIM_OUTCOME, (QnId) step, QN_ENTITY_ANALYSIS, QN_NONE,
@@ -97,7 +97,6 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
     return QN_OK;
   check_places (check, step, row);
   if (check->mass == NULL) {
-    const QnAssembly *as = &check->assembly;
     check->mass = qn_pool_alloc (&check->pool, (size_t) as->ap[as->unknown_count],
                                  sizeof *check->mass);
     if (check->mass == NULL)
@@ -111,7 +110,6 @@ qn_check_motion (QnCheck *check, size_t step, QnDiag *diag)
     largest = fmax (largest, qn_largest (h->rows + i * h->width + QN_HISTORY_ENERGY,
                                          QN_ENERGY_KIND_COUNT));
   double kinetic = r->velocities != NULL ? kinetic_energy (check) : 0;
-  const QnAssembly *as = &check->assembly;
   double elastic = 0;
   for (size_t p = 0; p < as->pair_count; p++) {
     QnPairElasticity pair = qn_pair_elasticity (&as->springs[p]);

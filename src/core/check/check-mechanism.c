@@ -258,6 +258,7 @@ qn_check_mechanism (QnCheck *check)
    * strength within `little`, N. */
   const QnBeamAssembly *members = &check->assembly.beams;
   const size_t elements = check->model->element_count;
+  const double little = QN_CHECK_LITTLE * check->scale;
   for (size_t i = 0; i < qn_model_tie_count (check->model); i++) {
     const QnBeamResponse *response = &members->responses[elements + i];
     const QnAssembledBeam *at = &members->beams[elements + i];
@@ -266,11 +267,8 @@ qn_check_mechanism (QnCheck *check)
     bool hangs =
       !check->result->limit.given
       && at->kinematics.deformation[0] < at->properties.rest + response->memory.stretch;
-    bool flows = fabs (rate) <= none || hangs
-                 || (rate < 0 && force <= QN_CHECK_LITTLE * check->scale)
-                 || (rate > 0
-                     && force >= qn_tie_strength (at->properties.tie)
-                                   - (QN_CHECK_LITTLE * check->scale));
+    bool flows = fabs (rate) <= none || hangs || (rate < 0 && force <= little)
+                 || (rate > 0 && force >= qn_tie_strength (at->properties.tie) - little);
     if (!flows)
       qn_check_tell (check, QN_CLAIM_FLOW, (QnId) check->result->step_count - 1,
                      QN_ENTITY_TIE, (QnId) i, rate, 0);

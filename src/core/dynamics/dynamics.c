@@ -392,8 +392,7 @@ renew_contacts (Run *run, QnDiag *diag)
   if (status != QN_OK)
     return status;
   if (changed) {
-    /* After contacts have changed at the start of a step: adds the loss of elastic energy
-     * to FRICTION. */
+    /* What elastic energy is lost by it goes to FRICTION. */
     double now = elastic (&run->step, &run->step.start);
     run->energy.sums[QN_ENERGY_FRICTION] += run->energy.sums[QN_ENERGY_ELASTIC] - now;
     run->energy.sums[QN_ENERGY_ELASTIC] = now;

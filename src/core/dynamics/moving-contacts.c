@@ -170,21 +170,22 @@ rebuild (QnMovingContacts *moving, QnEquilibrium *eq, QnDiag *diag)
     status = qn_assembly_setup (&next, follow->model, contacts, diag);
   if (status == QN_OK) {
     /* Loads, memory and forces of all pairs, and which are inactive, as they were before. */
+    const QnAssembly *old = &eq->assembly;
     size_t drawn = follow->drawn->pair_count;
-    qn_assembly_set_loads (&next, eq->assembly.held, eq->assembly.driven);
-    next.commits = eq->assembly.commits;
-    memcpy (next.committed, eq->assembly.committed, drawn * sizeof *next.committed);
-    memcpy (next.responses, eq->assembly.responses, drawn * sizeof *next.responses);
-    memcpy (next.inactive, eq->assembly.inactive, drawn * sizeof *next.inactive);
+    qn_assembly_set_loads (&next, old->held, old->driven);
+    next.commits = old->commits;
+    memcpy (next.committed, old->committed, drawn * sizeof *next.committed);
+    memcpy (next.responses, old->responses, drawn * sizeof *next.responses);
+    memcpy (next.inactive, old->inactive, drawn * sizeof *next.inactive);
     for (size_t i = 0; i < follow->count; i++) {
       next.inactive[drawn + i] = true;
       carry_nothing (&next, drawn + i);
       if (follow->origins[i] == QN_NONE)
         continue;
       size_t origin = drawn + (size_t) follow->origins[i];
-      next.committed[drawn + i] = eq->assembly.committed[origin];
-      next.responses[drawn + i] = eq->assembly.responses[origin];
-      next.inactive[drawn + i] = eq->assembly.inactive[origin];
+      next.committed[drawn + i] = old->committed[origin];
+      next.responses[drawn + i] = old->responses[origin];
+      next.inactive[drawn + i] = old->inactive[origin];
     }
     take_changes (moving, contacts, &next);
     status = qn_equilibrium_exchange (eq, &next, diag);

@@ -253,10 +253,9 @@ qn_pair_motion (const QnPairElasticity *pair, const QnPairStep *step,
   QnPairForces out = { 0 };
   double weight = 1 - step->alpha_f;
 
-  /* c and its derivatives. */
-  const QnPairResponse *now = end->response;
-  double x[2] = { -1, -1 }, dx[2] = { 0 }, slopes[2];
-  if (pair->conserves) {
+  if (pair->conserves) { /* c and its derivatives */
+    const QnPairResponse *now = end->response;
+    double x[2] = { -1, -1 }, dx[2] = { 0 }, slopes[2];
     if (pair->opens) {
       x[0] = distance (pair, start);
       x[1] = distance (pair, end);

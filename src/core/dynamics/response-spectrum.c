@@ -34,11 +34,10 @@ qn_response_spectrum (const double *acceleration, size_t count, double step,
                      .damped = w * sqrt (1 - damping * damping) };
 
     for (size_t i = 1; i < count; i++) {
-      /* The same under an acceleration that goes from a to b: the particular solution is
-       * linear in time, p + q t, and what is left swings freely. */
-      double a = acceleration[i - 1];
-      double square = o.w * o.w, q = -(acceleration[i] - a) / (step * square),
-             p = -a / square - 2 * o.damping * q / o.w;
+      /* Under an acceleration that goes from a to b the particular solution is linear in
+       * time, p + q t, and what is left swings freely. */
+      double a = acceleration[i - 1], b = acceleration[i], square = w * w;
+      double q = -(b - a) / (step * square), p = -a / square - 2 * damping * q / w;
       o.u -= p;
       o.v -= q;
       swing (&o, step);

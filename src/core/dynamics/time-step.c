@@ -206,7 +206,7 @@ qn_time_step_setup (QnTimeStep *step, QnEquilibrium *eq, QnDiag *diag)
   eq->factored = false;
   QnStatus status = prepare (step, diag);
   if (status == QN_OK) {
-    const QnAssembly *as = &step->equation.eq->assembly;
+    const QnAssembly *as = &eq->assembly;
     for (size_t i = 0; i < as->model->initial_count; i++) {
       const QnInitialMotion *motion = &as->model->initial[i];
       for (int dof = 0; dof < QN_DOF_COUNT; dof++) {
@@ -214,7 +214,7 @@ qn_time_step_setup (QnTimeStep *step, QnEquilibrium *eq, QnDiag *diag)
         double scale = dof == QN_DOF_RZ ? as->length : 1;
         if (unknown == QN_NONE || as->settles[unknown])
           continue;
-        step->equation.eq->u[unknown] += scale * motion->displacement[dof];
+        eq->u[unknown] += scale * motion->displacement[dof];
         step->start.v[unknown] += scale * motion->velocity[dof];
       }
     }

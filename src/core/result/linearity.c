@@ -63,10 +63,9 @@ qn_result_judge_linearity (const QnModel *model, QnResult *result)
     }
     /* Whether the analysis ends at the multiplier of this step: at its collapse, or with
      * its last step. */
-    const QnStep *at = &result->steps[i];
     if (i + 1 == result->step_count
-        || (result->has_collapse_multiplier && at->stage == result->stage
-            && at->multiplier == result->collapse_multiplier)) {
+        || (result->has_collapse_multiplier && result->steps[i].stage == result->stage
+            && to == result->collapse_multiplier)) {
       if (result->has_collapse_multiplier
           && fabs (to - result->beyond_linear_multiplier) <= QN_SETTLED * fabs (to)) {
         result->linearity = QN_LINEARITY_HOLDS;
