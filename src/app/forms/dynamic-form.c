@@ -64,8 +64,9 @@ QN_FORM_FIELDS;
 static char *
 dup_doubt (const QnGroundMotion *motion)
 {
-  const QnRecord record = { .points = motion->points, .count = motion->point_count };
+  QnRecord record = { .points = motion->points, .count = motion->point_count };
   char *doubt = qn_record_dup_doubt (&record);
+  qn_record_find_gap (&record);
   return doubt != NULL ? doubt : qn_record_dup_gap (&record, NULL);
 }
 

@@ -593,9 +593,10 @@ qn_record_parse (const char *text, gsize size, const char *name, const char *uni
   record->unit = reading.own_unit;
   record->count = done ? reading.points->len : 0;
   record->points = (QnVec2 *) (void *) g_array_free (reading.points, !done);
-  double missing[2];
-  gsize gap = qn_record_find_gap (record, missing);
-  record->gap_line = gap > 0 ? line_of (&reading, gap) : 0;
+  if (!spectrum)
+    qn_record_find_gap (record);
+  if (record->gap > 0)
+    record->gap_line = line_of (&reading, record->gap);
   return done;
 }
 

@@ -79,13 +79,14 @@ qn_record_dup_doubt (const QnRecord *record)
   return NULL;
 }
 
-gsize
-qn_record_find_gap (const QnRecord *record, double missing[2])
+void
+qn_record_find_gap (QnRecord *record)
 {
   const QnVec2 *points = record->points;
   double least = HUGE_VAL, sum = 0;
   gsize even = 0, gaps = 0, first = 0;
-  missing[0] = missing[1] = 0;
+  record->gap = 0;
+  record->missing[0] = record->missing[1] = 0;
   for (gsize i = 1; i < record->count; i++)
     least = fmin (least, points[i].x - points[i - 1].x);
   for (gsize i = 1; i < record->count; i++)
@@ -94,33 +95,34 @@ qn_record_find_gap (const QnRecord *record, double missing[2])
       even++;
     }
   for (gsize i = 1; i < record->count; i++) {
-    double steps = (points[i].x - points[i - 1].x) * (double) even / sum;
-    if (points[i].x - points[i - 1].x <= least * (1 + EVEN))
+    double step = points[i].x - points[i - 1].x, steps = step * (double) even / sum;
+    if (step <= least * (1 + EVEN))
       continue;
     if (!(steps > GAP)) /* uneven, as it is meant to be */
-      return 0;
-    first = gaps++ == 0 ? i : first;
-    missing[0] = first == i ? round (steps) - 1 : missing[0];
-    missing[1] += round (steps) - 1;
+      return;
+    record->missing[1] += round (steps) - 1;
+    if (gaps++ == 0) {
+      record->missing[0] = record->missing[1];
+      first = i;
+    }
   }
-  return MOST_EVEN * gaps <= even ? first : 0;
+  if (MOST_EVEN * gaps <= even)
+    record->gap = first;
 }
 
 char *
 qn_record_dup_gap (const QnRecord *record, const char *file)
 {
-  double missing[2];
-  gsize at = qn_record_find_gap (record, missing);
+  const gsize at = record->gap;
   if (at == 0)
     return NULL;
-  char *text = g_strdup_printf (
+  g_autofree char *text = g_strdup_printf (
     _ ("samples are missing from %.6g s to %.6g s: %.0f (%.0f in the whole record); "
        "straight lines take their place"),
-    record->points[at - 1].x, record->points[at].x, missing[0], missing[1]);
-  if (file == NULL)
-    return text;
-  g_autofree char *bare = text;
-  return g_strdup_printf ("%s:%zu: %s", file, record->gap_line, bare);
+    record->points[at - 1].x, record->points[at].x, record->missing[0],
+    record->missing[1]);
+  return file != NULL ? g_strdup_printf ("%s:%zu: %s", file, record->gap_line, text)
+                      : g_steal_pointer (&text);
 }
 
 gboolean
@@ -194,16 +196,16 @@ check_cut (const QnProject *project, gsize index, GError **error)
   return FALSE;
 }
 
-/* Says once what is odd about a record. */
+/* Says once what is odd about a record; NULL: nothing. */
 static void
 warn_at_key (QnProject *project, gsize index, const char *text)
 {
+  if (text == NULL)
+    return;
   g_autofree char *warning =
     g_strdup_printf ("%s: analysis.dynamic.ground[%" G_GSIZE_FORMAT "].record: %s",
                      project->name, index, text);
-  if (text != NULL
-      && !g_ptr_array_find_with_equal_func (project->warnings, warning, g_str_equal,
-                                            NULL))
+  if (!g_ptr_array_find_with_equal_func (project->warnings, warning, g_str_equal, NULL))
     g_ptr_array_add (project->warnings, g_steal_pointer (&warning));
 }
 

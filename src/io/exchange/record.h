@@ -24,9 +24,11 @@
 typedef struct QnRecord {
   QnVec2 *points; /* s, m/s2; free with g_free() */
   gsize count;
-  const char *unit; /* of the file's numbers; not to be freed */
-  double offset;    /* m/s2, taken off raw data */
-  gsize gap_line;   /* of the file: the sample behind the first gap; 0: none */
+  const char *unit;  /* of the file's numbers; not to be freed */
+  double offset;     /* m/s2, taken off raw data */
+  gsize gap;         /* the sample behind the first gap; 0: none */
+  gsize gap_line;    /* of that sample in the file; 0: not of a file */
+  double missing[2]; /* samples, in that gap and in all */
 } QnRecord;
 
 /* Reads a record, or if `spectrum` accelerations by periods, s. `unit` (nullable) and `time_step` (s; 0:
@@ -57,9 +59,9 @@ QnRecordFacts qn_record_facts (const QnRecord *record);
 /* Warnings: a peak above 3 g, many samples far apart, an offset; NULL: none. Free with g_free(). */
 char *qn_record_dup_doubt (const QnRecord *record);
 
-/* The samples that are missing in an otherwise even column of times. Returns the index of the one behind
- * the first gap, 0 without gaps; `missing`: in that gap and in all. */
-gsize qn_record_find_gap (const QnRecord *record, double missing[2]);
+/* Finds the samples that are missing in an otherwise even column of times, as it has been done for a record
+ * that was read. */
+void qn_record_find_gap (QnRecord *record);
 
 /* The warning of that, behind file (NULL: without) and line; NULL: none. Free with g_free(). */
 char *qn_record_dup_gap (const QnRecord *record, const char *file);
