@@ -118,29 +118,31 @@ qn_reader_dup_line (const QnReader *reader, const char *path, const QnJsonPlace 
   return g_string_free (line, FALSE);
 }
 
-/* A message about a value at a byte of the text; NULL: where its path leads. */
+/* A message about a value at a byte of the text; behind its end: where the path leads. */
 static char *
-dup_line_at (const QnJsonValue *place, const gsize *at, const char *message)
+dup_line_at (const QnJsonValue *place, gsize at, const char *message)
 {
   const QnReader *reader = place->reader;
+  const gboolean known = reader->text != NULL && at <= reader->length;
   g_autofree char *path = qn_json_value_dup_path (place);
-  QnJsonPlace known = { 0 };
-  if (reader->text != NULL && at != NULL)
-    known = qn_json_position (reader->text, MIN (*at, reader->length));
-  return qn_reader_dup_line (reader, path, at != NULL ? &known : NULL, message);
+  QnJsonPlace found = { 0 };
+  if (known)
+    found = qn_json_position (reader->text, at);
+  return qn_reader_dup_line (reader, path, known ? &found : NULL, message);
 }
 
-/* Where a value begins, or the one around it if it is missing; 0: not known. */
+/* Where a value begins, or the one around it if it is missing; G_MAXSIZE: not known. */
 static gsize
 byte_of (const QnJsonValue *place)
 {
   while (place->parent != NULL && (place->json == NULL || place->json->valueint <= 0))
     place = place->parent;
-  return place->json != NULL ? (gsize) MAX (place->json->valueint, 0) : 0;
+  return place->json != NULL && place->json->valueint > 0 ? (gsize) place->json->valueint
+                                                          : G_MAXSIZE;
 }
 
-static gboolean
-keep_error (const QnJsonValue *place, const gsize *at, const char *message)
+gboolean
+qn_json_value_fail_at (const QnJsonValue *place, gsize at, const char *message)
 {
   if (place->reader->error != NULL)
     return FALSE;
@@ -150,16 +152,9 @@ keep_error (const QnJsonValue *place, const gsize *at, const char *message)
 }
 
 gboolean
-qn_json_value_fail_at (const QnJsonValue *place, gsize at, const char *message)
-{
-  return keep_error (place, &at, message);
-}
-
-gboolean
 qn_json_value_fail (const QnJsonValue *place, const char *message)
 {
-  const gsize at = byte_of (place);
-  return keep_error (place, at > 0 ? &at : NULL, message);
+  return qn_json_value_fail_at (place, byte_of (place), message);
 }
 
 gboolean
@@ -196,8 +191,27 @@ qn_json_value_warn (const QnJsonValue *place, const char *message)
     reader->dropped_warnings++;
     return;
   }
-  const gsize at = byte_of (place);
-  g_ptr_array_add (reader->warnings, dup_line_at (place, at > 0 ? &at : NULL, message));
+  g_ptr_array_add (reader->warnings, dup_line_at (place, byte_of (place), message));
+}
+
+/* Puts a copy of one member aside. */
+static void
+keep_unknown (const QnJsonValue *object, const cJSON *member)
+{
+  QnReader *reader = object->reader;
+  if (!reader->keeps_unknown)
+    return;
+  if (reader->unknown == NULL) {
+    reader->unknown = cJSON_CreateObject ();
+    reader->owners = g_hash_table_new (NULL, NULL);
+  }
+  cJSON *owner = g_hash_table_lookup (reader->owners, object->json);
+  if (owner == NULL) {
+    g_autofree char *path = qn_json_value_dup_path (object);
+    owner = cJSON_AddObjectToObject (reader->unknown, path);
+    g_hash_table_insert (reader->owners, (gpointer) object->json, owner);
+  }
+  cJSON_AddItemToObject (owner, member->string, cJSON_Duplicate (member, 1));
 }
 
 gboolean
@@ -249,21 +263,7 @@ qn_json_value_check_keys (const QnJsonValue *object, const char *const *keys, gs
     QnJsonValue member = qn_json_value_child (object, child);
     if (!qn_json_value_unknown (&member, keys, count))
       return FALSE;
-    /* A copy of it is put aside. */
-    QnReader *reader = object->reader;
-    if (!reader->keeps_unknown)
-      continue;
-    if (reader->unknown == NULL) {
-      reader->unknown = cJSON_CreateObject ();
-      reader->owners = g_hash_table_new (NULL, NULL);
-    }
-    cJSON *owner = g_hash_table_lookup (reader->owners, object->json);
-    if (owner == NULL) {
-      g_autofree char *path = qn_json_value_dup_path (object);
-      owner = cJSON_AddObjectToObject (reader->unknown, path);
-      g_hash_table_insert (reader->owners, (gpointer) object->json, owner);
-    }
-    cJSON_AddItemToObject (owner, child->string, cJSON_Duplicate (child, 1));
+    keep_unknown (object, child);
   }
   return TRUE;
 }
@@ -541,8 +541,8 @@ dup_obstacle (const cJSON *parent, const cJSON *container, const QnJsonStep *ste
     if (member->string != container->string)
       g_ptr_array_add (keys, member->string);
   }
-  g_autofree char *near = g_strdup (
-    qn_nearest_word (container->string, (const char *const *) keys->pdata, keys->len));
+  const char *near =
+    qn_nearest_word (container->string, (const char *const *) keys->pdata, keys->len);
   return near != NULL ? g_strdup_printf (
            _ ("there is no list %s; the nearest known key is \"%s\""), before, near)
                       : g_strdup_printf (_ ("there is no list %s"), before);
