@@ -478,38 +478,39 @@ static const char *const svg_shapes[] = { "path",   "polygon", "polyline", "rect
 static const char *const svg_groups[] = { "svg", "g", "a", "switch", "use", NULL };
 static const char *const svg_others[] = { "text", "image", "foreignObject", NULL };
 
-/* Whether the user reads a language, "de-CH": by its beginning, too. */
+/* Whether the user reads a language, "de-CH": by its beginning, too. Written as in locales then. */
 static gboolean
-user_reads (const char *language)
+user_reads (char *language)
 {
   const char *const *all = g_get_language_names ();
+  g_strdelimit (language, "-", '_');
   for (guint i = 0; all[i] != NULL; i++) {
-    g_autofree char *own =
-      g_strdup (i == 0 && !g_ascii_islower (all[i][0]) ? "en" : all[i]);
-    gsize length = strlen (g_strdelimit (own, "_", '-'));
+    const char *own = i == 0 && !g_ascii_islower (all[i][0]) ? "en" : all[i];
+    const gsize length = strlen (own);
     if (g_ascii_strncasecmp (language, own, length) == 0
-        && strchr ("-", language[length]) != NULL)
+        && strchr ("_", language[length]) != NULL)
       return TRUE;
   }
   return FALSE;
 }
 
 /* Whether an element in a switch may be the one that is drawn (SVG 1.1, 5.8). Extensions are not known, and
- * what is of another kind than SVG is not drawn. */
+ * what is of another kind than SVG is not drawn: of features those that the W3C has named are known. */
 static gboolean
 is_applicable (const xmlNode *node)
 {
   g_autofree char *extensions = qn_svg_dup_attribute (node, "requiredExtensions");
   g_autofree char *features = qn_svg_dup_attribute (node, "requiredFeatures");
   g_autofree char *languages = qn_svg_dup_attribute (node, "systemLanguage");
+  if (extensions != NULL
+      || (features != NULL
+          && (strstr (features, "w3") == NULL || strstr (features, "#Extensibility"))))
+    return FALSE;
   g_auto (GStrv) tags = g_strsplit_set (languages != NULL ? languages : "", ", ", -1);
-  gboolean any = languages == NULL;
   for (char **tag = tags; *tag != NULL; tag++)
-    any = any || (**tag != '\0' && user_reads (*tag));
-  return any && extensions == NULL
-         && (features == NULL
-             || (strstr (features, "w3") != NULL
-                 && strstr (features, "#Extensibility") == NULL));
+    if (**tag != '\0' && user_reads (*tag))
+      return TRUE;
+  return languages == NULL;
 }
 
 /* The first of its children that applies. */
