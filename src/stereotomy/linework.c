@@ -155,6 +155,25 @@ compare_splits (const void *left, const void *right)
   return a->distance < b->distance ? -1 : a->distance > b->distance;
 }
 
+/* Brings ends onto segments, and parts those there; the last part takes the place of the whole. */
+static void
+close_gaps (QnSegments *segments, double tolerance, QnHealing *healing)
+{
+  g_auto (QnPool) room = { 0 };
+  g_autoptr (GArray) splits = g_array_new (FALSE, FALSE, sizeof (Split));
+  QnBoxTree tree;
+  qn_segments_tree (segments, tolerance, &tree, &room);
+  for (size_t i = 0; i < segments->count; i++)
+    for (int end = 0; end < 2; end++)
+      reach (segments, i, end == 0, &tree, tolerance, splits, healing);
+  g_array_sort (splits, compare_splits);
+  for (guint i = 0; i < splits->len; i++) {
+    const Split *split = &g_array_index (splits, Split, i);
+    qn_segments_add (segments, segments->items[split->segment].a, split->at);
+    segments->items[split->segment].a = split->at;
+  }
+}
+
 static bool
 crosses (QnSegment s, QnSegment t)
 {
@@ -233,7 +252,7 @@ qn_linework_polygonize (QnSegments *segments, double tolerance, QnRings *faces,
                         size_t *holes, QnHealing *healing, QnDiag *diag)
 {
   g_auto (QnRings) found = { 0 };
-  /* Welds the ends by handing them over as two-point rings. */
+  /* The ends are welded as those of rings of two points. */
   g_autofree QnRing *pairs = g_new (QnRing, segments->count);
   for (size_t i = 0; i < segments->count; i++)
     pairs[i] = (QnRing){ &segments->items[i].a, 2 };
@@ -244,21 +263,7 @@ qn_linework_polygonize (QnSegments *segments, double tolerance, QnRings *faces,
     return QN_OK;
   if (cross_too_often (segments))
     return qn_refuse (diag, QN_PROBLEM_TOO_MANY_CROSSINGS, QN_ENTITY_MODEL, QN_NONE);
-  /* Brings ends onto segments, and parts those there; the last part takes the place of
-   * the whole. */
-  g_auto (QnPool) room = { 0 };
-  g_autoptr (GArray) splits = g_array_new (FALSE, FALSE, sizeof (Split));
-  QnBoxTree tree;
-  qn_segments_tree (segments, tolerance, &tree, &room);
-  for (size_t i = 0; i < segments->count; i++)
-    for (int end = 0; end < 2; end++)
-      reach (segments, i, end == 0, &tree, tolerance, splits, healing);
-  g_array_sort (splits, compare_splits);
-  for (guint i = 0; i < splits->len; i++) {
-    const Split *split = &g_array_index (splits, Split, i);
-    qn_segments_add (segments, segments->items[split->segment].a, split->at);
-    segments->items[split->segment].a = split->at;
-  }
+  close_gaps (segments, tolerance, healing);
   drop_needless (segments);
   QnStatus status = enclosed_faces (segments, tolerance, &found, holes, diag);
   qn_drop_collapsed (&found);

@@ -231,8 +231,7 @@ cut_unit (QnPiece *unit, const Cutter *cutters, size_t cutter_count, size_t *lef
     left = qn_rings_area (&parts);
   }
   if (status == QN_OK && left < whole * (1 - OPENING_TOLERANCE * 1e-3)) {
-    /* Adds what is left of a unit: itself, nothing, one part of the same name or several
-     * lettered. */
+    /* Nothing is left of it, one part of the same name, or several that are lettered. */
     for (size_t i = 0; i < parts.count; i++) {
       const QnRing *rest = &parts.items[i];
       QnPiece *piece =
