@@ -171,15 +171,14 @@ set_option (QuoinFigure *figure, const char *name, const char *value, GError **c
   else if (strcmp (name, "caption") == 0)
     keep_text (&figure->caption, &figure->figure.caption, value);
   else {
-    /* An option of the picture; a step must be one of the result. What is refused changes
-     * nothing. */
+    /* An option of the picture; a step must be one of the result. */
     QnViewOptions *options = &figure->figure.options, before = *options;
     const QnResult *result = figure->figure.result;
     if (qn_view_options_set (options, name, value)
         && (options->step == QN_STEP_LAST
             || (result != NULL && (size_t) options->step < result->step_count)))
       return true;
-    *options = before;
+    *options = before; /* what is refused changes nothing */
     return false;
   }
   return true;
@@ -211,6 +210,20 @@ report_frame (int done, int total, void *data)
   caller->steps = done;
   caller->reached = done;
   return quoin_library_tell (caller, (double) done / MAX (total, 1), 0);
+}
+
+static bool
+animate (const QuoinFigure *self, const char *path, QuoinCaller *caller, GError **cause)
+{
+  QnMetadata metadata;
+  QnAnimation animation = self->animation;
+  qn_project_get_metadata (&self->model->project, &metadata);
+  animation.progress = report_frame;
+  animation.user_data = caller;
+  animation.figure.options.monochrome = self->figure.options.monochrome;
+  animation.figure.options.scale = self->figure.options.scale;
+  return (self->speed == 0 || qn_animation_set_speed (&animation, self->speed, cause))
+         && qn_animation_export (&animation, path, &self->output, &metadata, cause);
 }
 
 /* ---- sheets and reports ---- */
@@ -255,6 +268,25 @@ encode_report (const QuoinFigure *figure, GError **cause)
   return bytes;
 }
 
+static bool
+write_sheet (const QuoinFigure *figure, const char *path, GError **cause)
+{
+  gsize count = figure->results->len;
+  bool monochrome = figure->figure.options.monochrome;
+  g_autofree QnSheetRun *runs = get_runs (figure);
+  QnCurveSheet sheet = figure->sheet;
+  sheet.title = figure->title;
+  sheet.monochrome = monochrome;
+  sheet.references = (const QnReferenceLine *) (void *) figure->references->data;
+  sheet.reference_count = figure->references->len;
+  if (figure->kind == ENERGY)
+    return qn_energy_sheet_export (&sheet, runs, path, &figure->output, cause);
+  if (figure->kind == CURVE)
+    return qn_curve_sheet_export (&sheet, runs, count, path, &figure->output, cause);
+  return qn_comparison_export (runs, count, (int) figure->columns, figure->title,
+                               monochrome, path, &figure->output, cause);
+}
+
 /* ---- files ---- */
 
 static bool
@@ -275,9 +307,9 @@ encode (const QuoinFigure *figure, const char *path, GError **cause)
   if (figure->kind == PICTURE) {
     QnMetadata metadata;
     QnFigure picture = figure->figure;
-    const QnProject *project = &figure->model->project;
-    qn_project_get_metadata (project, &metadata);
-    if (!qn_underlay_read (project, FALSE, &picture.options.underlay, cause))
+    qn_project_get_metadata (&figure->model->project, &metadata);
+    if (!qn_underlay_read (&figure->model->project, FALSE, &picture.options.underlay,
+                           cause))
       return NULL;
     GBytes *bytes =
       qn_figure_encode (&picture, format, &figure->output, &metadata, cause);
@@ -296,34 +328,10 @@ write_figure (const QuoinFigure *figure, const char *path, QuoinCaller *caller,
               GError **cause)
 {
   gsize length;
-  if (is_animation (figure, path)) {
-    QnMetadata metadata;
-    QnAnimation animation = figure->animation;
-    qn_project_get_metadata (&figure->model->project, &metadata);
-    animation.progress = report_frame;
-    animation.user_data = caller;
-    animation.figure.options.monochrome = figure->figure.options.monochrome;
-    animation.figure.options.scale = figure->figure.options.scale;
-    return (figure->speed == 0
-            || qn_animation_set_speed (&animation, figure->speed, cause))
-           && qn_animation_export (&animation, path, &figure->output, &metadata, cause);
-  }
-  if (figure->kind != PICTURE && figure->kind != REPORT) {
-    gsize count = figure->results->len;
-    bool monochrome = figure->figure.options.monochrome;
-    g_autofree QnSheetRun *runs = get_runs (figure);
-    QnCurveSheet sheet = figure->sheet;
-    sheet.title = figure->title;
-    sheet.monochrome = monochrome;
-    sheet.references = (const QnReferenceLine *) (void *) figure->references->data;
-    sheet.reference_count = figure->references->len;
-    if (figure->kind == ENERGY)
-      return qn_energy_sheet_export (&sheet, runs, path, &figure->output, cause);
-    if (figure->kind == CURVE)
-      return qn_curve_sheet_export (&sheet, runs, count, path, &figure->output, cause);
-    return qn_comparison_export (runs, count, (int) figure->columns, figure->title,
-                                 monochrome, path, &figure->output, cause);
-  }
+  if (is_animation (figure, path))
+    return animate (figure, path, caller, cause);
+  if (figure->kind != PICTURE && figure->kind != REPORT)
+    return write_sheet (figure, path, cause);
   g_autoptr (GBytes) bytes = encode (figure, path, cause);
   const void *content = bytes != NULL ? g_bytes_get_data (bytes, &length) : NULL;
   return content != NULL && qn_file_replace (path, content, length, cause);

@@ -60,6 +60,28 @@ qn_import_unit (const char *name)
   return 0;
 }
 
+/* Median size of the drawing's closed outlines, or of its open paths' lengths where there are
+ * none, in the drawing's unit; 0 for an empty drawing. */
+static double
+block_size (const QnDrawing *drawing)
+{
+  g_autoptr (GArray) sizes = g_array_new (FALSE, FALSE, sizeof (double));
+  for (int pass = 0; pass < 2 && sizes->len == 0; pass++)
+    for (guint i = 0; i < drawing->paths->len; i++) {
+      const QnDrawingPath *path = &g_array_index (drawing->paths, QnDrawingPath, i);
+      if (path->hidden)
+        continue;
+      QnRing ring = { path->points, path->count };
+      double size = pass == 1 ? qn_box_size (qn_ring_bounds (&ring))
+                    : path->count >= 4 || path->closed
+                      ? sqrt (fabs (qn_ring_area (&ring)))
+                      : 0;
+      if (size > 0)
+        g_array_append_val (sizes, size);
+    }
+  return qn_import_median (sizes);
+}
+
 static gboolean
 is_plausible (double size)
 {
@@ -271,22 +293,7 @@ run_import (QnImportWork *work, QnProject *project, GError **error)
   }
   if (!qn_import_find_layers (work, error))
     return FALSE;
-  /* Median size of the drawing's closed outlines, or of its open paths' lengths where
-   * there are none, in the drawing's unit; 0 for an empty drawing. */
-  g_autoptr (GArray) sizes = g_array_new (FALSE, FALSE, sizeof (double));
-  for (int pass = 0; pass < 2 && sizes->len == 0; pass++)
-    for (guint i = 0; i < work->drawing->paths->len; i++) {
-      const QnDrawingPath *path = &g_array_index (work->drawing->paths, QnDrawingPath, i);
-      if (path->hidden)
-        continue;
-      QnRing ring = { path->points, path->count };
-      double one = pass == 1 ? qn_box_size (qn_ring_bounds (&ring))
-                   : path->count >= 4 || path->closed ? sqrt (fabs (qn_ring_area (&ring)))
-                                                      : 0;
-      if (one > 0)
-        g_array_append_val (sizes, one);
-    }
-  const double size = qn_import_median (sizes);
+  const double size = block_size (work->drawing);
   choose_unit (work, size);
   work->tolerance = work->settings->tolerance > 0 ? work->settings->tolerance
                                                   : DEFAULT_TOLERANCE * size * work->unit;

@@ -454,10 +454,10 @@ finish_entity (Scanner *scanner)
   } else if (strcmp (type, "INSERT") == 0) {
     static const int codes[] = { 41, 42, 43, 50, 70, 71, 44, 45 };
     QnDxfEntity insert = begin_entity (scanner, QN_DXF_INSERT);
-    const Pair *of = find (scanner, 2);
+    const Pair *name = find (scanner, 2);
     for (gsize k = 0; k < G_N_ELEMENTS (codes); k++)
       insert.numbers[k] = number_at (scanner, codes[k], k < 3);
-    insert.name = of != NULL ? keep_text (scanner, of, TRUE) : NULL;
+    insert.name = name != NULL ? keep_text (scanner, name, TRUE) : NULL;
     take_point (scanner, &insert, 10);
     keep_entity (scanner, &insert);
   } else if (strcmp (type, "HATCH") == 0) {

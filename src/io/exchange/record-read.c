@@ -251,6 +251,23 @@ settle_unit (Reading *r, gsize line, QnRecordUnit own)
   return TRUE;
 }
 
+/* The same for the time between samples. */
+static gboolean
+settle_time_step (Reading *r)
+{
+  double said = r->heading.time_step;
+  if (r->heading.second_step > 0)
+    return fail (r, r->heading.second_step,
+                 _ ("the heading states two different time steps"));
+  if (said > 0 && r->time_step > 0 && fabs (said / r->time_step - 1) > 1e-6)
+    return fail (r, 0, _ ("the file states another time step than the one given"));
+  if (!(said > 0) && !(r->time_step > 0))
+    return fail (r, 0,
+                 _ ("the file does not state its time step: give it (time_step, s)"));
+  r->time_step = said > 0 ? said : r->time_step;
+  return TRUE;
+}
+
 /* The unit that a heading of words has in brackets or behind "in"; only the last line of it may speak
  * of anything but acceleration. */
 static QnRecordUnit
@@ -310,19 +327,9 @@ read_samples (Reading *r)
 {
   gsize i = r->first, last_line = 0;
   gsize first = 0, last = 0, others = 0; /* lengths of exponents; how many differ */
-  if (!settle_unit (r, r->heading.unit_line, unit_of_heading (r)))
+  if (!settle_unit (r, r->heading.unit_line, unit_of_heading (r))
+      || !settle_time_step (r))
     return FALSE;
-  /* The same for the time between samples. */
-  double said = r->heading.time_step;
-  if (r->heading.second_step > 0)
-    return fail (r, r->heading.second_step,
-                 _ ("the heading states two different time steps"));
-  if (said > 0 && r->time_step > 0 && fabs (said / r->time_step - 1) > 1e-6)
-    return fail (r, 0, _ ("the file states another time step than the one given"));
-  if (!(said > 0) && !(r->time_step > 0))
-    return fail (r, 0,
-                 _ ("the file does not state its time step: give it (time_step, s)"));
-  r->time_step = said > 0 ? said : r->time_step;
   for (; r->lines[i] != NULL; i++) {
     const char *at = r->lines[i];
     double number;

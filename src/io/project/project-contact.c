@@ -55,6 +55,25 @@ read_numbers (const QnJsonValue *object, const char *key, double *numbers, int32
   return qn_json_value_numbers (&list, QN_RANGE_NOT_NEGATIVE, 1, numbers);
 }
 
+/* Positions, and weights that are equal where none are given. */
+static gboolean
+read_explicit_pairs (const QnJsonValue *place, QnPairRule *rule)
+{
+  int32_t weights;
+  if (!read_numbers (place, "positions", rule->positions, &rule->count))
+    return FALSE;
+  for (int32_t i = 0; i < rule->count; i++)
+    rule->weights[i] = 1.0 / rule->count;
+  if (!cJSON_HasObjectItem (place->json, "weights"))
+    return TRUE;
+  if (!read_numbers (place, "weights", rule->weights, &weights))
+    return FALSE;
+  QnJsonValue member = qn_json_value_member (place, "weights");
+  return weights == rule->count
+         || qn_json_value_fail (&member,
+                                _ ("there must be as many weights as positions"));
+}
+
 /* Left as it is where there is none. */
 static gboolean
 read_pair_rule (const QnJsonValue *object, QnPairRule *rule)
@@ -82,22 +101,8 @@ read_pair_rule (const QnJsonValue *object, QnPairRule *rule)
         && !qn_json_value_idle (&idle, _ ("has no effect with this placement")))
       return FALSE;
   }
-  if (rule->placement == QN_PLACEMENT_EXPLICIT) {
-    /* Positions, and weights that are equal where none are given. */
-    int32_t weights;
-    if (!read_numbers (&place, "positions", rule->positions, &rule->count))
-      return FALSE;
-    for (int32_t i = 0; i < rule->count; i++)
-      rule->weights[i] = 1.0 / rule->count;
-    if (!cJSON_HasObjectItem (place.json, "weights"))
-      return TRUE;
-    if (!read_numbers (&place, "weights", rule->weights, &weights))
-      return FALSE;
-    QnJsonValue member = qn_json_value_member (&place, "weights");
-    return weights == rule->count
-           || qn_json_value_fail (&member,
-                                  _ ("there must be as many weights as positions"));
-  }
+  if (rule->placement == QN_PLACEMENT_EXPLICIT)
+    return read_explicit_pairs (&place, rule);
   QnNeed need = rule->placement == QN_PLACEMENT_LOBATTO ? QN_OPTIONAL : QN_REQUIRED;
   if (rule->placement >= QN_PLACEMENT_LOBATTO
       && !qn_member_count (&place, "count", need, QN_MAX_PAIRS_PER_FACE, &rule->count))

@@ -351,25 +351,23 @@ dup_project (const List *lists, double friction)
     "[{ \"name\": \"ground\", \"vertices\": [[%f, -0.5], [1, -0.5], [1, 0], [%f, 0]], "
     "\"thickness\": %f, \"unit_weight\": %f, \"support\": [true, true, true] }",
     friction, inner - 1, inner - 1, at (&lists[WIDTH], 0), at (&lists[UNIT_WEIGHT], 0));
-  const int rows = (int) at (&lists[COURSES], 0);
-  const double *parapet = lists[PARAPET].values;
-  for (gsize i = 0; i < lists[STOREYS].count; i++) {
-    const Storey *of = &storeys[i];
-    for (int c = 0; c < rows; c++) {
+  const int courses = (int) at (&lists[COURSES], 0);
+  const double *parapet = lists[PARAPET].values, top = storeys[count - 1].top;
+  for (gsize i = 0; i < count; i++) {
+    const Storey *s = &storeys[i];
+    for (int c = 0; c < courses; c++) {
       g_autofree char *name = g_strdup_printf ("%zu.%d", i + 1, c + 1);
-      put_block (out, name, of->inner, of->foot + of->wall * c / rows,
-                 of->foot + of->wall * (c + 1) / rows, lists, FALSE);
+      put_block (out, name, s->inner, s->foot + s->wall * c / courses,
+                 s->foot + s->wall * (c + 1) / courses, lists, FALSE);
     }
-    if (of->held)
-      put_block (out, of->name, of->inner, of->foot + of->wall, of->top, lists, TRUE);
+    if (s->held)
+      put_block (out, s->name, s->inner, s->foot + s->wall, s->top, lists, TRUE);
   }
-  const double top = storeys[lists[STOREYS].count - 1].top;
   if (lists[PARAPET].count == 2)
     put_block (out, "parapet", -parapet[1], top, top + parapet[0], lists, FALSE);
   qn_file_writer_puts (out, "], \"ties\": [");
   for (gsize i = 0; i < count; i++) {
     const Storey *s = &storeys[i];
-    const int courses = (int) at (&lists[COURSES], 0);
     g_autofree char *middle = g_strdup_printf ("%zu.%d", i + 1, (courses + 1) / 2);
     add_tie (out, "friction", i, s, s->name, s->top,
              at (&lists[FLOOR_FRICTION], 0) * s->floor);

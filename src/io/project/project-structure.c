@@ -7,6 +7,29 @@
 /* "b4" and the like. */
 #define NAME_SIZE 24
 
+static gboolean
+read_entity (const QnJsonValue *place, const QnList *list, QnModel *model)
+{
+  char numbered[NAME_SIZE];
+  const char *name = list->naming == QN_NAMING_NUMBERED ? numbered : NULL;
+  const QnNeed need = list->naming == QN_NAMING_REQUIRED ? QN_REQUIRED : QN_OPTIONAL;
+  g_snprintf (numbered, sizeof numbered, "%c%zu", list->path[0], place->index + 1);
+  if (!qn_json_value_object (place)
+      || (list->naming != QN_NAMING_NONE
+          && !qn_member_string (place, "name", need, &name)))
+    return FALSE;
+  if (list->naming == QN_NAMING_REQUIRED && name[0] == '\0') {
+    QnJsonValue member = qn_json_value_member (place, "name");
+    return qn_json_value_fail (&member, _ (qn_problem_text (QN_PROBLEM_NAME_MISSING)));
+  }
+  gpointer entity = list->add != NULL ? list->add (place, model, name)
+                                      : qn_model_add_item (model, list->items, name);
+  if (entity == NULL)
+    return qn_json_value_no_memory (place);
+  return (list->members == NULL || qn_members_read (place, list->members, model, entity))
+         && (list->read == NULL || list->read (place, model, entity));
+}
+
 gboolean
 qn_read_list (const QnJsonValue *owner, const QnList *list, QnNeed need, QnModel *model)
 {
@@ -16,25 +39,7 @@ qn_read_list (const QnJsonValue *owner, const QnList *list, QnNeed need, QnModel
     return FALSE;
   while (qn_json_value_next (&array, &element)) {
     const size_t index = G_STRUCT_MEMBER (size_t, model, list->count);
-    char numbered[NAME_SIZE];
-    const char *name = list->naming == QN_NAMING_NUMBERED ? numbered : NULL;
-    const QnNeed how = list->naming == QN_NAMING_REQUIRED ? QN_REQUIRED : QN_OPTIONAL;
-    g_snprintf (numbered, sizeof numbered, "%c%zu", list->path[0], element.index + 1);
-    if (!qn_json_value_object (&element)
-        || (list->naming != QN_NAMING_NONE
-            && !qn_member_string (&element, "name", how, &name)))
-      return FALSE;
-    if (list->naming == QN_NAMING_REQUIRED && name[0] == '\0') {
-      QnJsonValue member = qn_json_value_member (&element, "name");
-      return qn_json_value_fail (&member, _ (qn_problem_text (QN_PROBLEM_NAME_MISSING)));
-    }
-    gpointer entity = list->add != NULL ? list->add (&element, model, name)
-                                        : qn_model_add_item (model, list->items, name);
-    if (entity == NULL)
-      return qn_json_value_no_memory (&element);
-    if (!((list->members == NULL
-           || qn_members_read (&element, list->members, model, entity))
-          && (list->read == NULL || list->read (&element, model, entity))))
+    if (!read_entity (&element, list, model))
       return FALSE;
     *qn_list_note (model, list, index) = qn_read_note (&element);
   }

@@ -212,6 +212,22 @@ append_blocks (GString *json, const QnModel *model, GHashTable *inner,
   g_string_append (json, " ],\n");
 }
 
+/* The objects that were not detached, with their key; nothing where there are none. */
+static void
+append_masonry (GString *json, const QnProject *project, const cJSON *list)
+{
+  gboolean first = TRUE;
+  QnId index = 0;
+  for (const cJSON *item = list->child; item != NULL; item = item->next, index++) {
+    if (!qn_project_has_masonry (project, index))
+      continue;
+    g_string_append (json, first ? ",\n  \"" QN_MASONRY_MEMBER "\": [\n    " : ",\n    ");
+    qn_json_append_value (json, item, 4);
+    first = FALSE;
+  }
+  g_string_append (json, first ? "" : " ]");
+}
+
 QnProjectText *
 qn_project_write (const QnProject *project, const QnProject *like,
                   const QnProjectText *like_text)
@@ -257,18 +273,7 @@ qn_project_write (const QnProject *project, const QnProject *like,
   const cJSON *extra = project->extras != NULL ? project->extras->child : NULL;
   for (; extra != NULL; extra = extra->next) {
     if (g_strcmp0 (extra->string, QN_MASONRY_MEMBER) == 0) {
-      /* The objects that were not detached, with their key; nothing where there are none. */
-      gboolean first = TRUE;
-      QnId index = 0;
-      for (const cJSON *item = extra->child; item != NULL; item = item->next, index++) {
-        if (!qn_project_has_masonry (project, index))
-          continue;
-        g_string_append (json,
-                         first ? ",\n  \"" QN_MASONRY_MEMBER "\": [\n    " : ",\n    ");
-        qn_json_append_value (json, item, 4);
-        first = FALSE;
-      }
-      g_string_append (json, first ? "" : " ]");
+      append_masonry (json, project, extra);
     } else if (g_strcmp0 (extra->string, QN_INNER_MEMBER) != 0) {
       g_string_append (json, ",\n  ");
       qn_json_append_string (json, extra->string);

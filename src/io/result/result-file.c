@@ -235,7 +235,7 @@ compare_objects (const QnJsonValue *stated, const cJSON *found, GPtrArray *unpro
                            ? next
                            : cJSON_GetObjectItemCaseSensitive (found, child->string);
     if (value == NULL) {
-      /* "contacts[].hinge" */
+      /* Without the numbers of elements: "contacts[].hinge". */
       g_autofree char *path = qn_json_value_dup_path (&member);
       char *end = path;
       for (const char *c = path; *c != '\0'; c++) {

@@ -321,6 +321,25 @@ write_contact (QnFileWriter *writer, const QnModel *model, const QnContacts *con
   qn_file_writer_puts (writer, " }");
 }
 
+/* Counts are the same in every run. Times and memory are not: they stand in a member of their own
+ * too, and are left out where they have not been measured. */
+static void
+write_statistics (QnFileWriter *writer, const QnStatistics *statistics)
+{
+  const gboolean timed = statistics->seconds > 0;
+  for (int all = timed ? 0 : 1; all < 2; all++) {
+    QnMember members[16] = { { 0 } };
+    gsize count = 0;
+    for (const QnMember *m = qn_statistics_members; m->key != NULL; m++) {
+      const gboolean varies = m->kind != QN_MEMBER_WHOLE;
+      if (varies ? timed : all)
+        members[count++] = *m;
+    }
+    qn_result_members_write (writer, all ? "  \"statistics\": { " : "  \"timings\": { ",
+                             members, statistics, NULL, all ? " }\n}\n" : " },\n");
+  }
+}
+
 /* The velocity field and the facts that follow from it. These are left out where memory runs out:
  * the field is the result. */
 static void
@@ -402,21 +421,7 @@ write_all (QnFileWriter *writer, const QnProject *project, const QnContacts *con
     qn_result_found_write (writer, result);
     qn_file_writer_puts (writer, ",\n");
   }
-  /* Counts are the same in every run. Times and memory are not: they stand in a member of
-   * their own too, and are left out where they have not been measured. */
-  const gboolean timed = result->statistics.seconds > 0;
-  for (int all = timed ? 0 : 1; all < 2; all++) {
-    QnMember members[16] = { { 0 } };
-    gsize kept = 0;
-    for (const QnMember *m = qn_statistics_members; m->key != NULL; m++) {
-      const gboolean varies = m->kind != QN_MEMBER_WHOLE;
-      if (varies ? timed : all)
-        members[kept++] = *m;
-    }
-    qn_result_members_write (writer, all ? "  \"statistics\": { " : "  \"timings\": { ",
-                             members, &result->statistics, NULL,
-                             all ? " }\n}\n" : " },\n");
-  }
+  write_statistics (writer, &result->statistics);
 }
 
 gboolean

@@ -120,6 +120,27 @@ qn_model_lacks_live_load (const QnModel *model)
   return !any;
 }
 
+static char *
+explain_unstable (const QnModel *model, const QnResult *result)
+{
+  g_autoptr (GString) names = g_string_new (NULL);
+  for (gsize i = 0; i < result->unstable_count && i < NAMES_IN_A_SENTENCE; i++) {
+    QnId block = result->unstable_blocks[i];
+    qn_text_append (names, "%s“%s”", i > 0 ? ", " : "",
+                    (gsize) block < model->block_count ? model->blocks[block].name : "?");
+  }
+  if (result->unstable_count > NAMES_IN_A_SENTENCE) {
+    gsize more = result->unstable_count - NAMES_IN_A_SENTENCE;
+    qn_text_append (names, ngettext (" and %zu other", " and %zu others", (gulong) more),
+                    more);
+  }
+  return qn_text_printf (
+    _ ("No stable equilibrium was found under the dead load "
+       "alone. What moves: %s. Support these blocks, close the gaps next to "
+       "them, or give their joints more friction."),
+    names->str);
+}
+
 static const QnStep *
 last_step (const QnResult *result)
 {
@@ -327,6 +348,25 @@ explain_controlled (const QnModel *model, const QnStage *task, double reached)
 
 /* --- Ends ----------------------------------------------------------------------------- */
 
+/* Each claim that the check has refused, and what stands all the same. */
+static char *
+explain_refused (const QnModel *model, const QnResult *result)
+{
+  g_autoptr (GString) text = g_string_new (
+    _ ("The check of this result refused a part of it, so no conclusion is drawn."));
+  for (gint32 i = 0; i < result->refused_count; i++) {
+    g_autofree char *fault = qn_fault_dup_text (model, NULL, &result->refused[i]);
+    qn_text_append (text, "%s%s", i == 0 ? " " : "; ", fault);
+  }
+  if (result->refused_count > 0)
+    g_string_append (text,
+                     _ (". The steps before the first of these are proved and kept."));
+  if (result->has_unproved_multiplier)
+    qn_text_append (text, _ (" Collapse at a load multiplier of %.4g: not proved."),
+                    result->unproved_multiplier);
+  return g_string_free (g_steal_pointer (&text), FALSE);
+}
+
 /* What may be known of an end. */
 typedef enum {
   ANYHOW,
@@ -448,41 +488,10 @@ static char *
 explain_by_names (const QnModel *model, const QnStage *task, const QnResult *result,
                   gboolean is_path)
 {
-  if (result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE) {
-    g_autoptr (GString) names = g_string_new (NULL);
-    for (gsize i = 0; i < result->unstable_count && i < NAMES_IN_A_SENTENCE; i++) {
-      QnId block = result->unstable_blocks[i];
-      qn_text_append (names, "%s“%s”", i > 0 ? ", " : "",
-                      (gsize) block < model->block_count ? model->blocks[block].name
-                                                         : "?");
-    }
-    if (result->unstable_count > NAMES_IN_A_SENTENCE) {
-      gsize more = result->unstable_count - NAMES_IN_A_SENTENCE;
-      qn_text_append (
-        names, ngettext (" and %zu other", " and %zu others", (gulong) more), more);
-    }
-    return qn_text_printf (
-      _ ("No stable equilibrium was found under the dead load "
-         "alone. What moves: %s. Support these blocks, close the gaps next to "
-         "them, or give their joints more friction."),
-      names->str);
-  }
-  if (result->outcome == QN_OUTCOME_NOT_CONVERGED && result->stop == QN_STOP_CHECK) {
-    /* Each claim that the check has refused, and what stands all the same. */
-    g_autoptr (GString) text = g_string_new (
-      _ ("The check of this result refused a part of it, so no conclusion is drawn."));
-    for (gint32 i = 0; i < result->refused_count; i++) {
-      g_autofree char *fault = qn_fault_dup_text (model, NULL, &result->refused[i]);
-      qn_text_append (text, "%s%s", i == 0 ? " " : "; ", fault);
-    }
-    if (result->refused_count > 0)
-      g_string_append (text,
-                       _ (". The steps before the first of these are proved and kept."));
-    if (result->has_unproved_multiplier)
-      qn_text_append (text, _ (" Collapse at a load multiplier of %.4g: not proved."),
-                      result->unproved_multiplier);
-    return g_string_free (g_steal_pointer (&text), FALSE);
-  }
+  if (result->outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
+    return explain_unstable (model, result);
+  if (result->outcome == QN_OUTCOME_NOT_CONVERGED && result->stop == QN_STOP_CHECK)
+    return explain_refused (model, result);
   if (result->outcome == QN_OUTCOME_NOT_CONVERGED && task->procedure == QN_PROCEDURE_LIMIT
       && result->has_associative_bound)
     return qn_text_printf (
