@@ -220,6 +220,23 @@ report (const QnInput *input, const QnResult *result)
   }
 }
 
+/* A limit multiplier is about a structure that stands. By the associative theorem friction may wedge
+ * blocks between others, without a reason to be pressed together: whether the dead load stands is asked
+ * of a path. */
+static void
+require_dead_load (const QnInput *input)
+{
+  QnModel model = input->project.model; /* shares all arrays */
+  QnResult result = { 0 };
+  model.analysis.procedure = QN_PROCEDURE_LOAD;
+  model.analysis.geometry = QN_GEOMETRY_LINEAR;
+  model.analysis.max_multiplier = 0;
+  if (qn_analysis_run (&model, &input->contacts, NULL, NULL, &result, NULL) == QN_OK
+      && result.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
+    tell_unstable (input, &result);
+  qn_result_clear (&result);
+}
+
 static void
 solve_project (QnInput *input)
 {
@@ -239,20 +256,8 @@ solve_project (QnInput *input)
   if (qn_no_timings)
     qn_statistics_clear_timings (&result.statistics);
   report (input, &result);
-  if (input->project.model.analysis.procedure == QN_PROCEDURE_LIMIT) {
-    /* A limit multiplier is about a structure that stands. By the associative theorem
-     * friction may wedge blocks between others, without a reason to be pressed together:
-     * whether the dead load stands is asked of a path. */
-    QnModel standing = input->project.model; /* shares all arrays */
-    QnResult bare = { 0 };
-    standing.analysis.procedure = QN_PROCEDURE_LOAD;
-    standing.analysis.geometry = QN_GEOMETRY_LINEAR;
-    standing.analysis.max_multiplier = 0;
-    if (qn_analysis_run (&standing, &input->contacts, NULL, NULL, &bare, NULL) == QN_OK
-        && bare.outcome == QN_OUTCOME_DEAD_LOAD_UNSTABLE)
-      tell_unstable (input, &bare);
-    qn_result_clear (&bare);
-  }
+  if (input->project.model.analysis.procedure == QN_PROCEDURE_LIMIT)
+    require_dead_load (input);
   qn_result_clear (&result);
 }
 

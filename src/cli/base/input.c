@@ -102,33 +102,40 @@ qn_input_prepare (QnInput *input)
   }
   qn_input_require_sound (input);
   gboolean lacks = qn_model_lacks_live_load (&project->model);
-  if (analysis->procedure == QN_PROCEDURE_DYNAMIC && !lacks)
-    qn_cli_warning ("%s: loads.live: %s", project->name,
-                    _ ("has no effect in an analysis in time"));
+  if (analysis->procedure == QN_PROCEDURE_DYNAMIC) {
+    if (!lacks)
+      qn_cli_warning ("%s: loads.live: %s", project->name,
+                      _ ("has no effect in an analysis in time"));
+    return;
+  }
   /* A path without a live load has no answer, unless it is that of the dead load alone. Limit
    * analysis and stages refuse it themselves. */
-  if (analysis->procedure != QN_PROCEDURE_DYNAMIC
-      && analysis->procedure != QN_PROCEDURE_LIMIT && project->model.stage_count == 0
-      && analysis->max_multiplier != 0 && lacks)
+  if (lacks && analysis->max_multiplier != 0 && project->model.stage_count == 0
+      && analysis->procedure != QN_PROCEDURE_LIMIT)
     qn_cli_fail (QN_EXIT_INVALID,
                  _ ("%s: loads: %s: add one to loads.live, or set "
                     "analysis.max_multiplier=0 for the dead load alone"),
                  project->name, _ (qn_problem_text (QN_PROBLEM_NO_LIVE_LOAD)));
 }
 
+/* The sentence of a problem that lies in the state, translated; NULL for one of the input. */
+static const char *
+state_problem (QnInputState state, const QnDiag *diag)
+{
+  if (diag->problem == QN_PROBLEM_STATE_SLIPS && state == QN_INPUT_DEAD_LOAD)
+    return _ ("pairs slip without dilatancy under the dead load: no symmetric stiffness");
+  return qn_problem_is_of_state (diag->problem) ? _ (qn_problem_text (diag->problem))
+                                                : NULL;
+}
+
 void
 qn_input_fail (const QnInput *input, QnInputState state, const QnDiag *diag)
 {
-  const gboolean slips =
-    diag->problem == QN_PROBLEM_STATE_SLIPS && state == QN_INPUT_DEAD_LOAD;
-  if (diag->status == QN_ERROR_NO_MEMORY
-      || !(slips || qn_problem_is_of_state (diag->problem))) /* but of the input */
+  const char *problem =
+    diag->status != QN_ERROR_NO_MEMORY ? state_problem (state, diag) : NULL;
+  if (problem == NULL)
     qn_input_refuse (&input->project, diag);
-  qn_cli_fail (QN_EXIT_NO_ANSWER, "%s: %s", input->project.name,
-               slips
-                 ? _ ("pairs slip without dilatancy under the dead load: no symmetric "
-                      "stiffness")
-                 : _ (qn_problem_text (diag->problem)));
+  qn_cli_fail (QN_EXIT_NO_ANSWER, "%s: %s", input->project.name, problem);
 }
 
 QnInput *

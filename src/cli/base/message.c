@@ -109,6 +109,29 @@ qn_cli_refuse_name (const char *value, const char *const *names, size_t count)
   qn_cli_usage_error ("%s: %s", value, reason);
 }
 
+/* The exit code that belongs to an error of the layers below. */
+static QnExit
+exit_code_of (const GError *error)
+{
+  static const QnExit of_io[] = {
+    [QN_IO_ERROR_INVALID] = QN_EXIT_INVALID,    [QN_IO_ERROR_FILE] = QN_EXIT_FILE,
+    [QN_IO_ERROR_OUTSIDE] = QN_EXIT_FILE,       [QN_IO_ERROR_OVERRIDE] = QN_EXIT_USAGE,
+    [QN_IO_ERROR_NO_MEMORY] = QN_EXIT_INTERNAL,
+  };
+  static const QnExit of_render[] = {
+    [QN_RENDER_ERROR_USAGE] = QN_EXIT_USAGE,
+    [QN_RENDER_ERROR_FILE] = QN_EXIT_FILE,
+    [QN_RENDER_ERROR_CANCELLED] = QN_EXIT_CANCELLED,
+    [QN_RENDER_ERROR_UNAVAILABLE] = QN_EXIT_INTERNAL,
+    [QN_RENDER_ERROR_FAILED] = QN_EXIT_INTERNAL,
+  };
+  return error->domain == QN_IO_ERROR       ? of_io[error->code]
+         : error->domain == QN_RENDER_ERROR ? of_render[error->code]
+         : error->domain == G_FILE_ERROR || error->domain == G_IO_ERROR
+           ? QN_EXIT_FILE
+           : QN_EXIT_INTERNAL;
+}
+
 void
 qn_cli_offer_outside (void)
 {
@@ -138,25 +161,7 @@ qn_cli_must (gboolean done)
   }
   if (outside_offered && g_error_matches (error, QN_IO_ERROR, QN_IO_ERROR_OUTSIDE))
     g_string_append (message, _ ("; --allow-outside permits it"));
-  /* The exit code that belongs to an error of the layers below. */
-  static const QnExit of_io[] = {
-    [QN_IO_ERROR_INVALID] = QN_EXIT_INVALID,    [QN_IO_ERROR_FILE] = QN_EXIT_FILE,
-    [QN_IO_ERROR_OUTSIDE] = QN_EXIT_FILE,       [QN_IO_ERROR_OVERRIDE] = QN_EXIT_USAGE,
-    [QN_IO_ERROR_NO_MEMORY] = QN_EXIT_INTERNAL,
-  };
-  static const QnExit of_render[] = {
-    [QN_RENDER_ERROR_USAGE] = QN_EXIT_USAGE,
-    [QN_RENDER_ERROR_FILE] = QN_EXIT_FILE,
-    [QN_RENDER_ERROR_CANCELLED] = QN_EXIT_CANCELLED,
-    [QN_RENDER_ERROR_UNAVAILABLE] = QN_EXIT_INTERNAL,
-    [QN_RENDER_ERROR_FAILED] = QN_EXIT_INTERNAL,
-  };
-  qn_cli_fail (error->domain == QN_IO_ERROR       ? of_io[error->code]
-               : error->domain == QN_RENDER_ERROR ? of_render[error->code]
-               : error->domain == G_FILE_ERROR || error->domain == G_IO_ERROR
-                 ? QN_EXIT_FILE
-                 : QN_EXIT_INTERNAL,
-               "%s", message->str);
+  qn_cli_fail (exit_code_of (error), "%s", message->str);
 }
 
 void

@@ -8,6 +8,16 @@
 #include <string.h>
 #include <sys/stat.h>
 
+static const char *
+kind_of (const GOptionEntry *entry)
+{
+  if (entry->arg == G_OPTION_ARG_NONE)
+    return "flag";
+  return entry->arg == G_OPTION_ARG_FILENAME || entry->arg == G_OPTION_ARG_FILENAME_ARRAY
+           ? "file"
+           : "text";
+}
+
 static gboolean
 is_repeated (const GOptionEntry *entry)
 {
@@ -73,12 +83,7 @@ describe (const QnSubcommand *self)
             self->help != NULL ? self->help : "");
   for (const GOptionEntry *e = self->options; e != NULL && e->long_name != NULL; e++)
     qn_print ("option\t%s\t%c\t%s\t%s\t%s\t%s\n", e->long_name,
-              e->short_name != 0 ? e->short_name : '-',
-              e->arg == G_OPTION_ARG_NONE ? "flag"
-              : e->arg == G_OPTION_ARG_FILENAME || e->arg == G_OPTION_ARG_FILENAME_ARRAY
-                ? "file"
-                : "text",
-
+              e->short_name != 0 ? e->short_name : '-', kind_of (e),
               is_repeated (e) ? "many" : "once",
               e->arg_description != NULL ? e->arg_description : "", e->description);
   for (gsize i = 0; self->actions != NULL && self->actions[i] != NULL; i++)
@@ -135,7 +140,7 @@ qn_subcommand_run (const QnSubcommand *self, int argc, char **argv)
     qn_cli_usage_error (_ ("an argument is missing: expected %s"), self->arguments);
   if (argc > 2 && !self->many)
     qn_cli_usage_error (_ ("too many arguments: expected %s"), self->arguments);
-  /* Strings and lists that parsing has put where the entries say are kept. */
+  /* What parsing has put where the entries say: strings and lists are kept, numbers checked. */
   for (const GOptionEntry *e = options; e->long_name != NULL; e++)
     if (e->arg == G_OPTION_ARG_STRING || e->arg == G_OPTION_ARG_FILENAME
         || is_repeated (e))

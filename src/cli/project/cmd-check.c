@@ -72,6 +72,24 @@ print_load_list (const QnModel *model, const char *name, size_t from, size_t to,
   }
 }
 
+static void
+print_loads (const QnModel *model)
+{
+  const size_t dead = model->dead_load_count, all = dead + model->live_load_count;
+  print_load_list (model, "dead", 0, dead, 0);
+  for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++)
+    print_load_list (model, qn_model_load_set_name (model, set), dead, all, set);
+  /* What every case comes to, over all lists. */
+  for (size_t k = 0; k < model->load_case_count; k++) {
+    QnVec2 sum = { 0, 0 };
+    for (size_t i = 0; i < qn_model_load_count (model); i++)
+      if (qn_model_load (model, i)->load_case == (int32_t) k + 1)
+        sum = qn_vec2_add (sum, qn_model_load_resultant (model, i));
+    qn_print (_ ("load case %s: factor %.6g, resultant (%.6g, %.6g) N\n"),
+              model->load_cases[k].name, model->load_cases[k].factor, sum.x, sum.y);
+  }
+}
+
 /* What follows from the elasticity of a material. */
 static void
 print_elasticities (const QnModel *model)
@@ -142,6 +160,23 @@ print_findings (const QnCheckReport *report)
   g_autoptr (GPtrArray) texts = qn_project_dup_finding_texts (report->project, findings);
   for (guint i = 0; i < texts->len; i++)
     qn_print ("  %s\n", (const char *) g_ptr_array_index (texts, i));
+}
+
+static void
+print_faces (const QnModel *model, const QnContacts *contacts)
+{
+  for (size_t i = 0; i < contacts->face_count; i++) {
+    const QnContactFace *face = &contacts->faces[i];
+    qn_print (
+      _ ("face %zu: %s – %s, from (%.6g, %.6g) to (%.6g, %.6g), length %.6g m, pairs "
+         "at"),
+      i, model->blocks[face->a].name, model->blocks[face->b].name, face->start.x,
+      face->start.y, face->end.x, face->end.y, face->length);
+    for (int32_t k = 0; k < face->pair_count; k++)
+      qn_print ("%s %.6g", k > 0 ? "," : "",
+                contacts->pairs[face->first_pair + k].abscissa);
+    qn_print (" m\n");
+  }
 }
 
 /* "tie t: from b (0, 2) to ground (-3, 2), length 3 m, stiffness 2e+07 N/m, strength 3000 N (anchor)" */
@@ -271,36 +306,13 @@ print_report (const QnCheckReport *report)
     qn_print (_ ("beams: %zu, elements %zu, nodes %zu\n"), model->beam_count,
               model->element_count, model->node_count);
   print_elasticities (model);
-  const size_t dead = model->dead_load_count, all = dead + model->live_load_count;
-  print_load_list (model, "dead", 0, dead, 0);
-  for (int32_t set = 0; set <= (int32_t) model->load_set_count; set++)
-    print_load_list (model, qn_model_load_set_name (model, set), dead, all, set);
-  /* What every case comes to, over all lists. */
-  for (size_t k = 0; k < model->load_case_count; k++) {
-    QnVec2 sum = { 0, 0 };
-    for (size_t i = 0; i < qn_model_load_count (model); i++)
-      if (qn_model_load (model, i)->load_case == (int32_t) k + 1)
-        sum = qn_vec2_add (sum, qn_model_load_resultant (model, i));
-    qn_print (_ ("load case %s: factor %.6g, resultant (%.6g, %.6g) N\n"),
-              model->load_cases[k].name, model->load_cases[k].factor, sum.x, sum.y);
-  }
+  print_loads (model);
   if (model->analysis.procedure == QN_PROCEDURE_DYNAMIC)
     print_ground (model);
   print_findings (report);
   if (report->faults != NULL)
     print_result (report);
-  for (size_t i = 0; i < report->contacts->face_count; i++) {
-    const QnContactFace *face = &report->contacts->faces[i];
-    qn_print (
-      _ ("face %zu: %s – %s, from (%.6g, %.6g) to (%.6g, %.6g), length %.6g m, pairs "
-         "at"),
-      i, model->blocks[face->a].name, model->blocks[face->b].name, face->start.x,
-      face->start.y, face->end.x, face->end.y, face->length);
-    for (int32_t k = 0; k < face->pair_count; k++)
-      qn_print ("%s %.6g", k > 0 ? "," : "",
-                report->contacts->pairs[face->first_pair + k].abscissa);
-    qn_print (" m\n");
-  }
+  print_faces (model, report->contacts);
   print_beams (model);
   print_ties (model);
 }

@@ -42,6 +42,24 @@ static const GOptionEntry import_entries[] = {
   G_OPTION_ENTRY_NULL,
 };
 
+/* The report goes to standard output, or to standard error where that takes the project. */
+static void
+tell_import (const QnImportReport *report)
+{
+  if (report->lines == NULL) /* the file could not be read */
+    return;
+  if (import_report) {
+    for (guint i = 0; i < report->lines->len; i++) {
+      g_autofree char *line = qn_text_printf ("%s\n", (char *) report->lines->pdata[i]);
+      g_autofree char *shown = qn_shown_text_dup (line);
+      fputs (shown, g_strcmp0 (import_output, "-") != 0 ? stdout : stderr);
+    }
+    return;
+  }
+  for (guint i = 0; i < report->warnings->len; i++)
+    qn_cli_warning ("%s", (char *) report->warnings->pdata[i]);
+}
+
 static void
 run_import (char **arguments)
 {
@@ -57,16 +75,7 @@ run_import (char **arguments)
   QnProject *project = qn_cli_keep (g_new0 (QnProject, 1));
   QnImportReport report;
   gboolean done = qn_import_file (arguments[0], &settings, project, &report, QN_TROUBLE);
-  /* The report goes to standard output, or to standard error where that takes the project. There is
-   * none of a file that could not be read. */
-  for (guint i = 0; import_report && report.lines != NULL && i < report.lines->len; i++) {
-    g_autofree char *line = qn_text_printf ("%s\n", (char *) report.lines->pdata[i]);
-    g_autofree char *shown = qn_shown_text_dup (line);
-    fputs (shown, g_strcmp0 (import_output, "-") != 0 ? stdout : stderr);
-  }
-  for (guint i = 0; !import_report && report.lines != NULL && i < report.warnings->len;
-       i++)
-    qn_cli_warning ("%s", (char *) report.warnings->pdata[i]);
+  tell_import (&report);
   qn_import_report_clear (&report);
   qn_cli_must (done && qn_project_save (project, import_output, QN_TROUBLE));
 }

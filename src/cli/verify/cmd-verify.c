@@ -275,11 +275,12 @@ run_analysis (const Case *test, const QnInput *input, QnResult *result, double *
   case FREQUENCY:
     status = qn_modal_run (model, contacts, QN_MODAL_DEAD_LOAD, (size_t) test->number,
                            qn_terminal_progress_update, NULL, &modes, result, diag);
-    if (status == QN_OK && modes.count >= (size_t) test->number)
+    if (status != QN_OK)
+      return status;
+    if (modes.count >= (size_t) test->number)
       *value = modes.omega[test->number - 1];
-    if (status == QN_OK)
-      qn_modes_clear (&modes);
-    return status;
+    qn_modes_clear (&modes);
+    return QN_OK;
   case CRITICAL:
     status =
       qn_stability_run (model, contacts, qn_terminal_progress_update, NULL, result, diag);

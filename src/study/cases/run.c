@@ -158,8 +158,8 @@ receive (Worker *worker)
   return count > 0 || (count < 0 && errno == EINTR);
 }
 
-/* The result of the worker's case, once that is complete: it is free for the next one then. FALSE where there is
- * none. *result is overwritten; to be cleared. */
+/* The result of the worker's case, once that is complete: it is free for the next one then. FALSE where
+ * there is none. *result is overwritten; to be cleared. */
 static gboolean
 take_answer (Worker *worker, QnCaseResult *result)
 {
@@ -240,9 +240,11 @@ keep_row (Run *run, gsize index, const QnCaseResult *result, GError **error)
 static gboolean
 feed (Run *run, Worker *worker, GError **error)
 {
+  if (worker->busy)
+    return TRUE;
   while (run->next < run->count && run->taken[run->next])
     run->next++;
-  if (worker->busy || run->next == run->count)
+  if (run->next == run->count)
     return TRUE;
   const gsize index = run->next++;
   run->taken[index] = 1;

@@ -100,6 +100,7 @@ check_study (QnStore *store, gboolean create, GError **error)
                      "CREATE TABLE study (key TEXT PRIMARY KEY, value TEXT); %s "
                      "CREATE TABLE cases (",
                      APPLICATION_ID, values);
+    /* In the order in which rows are written. */
     g_string_append (sql, "\"case\" INTEGER PRIMARY KEY, status TEXT NOT NULL");
     for (guint i = 0; i < store->study->parameters->len; i++)
       g_string_append_printf (sql, ", \"%s\" REAL",
@@ -269,6 +270,33 @@ qn_store_merge (QnStore *store, const char *path, gsize *added, GError **error)
   return run (store, "DETACH other", ok ? error : NULL) && ok;
 }
 
+/* Reads the row that the statement stands at; texts are borrowed from it. */
+static void
+take_row (const QnStudy *study, sqlite3_stmt *statement, double *values,
+          QnCaseResult *result)
+{
+  int column = 1;
+  *result = (QnCaseResult){ 0 };
+  for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++)
+    result->numbers[i] = NAN;
+  result->failed =
+    g_strcmp0 ((const char *) sqlite3_column_text (statement, column++), "failed") == 0;
+  for (guint i = 0; i < study->parameters->len; i++)
+    values[i] = sqlite3_column_double (statement, column++);
+  for (guint i = 0; i < study->outputs->len; i++, column++) {
+    QnStudyOutput output = qn_study_output (study, i);
+    if (output == QN_STUDY_MECHANISM_KIND)
+      result->mechanism = (char *) sqlite3_column_text (statement, column);
+    else if (output == QN_STUDY_MECHANISM_SHAPE)
+      result->shape = (char *) sqlite3_column_text (statement, column);
+    else if (sqlite3_column_type (statement, column) != SQLITE_NULL)
+      result->numbers[output] = sqlite3_column_double (statement, column);
+  }
+  result->outcome = (char *) sqlite3_column_text (statement, column++);
+  result->reason = (char *) sqlite3_column_text (statement, column++);
+  result->seconds = sqlite3_column_double (statement, column);
+}
+
 gboolean
 qn_store_read (QnStore *store, QnStoreRowFunc row, gpointer data, GError **error)
 {
@@ -282,27 +310,7 @@ qn_store_read (QnStore *store, QnStoreRowFunc row, gpointer data, GError **error
     return fail (store, error);
   while (wanted && (step = sqlite3_step (statement)) == SQLITE_ROW) {
     QnCaseResult result;
-    /* Reads the row that the statement stands at; texts are borrowed from it. */
-    int column = 1;
-    result = (QnCaseResult){ 0 };
-    for (int i = 0; i < QN_STUDY_OUTPUT_COUNT; i++)
-      result.numbers[i] = NAN;
-    result.failed =
-      g_strcmp0 ((const char *) sqlite3_column_text (statement, column++), "failed") == 0;
-    for (guint i = 0; i < store->study->parameters->len; i++)
-      values[i] = sqlite3_column_double (statement, column++);
-    for (guint i = 0; i < store->study->outputs->len; i++, column++) {
-      QnStudyOutput output = qn_study_output (store->study, i);
-      if (output == QN_STUDY_MECHANISM_KIND)
-        result.mechanism = (char *) sqlite3_column_text (statement, column);
-      else if (output == QN_STUDY_MECHANISM_SHAPE)
-        result.shape = (char *) sqlite3_column_text (statement, column);
-      else if (sqlite3_column_type (statement, column) != SQLITE_NULL)
-        result.numbers[output] = sqlite3_column_double (statement, column);
-    }
-    result.outcome = (char *) sqlite3_column_text (statement, column++);
-    result.reason = (char *) sqlite3_column_text (statement, column++);
-    result.seconds = sqlite3_column_double (statement, column);
+    take_row (store->study, statement, values, &result);
     wanted = row ((gsize) sqlite3_column_int64 (statement, 0) - 1, values, &result, data);
   }
   gboolean ok = !wanted || step == SQLITE_DONE || fail (store, error);
