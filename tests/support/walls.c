@@ -330,6 +330,7 @@ test_wall_draw_sized (QnModel *model, guint32 seed, int least, int most)
     /* Openings that are refused, as where a lintel reaches beyond the wall, are left out. */
     while (expand (&masonry, model, &diag) != QN_OK) {
       g_assert_cmpstr (diag.field, ==, "openings");
+      g_assert_cmpuint (diag.sub, <, masonry.wall.opening_count);
       masonry.wall.openings[diag.sub] =
         masonry.wall.openings[--masonry.wall.opening_count];
       qn_model_clear (model);
