@@ -67,8 +67,29 @@ test_numbers (void)
     if (i == 1)
       fault.stated = NAN;
   }
+}
+
+/* Every claim has a name and a sentence, which tells what is stated and found, or neither. */
+static void
+test_claims (void)
+{
+  const QnModel model = { 0 };
   for (int claim = 0; claim < QN_CLAIM_COUNT; claim++)
-    g_assert_cmpint (qn_claim_from_name (qn_claim_name ((QnClaim) claim)), ==, claim);
+    for (int stated = 0; stated < 2; stated++) {
+      const QnFault fault = { .claim = (QnClaim) claim,
+                              .entity = QN_ENTITY_TIE,
+                              .index = QN_NONE,
+                              .step = 1,
+                              .stated = stated ? 1.5 : NAN,
+                              .found = 2.5 };
+      g_autofree char *text = qn_fault_dup_text (&model, NULL, &fault);
+      const gboolean numbers = strstr (text, "1.5") != NULL;
+      g_assert_true (g_str_has_prefix (text, "step 1: "));
+      g_assert_true (g_ascii_isalpha (text[strlen ("step 1: ")]));
+      g_assert_true (stated || !numbers);
+      g_assert_cmpint (strstr (text, "2.5") != NULL, ==, numbers);
+      g_assert_cmpint (qn_claim_from_name (qn_claim_name (fault.claim)), ==, claim);
+    }
   g_assert_cmpint (qn_claim_from_name ("fortune"), ==, QN_CLAIM_COUNT);
 }
 
@@ -76,4 +97,5 @@ QN_TESTS
 {
   g_test_add_func ("/fault-text/places", test_places);
   g_test_add_func ("/fault-text/numbers", test_numbers);
+  g_test_add_func ("/fault-text/claims", test_claims);
 }
