@@ -493,8 +493,8 @@ test_preview_margins (void)
 
 QN_TESTS
 {
-  g_test_add_func ("/app/export/preview-margins", test_preview_margins);
   gtk_init ();
+  g_test_add_func ("/app/export/preview-margins", test_preview_margins);
   g_test_add_func ("/app/export/figures", test_figures);
   g_test_add_func ("/app/export/sheet", test_sheet);
   g_test_add_func ("/app/export/animation", test_animation);
