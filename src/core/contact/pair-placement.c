@@ -140,8 +140,8 @@ furnish_face (const QnModel *model, QnContacts *contacts, size_t index,
   QnStatus status = place_pairs (contacts, index, &rule, diag);
   if (status != QN_OK)
     return status;
-  /* What the pairs misstate. Bending stiffness counts in large displacements; Gauss-
-   * Lobatto pairs have that of the face between its rounded edges. */
+  /* What the pairs misstate. Bending stiffness counts in large displacements;
+   * Gauss-Lobatto pairs have that of the face between its rounded edges. */
   const QnLaw *a = &model->laws[face->law_a], *b = &model->laws[face->law_b];
   bool per_pair = a->basis == QN_BASIS_CONTACT || b->basis == QN_BASIS_CONTACT;
   if (!per_pair && model->analysis.geometry == QN_GEOMETRY_NONLINEAR
