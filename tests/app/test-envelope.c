@@ -61,11 +61,13 @@ test_bridge (void)
   driver_activate (window, "win.envelope");
   GtkWidget *page = driver_find_page ("Moving Load");
   g_assert_nonnull (page);
-  GtkWidget *area = driver_find_id (page, "area");
+  GtkWidget *area = driver_find_id (page, "area"), *put = driver_find_id (page, "put");
+  g_assert_false (gtk_widget_get_sensitive (put));
   gtk_spin_button_set_value (GTK_SPIN_BUTTON (driver_find_id (page, "step")), 0.5);
   g_assert_cmpstr (driver_last_step (window), ==, "Set Moving Load");
   driver_activate (window, "win.run-shown");
   driver_wait (is_found, page);
+  g_assert_true (gtk_widget_get_sensitive (put));
   g_assert_nonnull (strstr (words (page), "adequacy factor 4.7"));
   g_assert_nonnull (strstr (words (page), "axles of 186.39 kN"));
   driver_screenshot (page, "envelope-worst");

@@ -217,7 +217,10 @@ show_value (QnForm *form, GtkWidget *widget, const QnValue *value)
     gtk_check_button_set_inconsistent (GTK_CHECK_BUTTON (widget), value->mixed);
   if (GTK_IS_CHECK_BUTTON (widget) && value->text != NULL)
     gtk_check_button_set_label (GTK_CHECK_BUTTON (widget), value->text);
-  gtk_widget_set_sensitive (widget, !value->disabled);
+  /* A button of an action can be pressed while the action can be done. */
+  if (!GTK_IS_ACTIONABLE (widget)
+      || gtk_actionable_get_action_name (GTK_ACTIONABLE (widget)) == NULL)
+    gtk_widget_set_sensitive (widget, !value->disabled);
 }
 
 static QnValue
