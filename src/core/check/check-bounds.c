@@ -81,13 +81,11 @@ kinematic_multiplier (QnCheck *check)
     dissipated += away * hypot (pair->normal_force, pair->shear_force);
   }
   /* Largest dissipation of ties. */
-  const QnBeamAssembly *members = &check->assembly.beams;
-  const size_t elements = check->model->element_count;
   double ties = 0;
   for (size_t i = 0; i < qn_model_tie_count (check->model); i++) {
-    double rate = qn_beam_assembly_tie_rate (&check->assembly, i, check->velocity);
+    double rate = qn_beam_assembly_tie_rate (as, i, check->velocity);
     double strength = qn_tie_strength (qn_model_tie (check->model, i));
-    double force = members->responses[elements + i].force[0];
+    double force = as->beams.responses[check->model->element_count + i].force[0];
     /* What nothing limits does not give: what rounding leaves counts as in joints. */
     ties += fmax (rate, 0) * (isfinite (strength) ? strength : force);
   }

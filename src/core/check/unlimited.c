@@ -41,7 +41,7 @@ qn_check_unlimited (const QnModel *model, const QnContacts *contacts, bool *unli
   /* Whether all blocks hang together with such as are held. sets: of the blocks and,
    * behind them, the ground. */
   QnId ground = (QnId) model->block_count;
-  bool all = true;
+  *unlimited = true;
   qn_sets_init (sets, model->block_count + 1);
   for (QnId b = 0; b < ground; b++)
     if (model->blocks[b].support[QN_DOF_UX] && model->blocks[b].support[QN_DOF_UY])
@@ -49,8 +49,7 @@ qn_check_unlimited (const QnModel *model, const QnContacts *contacts, bool *unli
   for (size_t f = 0; f < contacts->face_count; f++)
     qn_sets_join (sets, contacts->faces[f].a, contacts->faces[f].b);
   for (QnId b = 0; b < ground; b++)
-    all = all && qn_sets_root (sets, b) == qn_sets_root (sets, ground);
-  *unlimited = all;
+    *unlimited &= qn_sets_root (sets, b) == qn_sets_root (sets, ground);
   free (sets);
   return QN_OK;
 }

@@ -406,10 +406,8 @@ factor_front (QnBlockLu *lu, int32_t f)
 
   memset (front.diagonal, 0, (m->schur - m->diagonal) * sizeof (double));
   /* The values of A that come into the front are kept for comparison. */
-  const double *ax = lu->ax;
-  int32_t e = lu->matrices[f].first_entry, end = lu->matrices[f + 1].first_entry;
-  for (; e < end; e++)
-    front.diagonal[lu->places[e]] = lu->values[e] = ax[lu->sources[e]];
+  for (int32_t e = m->first_entry; e < lu->matrices[f + 1].first_entry; e++)
+    front.diagonal[lu->places[e]] = lu->values[e] = lu->ax[lu->sources[e]];
   for (int32_t c = lu->tree.fronts[f].child; c != QN_NONE; c = lu->tree.fronts[c].sibling)
     add_rest (lu, c, &front, false);
   m->range = (QnPivotRange){ INFINITY, 0 };
