@@ -18,8 +18,7 @@ int
 main (int argc, char **argv)
 {
   setlocale (LC_ALL, "");
-  /* Numbers look the same everywhere, in files and reports; in pictures they go with the
-   * words. */
+  /* Numbers look the same everywhere, in files and reports; in pictures they go with the words. */
   setlocale (LC_NUMERIC, "C");
   bindtextdomain (GETTEXT_PACKAGE, QN_LOCALE_DIR);
   bind_textdomain_codeset (GETTEXT_PACKAGE, "UTF-8");

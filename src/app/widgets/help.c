@@ -138,8 +138,7 @@ make_page (const char *text, const char *title)
   GtkTextBuffer *buffer = gtk_text_view_get_buffer (view);
   gtk_accessible_update_property (GTK_ACCESSIBLE (view), GTK_ACCESSIBLE_PROPERTY_LABEL,
                                   title, -1);
-  /* Lines of a paragraph belong together; an empty line, or a line of another kind, ends
-   * it. */
+  /* Lines of a paragraph belong together; an empty line, or a line of another kind, ends it. */
   g_auto (GStrv) lines = g_strsplit (text, "\n", -1);
   g_autoptr (GString) paragraph = g_string_new (NULL);
   gboolean code = FALSE;

@@ -139,8 +139,7 @@ print_ground (const QnModel *model)
 static void
 print_findings (const QnCheckReport *report)
 {
-  /* Blocks that stand apart by mortar: often all of a drawing, and no finding of
-   * contacts. */
+  /* Blocks that stand apart by mortar: often all of a drawing, and no finding of contacts. */
   g_auto (QnGaps) gaps;
   qn_model_find_gaps (&report->project->model, 0, &gaps);
   g_autofree char *text = qn_gaps_dup_text (&gaps);

@@ -94,9 +94,8 @@ prepare (const char *name, History *history)
     QnId id = qn_model_find_law (&project->model, name);
     if (id == QN_NONE)
       qn_cli_fail (QN_EXIT_INVALID, _ ("%s: no law is called “%s”"), law_model, name);
-    const QnLaw *law = &project->model.laws[id];
-    *what = *qn_law_preset (law->kind);
-    what->law = *law;
+    *what = *qn_law_preset (project->model.laws[id].kind);
+    what->law = project->model.laws[id];
     what->law.name = what->law.source = NULL;
   } else if (qn_find_word (name, qn_law_kind_names, QN_LAW_KIND_COUNT, &kind))
     *what = *qn_law_preset (kind);

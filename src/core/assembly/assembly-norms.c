@@ -59,8 +59,7 @@ qn_assembly_largest_loose (QnAssembly *as, const double *v, const double *base)
   bool found = true;
   double largest = 0;
 
-  /* Bodies with a support, and those at the ends of beams, are held; `loose` is every
-   * other one. */
+  /* Bodies with a support, and those at the ends of beams, are held; `loose` is every other one. */
   const QnModel *model = as->model;
   for (size_t body = 0; body < qn_model_body_count (model); body++) {
     const int32_t *unknowns = as->unknown + QN_DOF_COUNT * body;

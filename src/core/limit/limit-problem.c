@@ -238,8 +238,7 @@ qn_limit_problem_init (QnLimitProblem *limit, const QnModel *model,
     qn_limit_problem_clear (limit);
     return status;
   }
-  /* Weights stand for masses; a weightless block has the little that keeps its motion
-   * finite. */
+  /* Weights stand for masses; a weightless block has the little that keeps its motion finite. */
   for (size_t b = 0; b < model->block_count; b++) {
     const QnBlock *block = &model->blocks[b];
     double mass = fmax (block->weight / limit->force_unit, LEAST_MASS);

@@ -105,8 +105,7 @@ joint_motion (const Field *field, const QnContacts *contacts, QnId id, double le
   joint.slides = fabs (joint.slip) > least;
   low = fmin (joint.opening_start, joint.opening_end);
   high = fmax (joint.opening_start, joint.opening_end);
-  /* By how much of its slip a joint opens and stays in touch: by the larger of its two
-   * sides. */
+  /* By how much of its slip a joint opens and stays in touch: by the larger of its two sides. */
   const QnLaw *a = &field->model->laws[face->law_a],
               *b = &field->model->laws[face->law_b];
   dilated = ((field->associative ? fmax (a->friction, b->friction)

@@ -476,8 +476,7 @@ qn_edit_place_node (QnModel *model, QnId id, QnVec2 at, GError **error)
   QnId other = qn_model_node_near (model, at, place_reach (at));
   if (other != QN_NONE) {
     node->at = from;
-    /* Everything that named the one names the other; rebuilding leaves out a node without
-     * beams. */
+    /* Everything that named the one names the other; rebuilding leaves out a node without beams. */
     for (gsize i = 0; i < model->beam_count; i++) {
       replace_id (&model->beams[i].nodes[0], id, other);
       replace_id (&model->beams[i].nodes[1], id, other);

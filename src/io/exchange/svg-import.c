@@ -614,8 +614,7 @@ import_document (const xmlDoc *document, const char *name, QnDrawing *drawing,
                         .error = error };
   State state = { .matrix = { 1, 0, 0, 1, 0, 0 }, .layer = "0", .bare = TRUE };
   qn_svg_style_init (&importer.style);
-  /* Elements by their id, and the style sheets. Without recursion: a document may be
-   * deep. */
+  /* Elements by their id, and the style sheets. Without recursion: a document may be deep. */
   for (const xmlNode *node = root; node != NULL;) {
     if (node->type == XML_ELEMENT_NODE) {
       char *id = qn_svg_dup_attribute (node, "id");

@@ -456,8 +456,7 @@ qn_build_dimensions (QnSceneBuilder *b)
 {
   if (qn_box_is_empty (b->box) || !(qn_box_diagonal (b->box) > 0))
     return;
-  /* What is measured: the structure without the blocks that hold it, unless there are no
-   * others. */
+  /* What is measured: the structure without the blocks that hold it, unless there are no others. */
   const QnModel *model = b->model;
   QnBox box = QN_BOX_EMPTY;
   for (size_t i = 0; i < model->block_count; i++)

@@ -82,10 +82,10 @@ draw_histogram (const Page *page)
     return plot;
   /* The rule of Freedman and Diaconis for the width of bars. */
   double spread = qn_quantile (sorted, count, 0.75) - qn_quantile (sorted, count, 0.25);
-  double range = sorted[count - 1] - sorted[0];
+  double low = sorted[0], range = sorted[count - 1] - low;
   double step = 2 * spread / cbrt ((double) count);
   gsize bars = (gsize) qn_to_integer (ceil (range / step), 1, MOST_BARS);
-  double low = sorted[0], width = (sorted[count - 1] - low) / (double) bars;
+  double width = range / (double) bars;
   if (!(width > 0)) {
     width = fmax (fabs (low), 1) * 1e-3;
     low -= 0.5 * width;
