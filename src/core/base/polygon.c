@@ -101,11 +101,10 @@ qn_polygon_inner_point (const QnVec2 *vertices, size_t count)
 {
   /* Lowest vertex, the leftmost of several: certainly a convex corner. */
   size_t corner = 0;
-  for (size_t i = 1; i < count; i++) {
+  for (size_t i = 1; i < count; i++)
     if (vertices[i].y < vertices[corner].y
         || (vertices[i].y == vertices[corner].y && vertices[i].x < vertices[corner].x))
       corner = i;
-  }
   size_t before = (corner + count - 1) % count;
   size_t after = (corner + 1) % count;
   QnVec2 p = qn_vec2_sub (vertices[before], vertices[corner]);

@@ -256,13 +256,12 @@ qn_check_mechanism (QnCheck *check)
       check_joint (check, p, rates + 2 * p, none);
   /* Ties give where they hang slack or have their strength; forces are none or reach the
    * strength within `little`, N. */
-  const QnBeamAssembly *members = &check->assembly.beams;
   const size_t elements = check->model->element_count;
   const double little = QN_CHECK_LITTLE * check->scale;
   for (size_t i = 0; i < qn_model_tie_count (check->model); i++) {
-    const QnBeamResponse *response = &members->responses[elements + i];
-    const QnAssembledBeam *at = &members->beams[elements + i];
-    double rate = qn_beam_assembly_tie_rate (&check->assembly, i, check->velocity);
+    const QnBeamResponse *response = &as->beams.responses[elements + i];
+    const QnAssembledBeam *at = &as->beams.beams[elements + i];
+    double rate = qn_beam_assembly_tie_rate (as, i, check->velocity);
     double force = response->force[0];
     bool hangs =
       !check->result->limit.given
